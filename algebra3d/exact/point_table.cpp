@@ -13,13 +13,6 @@ constexpr std::size_t kFewestSlots = 64;
 
 }  // namespace
 
-std::uint32_t PointTable::intern(ExactPoint point) {
-  const std::size_t before = size();
-  const std::uint32_t number = intern(point.ref());
-  if (size() > before && !point.is_double()) owned_.push_back(std::move(point).take_exact());
-  return number;
-}
-
 bool PointTable::are_equal(const ExactCoordinates* a, const ExactCoordinates* b) {
   return a != nullptr && b != nullptr && *a == *b;
 }
@@ -28,7 +21,6 @@ void PointTable::finish() {
   std::vector<Slot>().swap(slots_);
   shrink(approx_);
   shrink(exact_);
-  shrink(owned_);
 }
 
 // Points are inserted anew in their order: the table depends on the points alone, not on its history.

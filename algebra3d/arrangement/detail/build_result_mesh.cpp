@@ -51,7 +51,9 @@ Result<UnlinkedMesh> build_unlinked_mesh(const Subdivision& subdivision, Selecti
   Result<Regions> regions = Regions();
   const auto make_regions = [&] { regions = find_regions(subdivision, selection, patch_corners, free_sub_edges); };
   const auto take_patches = [&] { mesh.emplace(subdivision, patch_corners, selection.patches, region_triangles); };
-  parallel_invoke(subdivision.operands.face_count() >= kFacesWorthATask, make_regions, take_patches);
+  // Without faces to be taken over, the memory of the sub-edges is free before the mesh needs some.
+  const std::size_t faces_in_patches = subdivision.operands.face_count() - subdivision.facets.faces.size();
+  parallel_invoke(faces_in_patches >= kFacesWorthATask, make_regions, take_patches);
   if (!regions.ok()) return std::move(regions).error();
   for (const Region& region : regions->regions) mesh->add(region, regions->triangles_of(region));
   return mesh->finish();

@@ -34,6 +34,11 @@ ExactPoint Crossings::take_point(CrossingId crossing, const EdgeAndPlane& where)
   return place < points_.size() ? std::move(points_[place]) : meeting_point(where);
 }
 
+void Crossings::reserve(std::size_t count) {
+  of_edges_and_planes_.reserve(count);
+  nodes_.reserve(count);
+}
+
 NodeId Crossings::of_edge_and_plane(const EdgeAndPlane& where) {
   CrossingId& known = of_edges_and_planes_[where.key()];
   if (known.is_none()) known = nodes_.push_back({});

@@ -29,6 +29,8 @@ class Crossings {
   Crossings(const Operands& operands, const Facets& facets, SegmentComplex& complex)
       : operands_(operands), facets_(facets), complex_(complex) {}
 
+  /// Makes room for so many points in which edges meet planes.
+  void reserve(std::size_t count);
   /// The node where an edge meets a plane in one point. Exact.
   NodeId of_edge_and_plane(const EdgeAndPlane& where);
   /// The node where three planes meet in one point. Exact.

@@ -13,7 +13,10 @@ namespace algebra3d::arrangement {
 template <typename Id>
 class IdMap {
  public:
-  std::size_t size() const { return size_; }
+  /// Makes room for so many keys.
+  void reserve(std::size_t count) {
+    if (count > capacity_) resize(slots_for(count));
+  }
   /// The id of a key; none for a new key, which the caller must set. Valid until the next call. Cost: constant
   /// expected.
   Id& operator[](std::uint64_t key) {
@@ -43,11 +46,20 @@ class IdMap {
     return slots_[i];
   }
 
-  /// Small maps grow fast and stay half empty; large ones are to take little memory.
-  void grow() {
-    constexpr std::size_t kFewestSlots = 64, kManySlots = 32768;
-    const std::size_t slot_count = slots_.empty() ? kFewestSlots : (slots_.size() < kManySlots ? 4 : 2) * slots_.size();
-    capacity_ = slot_count < kManySlots ? slot_count / 2 : slot_count / 4 * 3;
+  // Small maps grow fast and stay half empty; large ones are to take little memory.
+  static constexpr std::size_t kFewestSlots = 64, kManySlots = 32768;
+
+  static std::size_t capacity_of(std::size_t slot_count) {
+    return slot_count < kManySlots ? slot_count / 2 : slot_count / 4 * 3;
+  }
+  static std::size_t slots_for(std::size_t count) {
+    std::size_t slot_count = kFewestSlots;
+    while (capacity_of(slot_count) < count) slot_count *= 2;
+    return slot_count;
+  }
+  void grow() { resize(slots_.empty() ? kFewestSlots : (slots_.size() < kManySlots ? 4 : 2) * slots_.size()); }
+  void resize(std::size_t slot_count) {
+    capacity_ = capacity_of(slot_count);
     shift_ = 64 - std::countr_zero(slot_count);
     for (const Slot& slot : std::exchange(slots_, std::vector<Slot>(slot_count)))
       if (!slot.id.is_none()) slot_of(slot.key()) = slot;

@@ -143,7 +143,7 @@ bool PseudoNodeFinder::continue_each_other(EdgeEnds one, EdgeEnds other, EdgeEnd
 /// side of the line where the region lies along the edge.
 bool PseudoNodeFinder::is_half_disc(const EdgeEnd& end, NodeId opposite, EdgeEnds all) const {
   const NodePool& nodes = subdivision_.complex.nodes;
-  const Projection projection = subdivision_.facets.planes[end.region.plane].projection;
+  const Projection projection = subdivision_.facets.planes[end.region.plane()].projection;
   return std::ranges::none_of(all, [&](const EdgeEnd& e) {
     if (e.region != end.region || e.other == end.other || e.other == opposite) return false;
     const int turn = orient2d(projection, nodes[end.node], nodes[end.other], nodes[e.other]);
@@ -216,12 +216,12 @@ std::vector<RegionEdge> straightened(std::vector<RegionEdge> edges, std::span<co
     RegionEdge last = edge;
     for (NodeId next = node_beyond(last, pseudo_nodes); !next.is_none(); next = node_beyond(last, pseudo_nodes))
       last.from = std::exchange(last.to, next);
-    plane_count = std::max<std::size_t>(plane_count, edge.region.plane.index() + std::size_t{1});
+    plane_count = std::max<std::size_t>(plane_count, edge.region.plane().index() + std::size_t{1});
     edges[count++] = {edge.region, edge.from, last.to};
   }
   edges.resize(count);
   bucket_sort(
-      edges, plane_count, [](const RegionEdge& edge) { return edge.region.plane.index(); }, std::less());
+      edges, plane_count, [](const RegionEdge& edge) { return edge.region.plane().index(); }, std::less());
   return edges;
 }
 

@@ -52,7 +52,7 @@ bool RegionTriangulator::add(Boundary boundary) {
     has_exact_corner = has_exact_corner || !nodes[from].is_double();
   }
   const RegionKey key = boundary.front().region;
-  const Projection projection = subdivision_.facets.planes[key.plane].projection;
+  const Projection projection = subdivision_.facets.planes[key.plane()].projection;
   if (!triangulate_by_sweep(nodes.points(), projection, edges_, triangles_)) return false;
   const std::size_t first = result_.triangles.size();
   result_.triangles.insert(result_.triangles.end(), triangles_.begin(), triangles_.end());
@@ -97,7 +97,7 @@ Regions joined(std::vector<Part>& parts) {
 
 Error unbounded_region(const Subdivision& subdivision, const RegionKey& region) {
   const Facets& facets = subdivision.facets;
-  const auto facet = std::ranges::find(facets.facets, region.plane, &Facet::plane);
+  const auto facet = std::ranges::find(facets.facets, region.plane(), &Facet::plane);
   const InputFaceId face = facets.faces[facet->faces.first];
   const Vec3 where = subdivision.operands.corners(face)[0].approx;
   return {ErrorCode::internal,

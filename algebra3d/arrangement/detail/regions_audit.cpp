@@ -46,7 +46,7 @@ bool RegionsAudit::check_keys() {
 
 /// Whether all corners are there.
 bool RegionsAudit::check_triangles(const Region& region) {
-  const Projection projection = subdivision_.facets.planes[region.key.plane].projection;
+  const Projection projection = subdivision_.facets.planes[region.key.plane()].projection;
   bool are_there = true, has_exact_corner = false;
   for (const auto& [a, b, c] : regions_.triangles_of(region)) {
     if (!violations_.expect(std::max({a, b, c}) < nodes_.size(), "triangle ({} {} {}) has a corner that is no node", a,
@@ -57,11 +57,11 @@ bool RegionsAudit::check_triangles(const Region& region) {
     const PointRef p = nodes_[NodeId(a)], q = nodes_[NodeId(b)], r = nodes_[NodeId(c)];
     violations_.expect(orient2d(projection, p, q, r) > 0,
                        "triangle ({} {} {}) in plane {} is not counter-clockwise from the front", a, b, c,
-                       region.key.plane.index());
+                       region.key.plane().index());
     has_exact_corner = has_exact_corner || !p.is_double() || !q.is_double() || !r.is_double();
   }
   violations_.expect(!are_there || has_exact_corner == region.has_exact_corner,
-                     "a region in plane {} does not say whether a corner is no double", region.key.plane.index());
+                     "a region in plane {} does not say whether a corner is no double", region.key.plane().index());
   return are_there;
 }
 
@@ -73,7 +73,7 @@ void RegionsAudit::check_boundary(const Region& region) {
     if (key == region.key) add_edge(net, to, from);
   for (const auto& [ends, count] : net)
     violations_.expect(count == 0, "a region in plane {}: its triangles and its boundary differ along nodes {} and {}",
-                       region.key.plane.index(), ends.u.index(), ends.v.index());
+                       region.key.plane().index(), ends.u.index(), ends.v.index());
 }
 
 std::vector<std::string> RegionsAudit::run() {

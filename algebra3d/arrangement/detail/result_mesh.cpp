@@ -88,11 +88,11 @@ void ResultMesh::add(const Region& region, std::span<const IndexTriangle> triang
   for (const IndexTriangle& corners : triangles) {
     const std::size_t at = origins.size();
     for (const std::uint32_t node : corners) origins.push_back(vertex_at(NodeId(node)).index());
-    if (region.key.is_flipped) std::swap(origins[at + 1], origins[at + 2]);
+    if (region.key.is_flipped()) std::swap(origins[at + 1], origins[at + 2]);
   }
   mesh_.opposites.resize(origins.size());
   if (region.has_exact_corner)
-    planes_.add({first, FaceId(origins.size() / 3)}, region.key.plane, region.key.is_flipped);
+    planes_.add({first, FaceId(origins.size() / 3)}, region.key.plane(), region.key.is_flipped());
 }
 
 VertexId ResultMesh::vertex_at(NodeId node) {

@@ -68,6 +68,8 @@ void SegmentMaker::reserve(std::size_t contact_count) {
   });
   complex_.incidences.reserve(2 * contact_count + incidence_count);
   complex_.segments.reserve(contact_count + edge_count);
+  of_edges_.reserve(edge_count);
+  between_.reserve(contact_count + edge_count);
 }
 
 void SegmentMaker::add_boundaries() {

@@ -93,10 +93,11 @@ class SubEdgeMaker {
 
 }  // namespace
 
-SubEdges divide(const Facets& facets, const SegmentComplex& complex) {
+SubEdges divide(const Facets& facets, SegmentComplex& complex) {
   SubEdges result;
   result.segments = CutSegments(complex);
   FacetSubEdges parts(complex, result.segments);
+  complex.free_divided();
   result.sub_edges.reserve(parts.size());
   result.incident.reserve(parts.size());
   SubEdgeMaker maker(facets, result);

@@ -110,8 +110,9 @@ struct SubEdges {
 
 /// Stage 6: divides at their cuts the segments of a complex that overlay has completed. Equal pieces of several
 /// segments become one sub-edge in each plane, with the incident facets of all. If a facet has both an incidence with
-/// FacetSides::both and, from its boundary, one with a side, the latter counts. Cost: n log n.
-SubEdges divide(const Facets& facets, const SegmentComplex& complex);
+/// FacetSides::both and, from its boundary, one with a side, the latter counts. Leaves the complex without incidences,
+/// cuts, touches and collinear segments. Cost: n log n.
+SubEdges divide(const Facets& facets, SegmentComplex& complex);
 
 /// Every violated invariant, one sentence each: sub-edges are ascending and lie in their planes, which are those of
 /// their incident facets; a facet is on a side at most once; sub-edges of one plane meet in common ends alone; each cut

@@ -33,7 +33,6 @@ Result<SubEdges> find_sub_edges(Subdivision& subdivision, PairContacts contacts,
   }
   ALGEBRA3D_RETURN_IF_ERROR(
       check_stage("the sub-edges", [&] { return audit(subdivision.facets, subdivision.complex, result); }));
-  complex.free_divided();
   return result;
 }
 

@@ -52,7 +52,7 @@ class UnionSteps {
   UnionSteps& operator=(const UnionSteps&) = delete;
 
   std::string plane_text(const RegionKey& region) const {
-    return stages::text(subdivision.facets.planes[region.plane]);
+    return stages::text(subdivision.facets.planes[region.plane()]);
   }
 
   Subdivision subdivision;
@@ -263,7 +263,7 @@ TEST(BuildResultMesh, audit_sees_damaged_edges) {
   expect_seen([](auto& edges) { edges.push_back(edges.front()); }, "twice");
   expect_seen([](auto& edges) { edges[0].to = edges[0].from; }, "has no two ends or no plane");
   expect_seen([](auto& edges) { edges[0].from = NodeId(99); }, "has no two ends or no plane");
-  expect_seen([](auto& edges) { edges[0].region.plane = PlaneId(99); }, "has no two ends or no plane");
+  expect_seen([](auto& edges) { edges[0].region = {PlaneId(99), false}; }, "has no two ends or no plane");
   expect_seen(
       [&](auto& edges) {
         const auto other = std::ranges::find_if(edges, [&](const RegionEdge& e) {
