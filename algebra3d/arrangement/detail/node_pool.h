@@ -12,6 +12,10 @@ namespace algebra3d::arrangement {
 /// but the order of the calls.
 class NodePool {
  public:
+  NodePool() = default;
+  /// With capacity for `expected_count` nodes.
+  explicit NodePool(std::size_t expected_count) : points_(expected_count) {}
+
   /// The node at the point, which is added if it is new. Cost: constant expected.
   NodeId intern(const PointRef& point) { return NodeId(points_.intern(point)); }
 

@@ -66,6 +66,8 @@ void SegmentMaker::reserve(std::size_t contact_count) {
     ++incidence_count;
     edge_count += Operands::halfedge(operands_.edge(h)) == h ? 1 : 0;
   });
+  // A closed mesh has three times as many edges as vertices, and edges that meet planes are about as many as contacts.
+  complex_.nodes = NodePool(contact_count + edge_count / 3);
   complex_.incidences.reserve(2 * contact_count + incidence_count);
   complex_.segments.reserve(contact_count + edge_count);
   of_edges_.reserve(edge_count);

@@ -11,7 +11,7 @@ class SegmentMaker {
   SegmentMaker(const Operands& operands, const Facets& facets, SegmentComplex& complex)
       : operands_(operands), facets_(facets), complex_(complex) {}
 
-  /// Room for the segments of all boundary edges and of at most so many contacts.
+  /// Makes room for the nodes and segments of all boundary edges and of at most so many contacts, before all else.
   void reserve(std::size_t contact_count);
   /// The node at the origin of the half-edge.
   NodeId node_at_origin(InputHalfedgeId halfedge);
