@@ -240,9 +240,9 @@ Result<SegmentComplex> FacetContactFinder::run(const PairContacts& contacts) {
   const NumbersByBucket by_first_facet(contacts.contacts.size(), facets_.facets.size(), [&](std::size_t number) {
     return facets_.of_face[contacts.contacts[number].first_face].index();
   });
-  segments_.reserve(contacts.contacts.size());
   // An edge that meets a plane is one of two faces, so there are about as many points as contacts.
   crossings_.reserve(contacts.contacts.size());
+  segments_.reserve(contacts.contacts.size());
   for (const FacetId facet : facets_.ids()) {
     find_face_contacts(contacts, by_first_facet.of(facet.index()));
     if (block_.size() < kContactsPerBlock) continue;

@@ -28,7 +28,11 @@ std::vector<Boundary> boundaries_of_regions(const std::vector<RegionEdge>& edges
 /// Triangulates some of the regions.
 class RegionTriangulator {
  public:
-  explicit RegionTriangulator(const Subdivision& subdivision) : subdivision_(subdivision) {}
+  RegionTriangulator(const Subdivision& subdivision, std::size_t region_count, std::size_t edge_count)
+      : subdivision_(subdivision) {
+    result_.regions.reserve(region_count);
+    result_.triangles.reserve(edge_count);  // hardly any region has more triangles than edges
+  }
 
   /// False if the edges bound no region.
   bool add(Boundary boundary);
@@ -66,8 +70,11 @@ struct Part {
   std::optional<RegionKey> unbounded;  // one whose edges bound no region: later ones are not there
 };
 
+/// Consecutive regions, at least one.
 Part triangulated(const Subdivision& subdivision, std::span<const Boundary> boundaries) {
-  RegionTriangulator triangulator(subdivision);
+  const auto edge_count =
+      static_cast<std::size_t>(boundaries.back().data() + boundaries.back().size() - boundaries.front().data());
+  RegionTriangulator triangulator(subdivision, boundaries.size(), edge_count);
   Part part;
   for (const Boundary& boundary : boundaries)
     if (!part.unbounded && !triangulator.add(boundary)) part.unbounded = boundary.front().region;
@@ -117,7 +124,7 @@ Result<Regions> triangulate_regions(const Subdivision& subdivision, const std::v
   std::vector<Part> parts =
       parallel_collect(boundaries.size(), kRegionsPerTask, [&](std::size_t begin, std::size_t end) {
         std::vector<Part> part;
-        part.push_back(triangulated(subdivision, std::span(boundaries).subspan(begin, end - begin)));
+        if (begin < end) part.push_back(triangulated(subdivision, std::span(boundaries).subspan(begin, end - begin)));
         return part;
       });
   for (const Part& part : parts)
