@@ -45,7 +45,7 @@ Result<UnlinkedMesh> build_unlinked_mesh(const Subdivision& subdivision, Selecti
                                          const FreeSubEdges& free_sub_edges) {
   const PatchCorners patch_corners(subdivision, selection.patches);
   // Regions mostly have fewer triangles than half of the sub-edges, one of which has two sides in each of its planes.
-  const std::size_t region_triangles = subdivision.sub_edges.sub_edges.size() / 2;
+  const std::size_t region_triangles = subdivision.sub_edges.size() / 2;
 
   std::optional<ResultMesh> mesh;
   Result<Regions> regions = Regions();

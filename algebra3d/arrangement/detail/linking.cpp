@@ -109,7 +109,7 @@ RadialOrders Linker::radial_orders(IdRange<SubEdgeId> first_sub_edges) const {
 
 /// Block by block: the geometry in parallel, which is most of the work, and then the sets.
 void Linker::link_round_space_edges() {
-  const std::size_t count = subdivision_.sub_edges.sub_edges.size();
+  const std::size_t count = subdivision_.sub_edges.size();
   for (std::size_t first = 0; first < count; first += kSubEdgesPerBlock) {
     const auto found = parallel_collect(
         std::min(kSubEdgesPerBlock, count - first), kSubEdgesPerTask, [&](std::size_t begin, std::size_t end) {

@@ -61,7 +61,7 @@ class SubEdgeMaker {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const FacetSubEdge& part = parts[i];
       if (i == 0 || !are_at_one_place(parts[i - 1], part))
-        result_.sub_edges.push_back({{u, part.v}, plane(part), static_cast<std::uint32_t>(result_.incident.size())});
+        add_sub_edge({u, part.v}, plane(part));
       else if (parts[i - 1].incident == part.incident)
         continue;
       // Sides are sorted with `both` first: a facet that is cut along its own boundary is on the side of that.
@@ -71,6 +71,11 @@ class SubEdgeMaker {
   }
 
  private:
+  void add_sub_edge(const SpaceEdge& ends, PlaneId plane) {
+    result_.ends.push_back(ends);
+    result_.planes.push_back(plane);
+    result_.first_incident.push_back(static_cast<std::uint32_t>(result_.incident.size()));
+  }
   PlaneId plane(const FacetSubEdge& part) const { return facets_[part.incident.facet()].plane; }
   bool are_at_one_place(const FacetSubEdge& a, const FacetSubEdge& b) const {
     return a.v == b.v && plane(a) == plane(b);
@@ -98,11 +103,15 @@ SubEdges divide(const Facets& facets, SegmentComplex& complex) {
   result.segments = CutSegments(complex);
   FacetSubEdges parts(complex, result.segments);
   complex.free_divided();
-  result.sub_edges.reserve(parts.size());
+  result.ends.reserve(parts.size());
+  result.planes.reserve(parts.size());
+  result.first_incident.reserve(parts.size());
   result.incident.reserve(parts.size());
   SubEdgeMaker maker(facets, result);
   for (const NodeId u : complex.nodes.ids()) maker.add(u, parts.from(u));
-  shrink(result.sub_edges.values());
+  shrink(result.ends.values());
+  shrink(result.planes.values());
+  shrink(result.first_incident.values());
   shrink(result.incident);
   return result;
 }

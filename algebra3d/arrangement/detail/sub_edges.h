@@ -48,13 +48,15 @@ struct SpaceEdge {
 struct SubEdge {
   SpaceEdge ends;
   PlaneId plane;
-  std::uint32_t first_incident;  ///< in SubEdges::incident; those of the next sub-edge follow
 };
 
-/// Output of stage 6: the subdivision of all planes.
+/// Output of stage 6: the subdivision of all planes. Lists of their own for what a sub-edge has find room more easily,
+/// where there are many.
 struct SubEdges {
-  /// Ascending by ends, then by plane: so those along one space edge are neighbours.
-  IdVector<SubEdgeId, SubEdge> sub_edges;
+  /// Ascending, and those along one space edge ascending by plane: so these are neighbours.
+  IdVector<SubEdgeId, SpaceEdge> ends;
+  IdVector<SubEdgeId, PlaneId> planes;
+  IdVector<SubEdgeId, std::uint32_t> first_incident;  ///< of `incident`; those of the next sub-edge follow
   /// Sub-edge by sub-edge. The list of each is complete if all operands are closed: a sub-edge of plane P lies on a
   /// facet G that is not in P, a neighbour across a boundary edge or a facet that crosses P. A facet of P of another
   /// operand that holds the sub-edge meets G there, so stage 4 has found it as a contact; one of the same operand has
@@ -62,15 +64,19 @@ struct SubEdges {
   std::vector<IncidentFacet> incident;
   CutSegments segments;  ///< the nodes along each segment; freed once uncut edges are known
 
-  IdRange<SubEdgeId> ids() const { return sub_edges.ids(); }
-  IdRange<SubEdgeSide> sides() const { return IdRange<SubEdgeSide>(2 * sub_edges.size()); }
-  const SubEdge& operator[](SubEdgeId sub_edge) const { return sub_edges[sub_edge]; }
+  std::size_t size() const { return ends.size(); }
+  IdRange<SubEdgeId> ids() const { return ends.ids(); }
+  IdRange<SubEdgeSide> sides() const { return IdRange<SubEdgeSide>(2 * size()); }
+  SubEdge operator[](SubEdgeId sub_edge) const { return {ends[sub_edge], planes[sub_edge]}; }
+  /// Where those of `incident` end that are incident to a sub-edge.
+  std::size_t end_of_incident(SubEdgeId sub_edge) const {
+    const std::size_t next = sub_edge.index() + std::size_t{1};
+    return next < size() ? first_incident[SubEdgeId(next)] : incident.size();
+  }
   /// The incident facets of a sub-edge.
   std::span<const IncidentFacet> incident_to(SubEdgeId sub_edge) const {
-    const std::size_t next = sub_edge.index() + std::size_t{1};
-    const std::size_t first = sub_edges[sub_edge].first_incident;
-    return std::span(incident).subspan(
-        first, (next < sub_edges.size() ? sub_edges[SubEdgeId(next)].first_incident : incident.size()) - first);
+    const std::size_t first = first_incident[sub_edge];
+    return std::span(incident).subspan(first, end_of_incident(sub_edge) - first);
   }
   /// True if a facet covers the sub-facet at that side.
   bool is_covered(SubEdgeSide side) const {
@@ -78,9 +84,9 @@ struct SubEdges {
                                [&](const IncidentFacet& f) { return includes(f.sides(), side.side()); });
   }
   /// The sub-edges along a space edge, one for each plane.
-  IdRange<SubEdgeId> along(const SpaceEdge& ends) const {
-    const auto found = equal_span(sub_edges.values(), ends, &SubEdge::ends);
-    const auto first = static_cast<std::size_t>(found.data() - sub_edges.values().data());
+  IdRange<SubEdgeId> along(const SpaceEdge& edge) const {
+    const auto found = equal_span(ends.values(), edge);
+    const auto first = static_cast<std::size_t>(found.data() - ends.values().data());
     return {SubEdgeId(first), SubEdgeId(first + found.size())};
   }
   /// Calls visit(sub_edges) for the sub-edges along each space edge.
@@ -94,13 +100,12 @@ struct SubEdges {
     const auto end_of = [&](SubEdgeId last) {
       do {
         last = SubEdgeId(last.index() + 1);
-      } while (last < sub_edges.next_id() && sub_edges[last].ends == sub_edges[SubEdgeId(last.index() - 1)].ends);
+      } while (last < ends.next_id() && ends[last] == ends[SubEdgeId(last.index() - 1)]);
       return last;
     };
     SubEdgeId first = *range.begin();
     const SubEdgeId end = *range.end();
-    if (first < end && first.index() > 0 && sub_edges[first].ends == sub_edges[SubEdgeId(first.index() - 1)].ends)
-      first = end_of(first);
+    if (first < end && first.index() > 0 && ends[first] == ends[SubEdgeId(first.index() - 1)]) first = end_of(first);
     for (SubEdgeId last; first < end; first = last) {
       last = end_of(first);
       visit(IdRange(first, last));

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 #include "algebra3d/arrangement/detail/id_tree.h"
 #include "algebra3d/arrangement/detail/stage_audit.h"
@@ -39,9 +39,8 @@ bool SubEdgesAudit::check_lists() {
   bool holds = true;
   std::size_t first = 0;
   for (const SubEdgeId id : sub_edges_.ids()) {
-    const auto& [ends, plane, begin] = sub_edges_[id];
-    const bool is_last = id.index() + std::size_t{1} == sub_edges_.sub_edges.size();
-    const std::size_t end = is_last ? sub_edges_.incident.size() : sub_edges_[SubEdgeId(id.index() + 1)].first_incident;
+    const auto [ends, plane] = sub_edges_[id];
+    const std::size_t begin = sub_edges_.first_incident[id], end = sub_edges_.end_of_incident(id);
     holds &=
         violations_.expect(ends.u < ends.v && ends.v.index() < nodes_.size() && plane.index() < facets_.planes.size(),
                            "sub-edge {} has no two ends, ascending, or no plane", id.index());
@@ -56,13 +55,13 @@ bool SubEdgesAudit::check_lists() {
 }
 
 void SubEdgesAudit::check_order() {
-  const auto key = [&](SubEdgeId id) { return std::tie(sub_edges_[id].ends, sub_edges_[id].plane); };
-  for (std::size_t i = 1; i < sub_edges_.sub_edges.size(); ++i)
+  const auto key = [&](SubEdgeId id) { return std::pair(sub_edges_[id].ends, sub_edges_[id].plane); };
+  for (std::size_t i = 1; i < sub_edges_.size(); ++i)
     violations_.expect(key(SubEdgeId(i - 1)) < key(SubEdgeId(i)), "sub-edge {} is not behind the one before it", i);
 }
 
 void SubEdgesAudit::check_incident_facets(SubEdgeId id) {
-  const auto& [ends, plane, first_incident] = sub_edges_[id];
+  const auto [ends, plane] = sub_edges_[id];
   violations_.expect(is_in_plane(ends.u, plane) && is_in_plane(ends.v, plane), "sub-edge {} is not in its plane {}",
                      id.index(), plane.index());
   const auto incident = sub_edges_.incident_to(id);

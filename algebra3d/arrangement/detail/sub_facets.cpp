@@ -150,7 +150,7 @@ std::vector<PlaneBlock> plane_blocks(std::size_t plane_count) {
 
 Result<FrontWindingIds> number_front_windings(const Subdivision& subdivision) {
   const SubEdges& sub_edges = subdivision.sub_edges;
-  const NumbersByBucket by_plane(sub_edges.sub_edges.size(), subdivision.facets.planes.size(),
+  const NumbersByBucket by_plane(sub_edges.size(), subdivision.facets.planes.size(),
                                  [&](std::size_t i) { return sub_edges[SubEdgeId(i)].plane.index(); });
   IdVector<SubEdgeSide, FrontWindingId> chains(sub_edges.sides().size());
   std::vector<PlaneBlock> blocks = plane_blocks(by_plane.bucket_count());

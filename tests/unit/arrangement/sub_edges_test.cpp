@@ -149,20 +149,17 @@ TEST(SubEdges, audit_sees_damage) {
     EXPECT_NE(violations.find(part), std::string::npos) << "expected: " << part << "\n" << violations;
   };
   const SubEdgeId first(0);
-  expect_seen([&](SubEdges& s) { std::swap(s.sub_edges[first].ends.u, s.sub_edges[first].ends.v); },
+  expect_seen([&](SubEdges& s) { std::swap(s.ends[first].u, s.ends[first].v); },
               "sub-edge 0 has no two ends, ascending");
-  expect_seen([&](SubEdges& s) { std::swap(s.sub_edges[first].ends, s.sub_edges.back().ends); },
-              "is not behind the one before it");
-  expect_seen([&](SubEdges& s) { s.sub_edges[SubEdgeId(1)].first_incident = 0; },
-              "sub-edge 0 has the incident facets 0 to 0");
+  expect_seen([&](SubEdges& s) { std::swap(s.ends[first], s.ends.back()); }, "is not behind the one before it");
+  expect_seen([&](SubEdges& s) { s.first_incident[SubEdgeId(1)] = 0; }, "sub-edge 0 has the incident facets 0 to 0");
   expect_seen([&](SubEdges& s) { s.incident[0] = {FacetId(99), FacetSides::both}; }, "an incident facet is not there");
-  expect_seen([&](SubEdges& s) { s.sub_edges[first].plane = PlaneId(5 - s.sub_edges[first].plane.index()); },
-              "is in another plane");
+  expect_seen([&](SubEdges& s) { s.planes[first] = PlaneId(5 - s.planes[first].index()); }, "is in another plane");
   expect_seen(
       [&](SubEdges& s) {
         s.incident.insert(s.incident.begin(), s.incident.front());
-        for (SubEdge& sub_edge : s.sub_edges) ++sub_edge.first_incident;
-        s.sub_edges[first].first_incident = 0;
+        for (std::uint32_t& begin : s.first_incident) ++begin;
+        s.first_incident[first] = 0;
       },
       "is on one side twice");
   // A diagonal of a side, which crosses sub-edges of its plane.
@@ -171,9 +168,9 @@ TEST(SubEdges, audit_sees_damage) {
         const auto corner = [&](const Vec3& point) {
           return *std::ranges::find_if(complex.nodes.ids(), [&](NodeId n) { return complex.nodes[n].approx == point; });
         };
-        for (SubEdge& sub_edge : s.sub_edges)
-          if (sub_edge.ends == SpaceEdge::of(corner({4, 0, 0}), corner({4, 4, 0})))
-            sub_edge.ends = SpaceEdge::of(corner({4, 0, 0}), corner({4, 4, 4}));
+        for (SpaceEdge& ends : s.ends)
+          if (ends == SpaceEdge::of(corner({4, 0, 0}), corner({4, 4, 0})))
+            ends = SpaceEdge::of(corner({4, 0, 0}), corner({4, 4, 4}));
       },
       "meet in more than ends");
 }
