@@ -1,6 +1,7 @@
 #include "algebra3d/exact/point_table.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "algebra3d/base/shrink.h"
@@ -25,7 +26,7 @@ void PointTable::finish() {
 
 // Points are inserted anew in their order: the table depends on the points alone, not on its history.
 void PointTable::grow() {
-  slots_.assign(std::max(2 * slots_.size(), kFewestSlots), Slot());
+  slots_.assign(std::max({2 * slots_.size(), kFewestSlots, std::bit_ceil(2 * approx_.size())}), Slot());
   const std::size_t mask = slots_.size() - 1;
   for (std::uint32_t number = 0; number < approx_.size(); ++number) {
     const std::uint64_t hash = hash_of(approx_[number]);

@@ -61,7 +61,8 @@ class PointTable {
     return slots_.empty() ? kNone : slots_[place_of(point, hash_of(point.approx))].number;
   }
 
-  /// Frees what finding points takes, and unused capacity. Only the points themselves can be asked for from then on.
+  /// Frees what finding points takes, and unused capacity, once all points are there: `find` must not be called any
+  /// more, and the next `intern` takes as long as all before.
   void finish();
 
   PointRef operator[](std::uint32_t number) const { return {approx_[number], exact_of(number)}; }
