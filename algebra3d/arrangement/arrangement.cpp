@@ -47,8 +47,8 @@ struct SolidArrangement::Parts {
 
   /// rule(front, back) as FaceRule; inlined, where a std::function would be called through.
   template <typename Rule>
-  Result<arrangement::UnlinkedMesh> faces(Rule rule) const;
-  Result<arrangement::UnlinkedMesh> solid(const KeepRule& rule) const;
+  arrangement::Selection faces(Rule rule) const;
+  arrangement::Selection solid(const KeepRule& rule) const;
 };
 
 SolidArrangement::SolidArrangement(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -77,19 +77,20 @@ Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operand
 }
 
 template <typename Rule>
-Result<arrangement::UnlinkedMesh> SolidArrangement::Parts::faces(Rule rule) const {
+arrangement::Selection SolidArrangement::Parts::faces(Rule rule) const {
   using arrangement::PatchId, arrangement::SubEdgeSide;
-  const auto keep_sub_facet = [&](SubEdgeSide side) {
-    return jumps[side] == WindingVector() ? 0 : rule(fronts.at_sides[side], fronts.at_sides[side] + jumps[side]);
+  const auto of_side = [&](SubEdgeSide side) {
+    const WindingVector jump = jumps[side], front = fronts.at_sides[side];
+    return jump == WindingVector() ? 0 : rule(front, front + jump);
   };
-  const auto keep_patch = [&](PatchId patch) {
+  const auto of_patch = [&](PatchId patch) {
     const std::size_t group = subdivision.operands.group(subdivision.patches[patch].operand);
     return rule(fronts.at_patches[patch], fronts.at_patches[patch] + WindingVector::of_group(group, 1));
   };
-  return arrangement::build_unlinked_mesh(subdivision, {keep_sub_facet, keep_patch});
+  return arrangement::Selection::of(subdivision, of_side, of_patch);
 }
 
-Result<arrangement::UnlinkedMesh> SolidArrangement::Parts::solid(const KeepRule& rule) const {
+arrangement::Selection SolidArrangement::Parts::solid(const KeepRule& rule) const {
   RememberedRule keeps(rule);
   return faces([&](const WindingVector& front, const WindingVector& back) {
     return static_cast<int>(keeps(back)) - static_cast<int>(keeps(front));
@@ -97,19 +98,19 @@ Result<arrangement::UnlinkedMesh> SolidArrangement::Parts::solid(const KeepRule&
 }
 
 Result<TriangleMesh> SolidArrangement::faces(const FaceRule& rule) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(arrangement::UnlinkedMesh mesh, parts_->faces(std::cref(rule)));
-  return arrangement::linked_and_audited(std::move(mesh));
+  return arrangement::build_result_mesh(parts_->subdivision, parts_->faces(std::cref(rule)));
 }
 
 Result<TriangleMesh> SolidArrangement::solid(const KeepRule& rule) const& {
-  ALGEBRA3D_ASSIGN_OR_RETURN(arrangement::UnlinkedMesh mesh, parts_->solid(rule));
-  return arrangement::linked_and_audited(std::move(mesh));
+  return arrangement::build_result_mesh(parts_->subdivision, parts_->solid(rule));
 }
 
 Result<TriangleMesh> SolidArrangement::solid(const KeepRule& rule) && {
-  ALGEBRA3D_ASSIGN_OR_RETURN(arrangement::UnlinkedMesh mesh, parts_->solid(rule));
-  parts_.reset();
-  return arrangement::linked_and_audited(std::move(mesh));
+  const std::unique_ptr<Parts> parts = std::move(parts_);
+  arrangement::Selection selection = parts->solid(rule);
+  parts->jumps = {};
+  parts->fronts = {};
+  return arrangement::build_result_mesh(std::move(parts->subdivision), std::move(selection));
 }
 
 Result<TriangleMesh> combine_solids(std::span<const Operand> operands, const KeepRule& rule, const Monitor& monitor) {

@@ -1,6 +1,7 @@
 #include "algebra3d/arrangement/surface_arrangement.h"
 
 #include <array>
+#include <utility>
 
 #include "algebra3d/arrangement/detail/build_result_mesh.h"
 #include "algebra3d/arrangement/detail/subdivision.h"
@@ -12,6 +13,7 @@ using arrangement::Facet;
 using arrangement::IncidentFacet;
 using arrangement::OperandId;
 using arrangement::PatchId;
+using arrangement::Selection;
 using arrangement::Subdivision;
 using arrangement::SubEdgeSide;
 
@@ -34,7 +36,7 @@ bool keeps(SurfaceRule rule, bool is_in_first, bool is_in_second) {
 template <typename Visit>
 void for_each_facet(const Subdivision& subdivision, SubEdgeSide at, const Visit& visit) {
   for (const IncidentFacet& incident : subdivision.sub_edges.incident_to(at.sub_edge()))
-    if (includes(incident.sides, at.side())) visit(subdivision.facets[incident.facet]);
+    if (includes(incident.sides(), at.side())) visit(subdivision.facets[incident.facet()]);
 }
 
 /// The choice of the rule for a sub-facet, oriented as in the first operand that covers it.
@@ -68,20 +70,22 @@ Result<Subdivision> subdivided(std::span<const Operand> surfaces, const Monitor&
 Result<TriangleMesh> combine_surfaces(const Operand& first, const Operand& second, SurfaceRule rule,
                                       const Monitor& monitor) {
   const std::array<Operand, 2> list{first, second};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Subdivision subdivision, subdivided(list, monitor, {}));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Subdivision subdivision, subdivided(list, monitor, {}));
   const auto keep_sub_facet = [&](SubEdgeSide at) { return selected(subdivision, rule, at); };
   const auto keep_patch = [&](PatchId patch) {
     const bool is_first = subdivision.patches[patch].operand == kFirst;
     return static_cast<int>(keeps(rule, is_first, !is_first));
   };
-  return build_result_mesh(subdivision, {keep_sub_facet, keep_patch});
+  Selection selection = Selection::of(subdivision, keep_sub_facet, keep_patch);
+  return build_result_mesh(std::move(subdivision), std::move(selection));
 }
 
 Result<TriangleMesh> unite_surfaces(std::span<const Operand> surfaces, const Monitor& monitor,
                                     const ArrangementOptions& limits) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Subdivision subdivision, subdivided(surfaces, monitor, limits));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Subdivision subdivision, subdivided(surfaces, monitor, limits));
   const auto keep_sub_facet = [&](SubEdgeSide at) { return first_orientation(subdivision, at); };
-  return build_result_mesh(subdivision, {keep_sub_facet, [](PatchId) { return 1; }});
+  Selection selection = Selection::of(subdivision, keep_sub_facet, [](PatchId) { return 1; });
+  return build_result_mesh(std::move(subdivision), std::move(selection));
 }
 
 }  // namespace algebra3d

@@ -4,31 +4,45 @@
 #include <array>
 #include <cmath>
 #include <compare>
+#include <cstdint>
 #include <limits>
+#include <new>
 #include <utility>
 
+#include "algebra3d/base/reference_count.h"
 #include "algebra3d/exact/counters.h"
 #include "algebra3d/exact/detail/homogeneous.h"
 #include "algebra3d/exact/detail/rational_big.h"
 
 namespace algebra3d {
 
-using detail::ConstantHomogeneous;
 using detail::HomogeneousPoint;
 using detail::HomogeneousView;
+using detail::PackedIntegers;
 
 /// The numbers, and doubles that are nearly them: times one power of two, which makes the longest coefficient of the
-/// normal about 1.
+/// normal about 1. In one heap block.
 struct IntegerPlane::Form {
-  ConstantHomogeneous numbers;
+  mutable ReferenceCount<std::uint32_t> owners{0};
   std::array<double, 4> rounded{};
+  PackedIntegers numbers;  // last: the limbs follow this object
 
-  /// Takes the numbers, without a common divisor if they are long.
-  static std::shared_ptr<const Form> of(HomogeneousPoint& numbers);
+  /// The plane with these numbers, which are not kept if they have common divisors.
+  static IntegerPlane plane(HomogeneousPoint& numbers);
   explicit Form(const HomogeneousPoint& given);
-  /// False if the rounded numbers show that the planes are different.
+  /// False if the rounded numbers show that the planes are different, whichever way each is turned.
   bool may_equal(const Form& other) const;
 };
+
+IntegerPlane::SharedForm::SharedForm(const Form* form) : form_(form) {
+  if (form_ != nullptr) form_->owners.add();
+}
+
+void IntegerPlane::SharedForm::release() noexcept {
+  if (!form_->owners.remove()) return;
+  form_->~Form();
+  ::operator delete(const_cast<Form*>(form_));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+}
 
 /// Number of limbs up to which the numbers keep common divisors: that of a plane through doubles.
 constexpr std::size_t kLongestUnreducedPlane = 4;
@@ -36,9 +50,11 @@ constexpr std::size_t kLongestUnreducedPlane = 4;
 // Smaller coefficients, in terms of the longest one, might lose bits by underflow.
 constexpr long kSmallestShift = -900;
 
-std::shared_ptr<const IntegerPlane::Form> IntegerPlane::Form::of(HomogeneousPoint& numbers) {
+IntegerPlane IntegerPlane::Form::plane(HomogeneousPoint& numbers) {
   detail::shorten(numbers, kLongestUnreducedPlane);
-  return std::make_shared<const Form>(numbers);
+  static_assert(sizeof(Form) % alignof(mp_limb_t) == 0);
+  void* block = ::operator new(sizeof(Form) + PackedIntegers::bytes_behind(numbers));
+  return {SharedForm(new (block) Form(numbers)), false};
 }
 
 IntegerPlane::Form::Form(const HomogeneousPoint& given) : numbers(given) {
@@ -63,7 +79,7 @@ IntegerPlane IntegerPlane::through(const TriangleRef& triangle) {
     detail::join(numbers, a.approx, b.approx, c.approx);
   else
     detail::join(numbers, {a, buffers[0]}, {b, buffers[1]}, {c, buffers[2]});
-  return IntegerPlane(Form::of(numbers));
+  return Form::plane(numbers);
 }
 
 IntegerPlane IntegerPlane::along_axis(PointRef p, PointRef q, std::size_t axis) {
@@ -72,7 +88,7 @@ IntegerPlane IntegerPlane::along_axis(PointRef p, PointRef q, std::size_t axis) 
   for (std::size_t i = 0; i < 4; ++i) mpz_set_ui(at_infinity[i], i == axis ? 1 : 0);
   thread_local HomogeneousPoint numbers;
   detail::join(numbers, {p, buffers[0]}, {q, buffers[1]}, at_infinity);
-  return IntegerPlane(Form::of(numbers));
+  return Form::plane(numbers);
 }
 
 IntegerPlane IntegerPlane::of(const ExactPlane& plane) {
@@ -84,43 +100,44 @@ IntegerPlane IntegerPlane::of(const ExactPlane& plane) {
     mpz_mul(numbers[axis], component.numerator(), offset.denominator());
   }
   mpz_neg(numbers[3], offset.numerator());
-  return IntegerPlane(Form::of(numbers));
+  return Form::plane(numbers);
 }
 
 int IntegerPlane::side(const PointRef& point) const {
   detail::count_call();
-  const int rounded = detail::filter_rounded_side(form_->rounded, point.approx);
-  return rounded != detail::kUndecided ? rounded : side_by_integers(*form_, point);
+  const int rounded = detail::filter_rounded_side(form_.get()->rounded, point.approx);
+  if (rounded == detail::kUndecided) return side_by_integers(point);
+  return is_flipped_ ? -rounded : rounded;
 }
 
-const std::array<double, 4>& IntegerPlane::rounded() const {
-  return form_->rounded;
+std::array<double, 4> IntegerPlane::rounded() const {
+  std::array<double, 4> numbers = form_.get()->rounded;
+  if (is_flipped_)
+    for (double& number : numbers) number = -number;
+  return numbers;
 }
 
-int IntegerPlane::side_by_integers(const Form& form, const PointRef& point) {
+int IntegerPlane::side_by_integers(const PointRef& point) const {
   detail::count_filter_failure();
   detail::count_big_fallback();
   thread_local HomogeneousPoint buffer;
   thread_local mpz_class sum;
   const HomogeneousView view(point, buffer);
-  detail::dot(sum, form.numbers, view);
+  detail::dot(sum, coefficients(), view);
   return sgn(sum);
-}
-
-IntegerPlane IntegerPlane::flipped() const {
-  thread_local HomogeneousPoint numbers;
-  for (std::size_t i = 0; i < 4; ++i) mpz_neg(numbers[i], form_->numbers[i]);
-  return IntegerPlane(std::make_shared<const Form>(numbers));
 }
 
 ExactPlane IntegerPlane::exact() const {
   const mpz_class one = 1;
-  const auto integer = [&](std::size_t i) { return RationalAccess::quotient(coefficients()[i], one.get_mpz_t()); };
+  const HomogeneousView numbers = coefficients();
+  const auto integer = [&](std::size_t i) { return RationalAccess::quotient(numbers[i], one.get_mpz_t()); };
   return {RationalVec3(integer(0), integer(1), integer(2)), -integer(3)};
 }
 
-const ConstantHomogeneous& IntegerPlane::coefficients() const {
-  return form_->numbers;
+HomogeneousView IntegerPlane::coefficients() const {
+  const PackedIntegers& numbers = form_.get()->numbers;
+  if (is_flipped_) return HomogeneousView({-numbers[0], -numbers[1], -numbers[2], -numbers[3]});
+  return HomogeneousView({numbers[0], numbers[1], numbers[2], numbers[3]});
 }
 
 /// Compares the ratios of the rounded numbers to the longest one of the normal: those of one plane differ by a few
@@ -139,9 +156,9 @@ bool IntegerPlane::Form::may_equal(const Form& other) const {
 
 /// True if the numbers of one are those of the other times a positive factor.
 bool operator==(const IntegerPlane& a, const IntegerPlane& b) {
-  if (a.form_ == b.form_) return true;
-  if (a.is_null() || b.is_null() || !a.form_->may_equal(*b.form_)) return false;
-  const ConstantHomogeneous &p = a.coefficients(), &q = b.coefficients();
+  if (a.form_.get() == b.form_.get()) return a.is_null() || a.is_flipped_ == b.is_flipped_;
+  if (a.is_null() || b.is_null() || !a.form_.get()->may_equal(*b.form_.get())) return false;
+  const HomogeneousView p = a.coefficients(), q = b.coefficients();
   const std::size_t axis = mpz_sgn(p[0]) != 0 ? 0 : mpz_sgn(p[1]) != 0 ? 1 : 2;
   if (mpz_sgn(p[axis]) != mpz_sgn(q[axis])) return false;
   for (std::size_t i = 0; i < 4; ++i)

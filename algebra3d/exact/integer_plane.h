@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
+#include <utility>
 
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/exact/predicates.h"
@@ -10,12 +10,12 @@
 namespace algebra3d {
 
 namespace detail {
-class ConstantHomogeneous;
+class HomogeneousView;
 }
 
 /// An oriented plane given by four integers: a x + b y + c z = d; the front is where the left side is larger. They may
 /// have a common divisor, as long as they are short. Points are computed from them without fractions, and so without
-/// greatest common divisors. Cheap to copy; null by default.
+/// greatest common divisors. Cheap to copy and to turn over: copies share the integers. Null by default.
 class IntegerPlane {
  public:
   IntegerPlane() = default;
@@ -29,29 +29,57 @@ class IntegerPlane {
   static IntegerPlane of(const ExactPlane& plane);
 
   /// Typical heap size of a plane.
-  static constexpr std::size_t kTypicalBytes = 256;
+  static constexpr std::size_t kTypicalBytes = 144;
 
-  bool is_null() const { return form_ == nullptr; }
+  bool is_null() const { return form_.get() == nullptr; }
   /// The side on which the point lies: 1 in front, 0 in the plane, -1 behind. Exact: orient3d of three points in it.
   /// Cost: some nanoseconds if rounded numbers decide, else four products of integers.
   int side(const PointRef& point) const;
   /// The coefficients a, b, c, -d times one power of two and rounded, for detail::filter_rounded_side.
-  const std::array<double, 4>& rounded() const;
+  std::array<double, 4> rounded() const;
   /// The same plane with front and back exchanged.
-  IntegerPlane flipped() const;
+  IntegerPlane flipped() const { return {form_, !is_flipped_}; }
   ExactPlane exact() const;
-  /// a, b, c, -d.
-  const detail::ConstantHomogeneous& coefficients() const;
+  /// a, b, c, -d. Valid as long as a copy of the plane lives.
+  detail::HomogeneousView coefficients() const;
 
   /// Same plane, same front.
   friend bool operator==(const IntegerPlane& a, const IntegerPlane& b);
 
  private:
   struct Form;
-  static int side_by_integers(const Form& form, const PointRef& point);
-  explicit IntegerPlane(std::shared_ptr<const Form> form) : form_(std::move(form)) {}
+  /// A reference-counted pointer to integers that copies and the flipped plane share; may be null.
+  class SharedForm {
+   public:
+    SharedForm() = default;
+    explicit SharedForm(const Form* form);
+    SharedForm(const SharedForm& other) : SharedForm(other.form_) {}
+    SharedForm(SharedForm&& other) noexcept : form_(std::exchange(other.form_, nullptr)) {}
+    SharedForm& operator=(const SharedForm& other) {
+      if (this != &other) *this = SharedForm(other);
+      return *this;
+    }
+    SharedForm& operator=(SharedForm&& other) noexcept {
+      std::swap(form_, other.form_);
+      return *this;
+    }
+    ~SharedForm() {
+      if (form_ != nullptr) release();
+    }
 
-  std::shared_ptr<const Form> form_;
+    const Form* get() const { return form_; }
+
+   private:
+    void release() noexcept;
+
+    const Form* form_ = nullptr;
+  };
+
+  IntegerPlane(SharedForm form, bool is_flipped) : form_(std::move(form)), is_flipped_(is_flipped) {}
+  int side_by_integers(const PointRef& point) const;
+
+  SharedForm form_;
+  bool is_flipped_ = false;  // the integers of the form are those of this plane with the opposite signs
 };
 
 }  // namespace algebra3d

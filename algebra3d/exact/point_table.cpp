@@ -1,8 +1,10 @@
 #include "algebra3d/exact/point_table.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
+#include "algebra3d/base/shrink.h"
 #include "algebra3d/exact/detail/exact_coordinates.h"
 
 namespace algebra3d {
@@ -12,20 +14,19 @@ constexpr std::size_t kFewestSlots = 64;
 
 }  // namespace
 
-std::uint32_t PointTable::intern(ExactPoint point) {
-  const std::size_t before = size();
-  const std::uint32_t number = intern(point.ref());
-  if (size() > before && !point.is_double()) owned_.push_back(std::move(point).take_exact());
-  return number;
-}
-
 bool PointTable::are_equal(const ExactCoordinates* a, const ExactCoordinates* b) {
   return a != nullptr && b != nullptr && *a == *b;
 }
 
+void PointTable::finish() {
+  std::vector<Slot>().swap(slots_);
+  shrink(approx_);
+  shrink(exact_);
+}
+
 // Points are inserted anew in their order: the table depends on the points alone, not on its history.
 void PointTable::grow() {
-  slots_.assign(std::max(2 * slots_.size(), kFewestSlots), Slot());
+  slots_.assign(std::max({2 * slots_.size(), kFewestSlots, std::bit_ceil(2 * approx_.size())}), Slot());
   const std::size_t mask = slots_.size() - 1;
   for (std::uint32_t number = 0; number < approx_.size(); ++number) {
     const std::uint64_t hash = hash_of(approx_[number]);

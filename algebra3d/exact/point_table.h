@@ -37,11 +37,9 @@ class PointTable {
     approx_.reserve(expected_count + 4);
   }
 
-  /// The number of the point, which is added if it is new. Exact coordinates are not copied and must outlive the table.
+  /// The number of the point, which is added if it is new; the table shares the ownership of exact coordinates.
   /// Cost: constant expected.
   std::uint32_t intern(const PointRef& point) { return intern(point, hash_of(point.approx)); }
-  /// The same; the table shares the ownership of the coordinates.
-  std::uint32_t intern(ExactPoint point);
   /// The same for a point whose hash is known.
   std::uint32_t intern(const PointRef& point, std::uint64_t hash) {
     if (approx_.size() >= slots_.size() / 8 * 5) grow();
@@ -50,7 +48,7 @@ class PointTable {
     slot = {tag_of(hash), static_cast<std::uint32_t>(approx_.size())};
     if (!point.is_double()) {
       exact_.resize(approx_.size());
-      exact_.push_back(point.exact);
+      exact_.emplace_back(point.exact);
     }
     approx_.push_back(point.approx);
     return slot.number;
@@ -62,6 +60,10 @@ class PointTable {
   std::uint32_t find(const PointRef& point) const {
     return slots_.empty() ? kNone : slots_[place_of(point, hash_of(point.approx))].number;
   }
+
+  /// Frees what finding points takes, and unused capacity, once all points are there: `find` must not be called any
+  /// more, and the next `intern` takes as long as all before.
+  void finish();
 
   PointRef operator[](std::uint32_t number) const { return {approx_[number], exact_of(number)}; }
   std::size_t size() const { return approx_.size(); }
@@ -80,7 +82,7 @@ class PointTable {
 
   static std::uint32_t tag_of(std::uint64_t hash) { return static_cast<std::uint32_t>(hash >> 32U); }
   const ExactCoordinates* exact_of(std::uint32_t number) const {
-    return number < exact_.size() ? exact_[number] : nullptr;
+    return number < exact_.size() ? exact_[number].get() : nullptr;
   }
   bool is_at(std::uint32_t number, const PointRef& point) const {
     if (approx_[number] != point.approx) return false;
@@ -102,8 +104,7 @@ class PointTable {
 
   std::vector<Slot> slots_;  // their number is 0 or a power of two
   std::vector<Vec3> approx_;
-  std::vector<const ExactCoordinates*> exact_;  // null for doubles; ends with the last exact point
-  std::vector<SharedCoordinates> owned_;
+  std::vector<SharedCoordinates> exact_;  // null for doubles; ends with the last exact point
 };
 
 }  // namespace algebra3d

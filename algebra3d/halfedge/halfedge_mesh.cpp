@@ -31,6 +31,8 @@ HalfedgeMesh<Layout>::HalfedgeMesh(PointArray points, Layout layout, LargeVector
       origins_(std::move(origins)),
       opposites_(std::move(opposites)),
       outgoing_(std::move(outgoing)) {
+  // Without settled vertices no edge is linked.
+  if (links == Links::all_but_between_open_vertices && outgoing_.empty()) links = Links::none;
   if (links == Links::none) opposites_.resize(origins_.size());
   assert(origins_.size() == opposites_.size() && origins_.size() <= kMaxHalfedges);
   assert(outgoing_.size() <= points_.size());

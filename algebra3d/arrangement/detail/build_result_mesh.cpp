@@ -1,5 +1,6 @@
 #include "algebra3d/arrangement/detail/build_result_mesh.h"
 
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -13,45 +14,48 @@
 namespace algebra3d::arrangement {
 namespace {
 
+/// Called when sub-edges are not needed any more.
+using FreeSubEdges = std::function<void()>;
+
 /// The edges of regions, without pseudo-nodes.
-Result<std::vector<RegionEdge>> find_straight_edges(const Subdivision& subdivision, const Selection& selection,
-                                                    const PatchCorners& patch_corners) {
-  const std::vector<RegionEdge> boundaries = region_edges(subdivision, selection);
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the region edges", [&] { return audit(subdivision, boundaries); }));
-  const std::vector<PseudoNode> pseudo_nodes = find_pseudo_nodes(subdivision, boundaries, patch_corners);
+Result<std::vector<RegionEdge>> find_straight_edges(const Subdivision& subdivision, Selection& selection,
+                                                    const PatchCorners& patch_corners,
+                                                    const FreeSubEdges& free_sub_edges) {
+  std::vector<RegionEdge> edges = region_edges(subdivision, selection);
+  selection.sub_facets = {};
+  free_sub_edges();
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the region edges", [&] { return audit(subdivision, edges); }));
+  const std::vector<PseudoNode> pseudo_nodes = find_pseudo_nodes(subdivision, edges, patch_corners);
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the pseudo-nodes", [&] { return audit(subdivision, pseudo_nodes); }));
-  std::vector<RegionEdge> straight = straightened(boundaries, pseudo_nodes);
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the straight edges", [&] { return audit(subdivision, straight); }));
-  return straight;
+  edges = straightened(std::move(edges), pseudo_nodes);
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the straight edges", [&] { return audit(subdivision, edges); }));
+  return edges;
 }
 
-Result<std::vector<Region>> find_regions(const Subdivision& subdivision, const Selection& selection,
-                                         const PatchCorners& patch_corners) {
+Result<Regions> find_regions(const Subdivision& subdivision, Selection& selection, const PatchCorners& patch_corners,
+                             const FreeSubEdges& free_sub_edges) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<RegionEdge> straight,
-                             find_straight_edges(subdivision, selection, patch_corners));
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Region> regions, triangulate_regions(subdivision, straight));
+                             find_straight_edges(subdivision, selection, patch_corners, free_sub_edges));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Regions regions, triangulate_regions(subdivision, straight));
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the regions", [&] { return audit(subdivision, straight, regions); }));
   return regions;
 }
 
-}  // namespace
-
-Result<UnlinkedMesh> build_unlinked_mesh(const Subdivision& subdivision, const Selection& selection) {
-  KeptPatches kept;
-  kept.reserve(subdivision.patches.patches.size());
-  for (const PatchId patch : subdivision.patches.ids()) kept.push_back(selection.patch(patch));
-  const PatchCorners patch_corners(subdivision, kept);
+Result<UnlinkedMesh> build_unlinked_mesh(const Subdivision& subdivision, Selection selection,
+                                         const FreeSubEdges& free_sub_edges) {
+  const PatchCorners patch_corners(subdivision, selection.patches);
+  // Regions mostly have fewer triangles than half of the sub-edges, one of which has two sides in each of its planes.
+  const std::size_t region_triangles = subdivision.sub_edges.size() / 2;
 
   std::optional<ResultMesh> mesh;
-  Result<std::vector<Region>> regions = std::vector<Region>();
-  const auto make_regions = [&] { regions = find_regions(subdivision, selection, patch_corners); };
-  const auto take_patches = [&] { mesh.emplace(subdivision, patch_corners, kept); };
-  parallel_invoke(subdivision.operands.face_count() >= kFacesWorthATask, make_regions, take_patches);
+  Result<Regions> regions = Regions();
+  const auto make_regions = [&] { regions = find_regions(subdivision, selection, patch_corners, free_sub_edges); };
+  const auto take_patches = [&] { mesh.emplace(subdivision, patch_corners, selection.patches, region_triangles); };
+  // Without faces to be taken over, the memory of the sub-edges is free before the mesh needs some.
+  const std::size_t faces_in_patches = subdivision.operands.face_count() - subdivision.facets.faces.size();
+  parallel_invoke(faces_in_patches >= kFacesWorthATask, make_regions, take_patches);
   if (!regions.ok()) return std::move(regions).error();
-  for (Region& region : *regions) {
-    mesh->add(region);
-    region = {};
-  }
+  for (const Region& region : regions->regions) mesh->add(region, regions->triangles_of(region));
   return mesh->finish();
 }
 
@@ -61,9 +65,21 @@ Result<TriangleMesh> linked_and_audited(UnlinkedMesh mesh) {
   return result;
 }
 
-Result<TriangleMesh> build_result_mesh(const Subdivision& subdivision, const Selection& selection) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(UnlinkedMesh mesh, build_unlinked_mesh(subdivision, selection));
+}  // namespace
+
+Result<TriangleMesh> build_result_mesh(const Subdivision& subdivision, Selection selection) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(UnlinkedMesh mesh, build_unlinked_mesh(subdivision, std::move(selection), [] {}));
   return linked_and_audited(std::move(mesh));
+}
+
+Result<TriangleMesh> build_result_mesh(Subdivision&& subdivision, Selection selection) {
+  Result<UnlinkedMesh> mesh = UnlinkedMesh();
+  {
+    Subdivision own = std::move(subdivision);
+    mesh = build_unlinked_mesh(own, std::move(selection), [&] { own.sub_edges = {}; });
+  }
+  if (!mesh.ok()) return std::move(mesh).error();
+  return linked_and_audited(*std::move(mesh));
 }
 
 }  // namespace algebra3d::arrangement

@@ -8,7 +8,7 @@ SubEdgeSide half_plane_before_cell_above(const Subdivision& subdivision, std::sp
   const auto next = [&](std::size_t i) { return around[i + 1 == around.size() ? 0 : i + 1]; };
   // Whether the cell above comes within half a turn after the half-plane.
   const auto comes_soon = [&](SubEdgeSide h) {
-    return is_cell_above_in_front(subdivision.plane_of(h.sub_edge()).triangle) == (h.side() == Side::left);
+    return is_cell_above_in_front(subdivision.plane_of(h.sub_edge()).triangle()) == (h.side() == Side::left);
   };
   for (std::size_t i = 0; i < around.size(); ++i)
     if (comes_soon(around[i]) && !comes_soon(next(i))) return around[i];

@@ -15,7 +15,7 @@ namespace algebra3d::arrangement {
 struct Classification {
   /// The windings in front of the plane, at the sub-facet on each side of each sub-edge. Meaningless where the winding
   /// jump is zero: nothing bounds a result there.
-  IdVector<SubEdgeSide, WindingVector> at_sides;
+  CompactWindings<SubEdgeSide> at_sides;
   /// The windings in front of the faces of each patch.
   IdVector<PatchId, WindingVector> at_patches;
 };

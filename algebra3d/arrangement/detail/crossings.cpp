@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "algebra3d/arrangement/detail/task_sizes.h"
 #include "algebra3d/base/scheduler.h"
@@ -11,35 +10,41 @@ namespace algebra3d::arrangement {
 
 ExactPoint Crossings::meeting_point(const EdgeAndPlane& where) {
   const PointRef from = start(where.edge), to = end(where.edge);
-  const TriangleRef& triangle = facets_.planes[where.plane].triangle;
+  const TriangleRef triangle = facets_.planes[where.plane].triangle();
   if (from.is_double() && to.is_double() && std::ranges::all_of(triangle, &PointRef::is_double))
     return intersect_line_plane(from, to, triangle);
   return intersect_line_plane(from, to, complex_.coefficients.get(facets_, where.plane));
 }
 
 void Crossings::compute(std::span<const EdgeAndPlane> wanted) {
-  std::vector<std::pair<EdgeAndPlane, CrossingId>> missing;
+  std::vector<EdgeAndPlane> missing;
+  first_point_ = nodes_.next_id();
   for (const EdgeAndPlane& where : wanted) {
     CrossingId& crossing = of_edges_and_planes_[where.key()];
     if (!crossing.is_none()) continue;
-    crossing = crossings_.push_back({});
-    missing.emplace_back(where, crossing);
+    crossing = nodes_.push_back({});
+    missing.push_back(where);
   }
-  parallel_for(missing.size(), kPointsPerTask, [&](std::size_t i) {
-    const auto& [where, crossing] = missing[i];
-    crossings_[crossing].point = meeting_point(where);
-  });
+  points_.assign(missing.size(), {});
+  parallel_for(missing.size(), kPointsPerTask, [&](std::size_t i) { points_[i] = meeting_point(missing[i]); });
+}
+
+ExactPoint Crossings::take_point(CrossingId crossing, const EdgeAndPlane& where) {
+  const std::size_t place = crossing.index() - std::size_t{first_point_.index()};
+  return place < points_.size() ? std::move(points_[place]) : meeting_point(where);
+}
+
+void Crossings::reserve(std::size_t count) {
+  of_edges_and_planes_.reserve(count);
+  nodes_.reserve(count);
 }
 
 NodeId Crossings::of_edge_and_plane(const EdgeAndPlane& where) {
   CrossingId& known = of_edges_and_planes_[where.key()];
-  if (known.is_none()) known = crossings_.push_back({});
-  Crossing& crossing = crossings_[known];
-  if (crossing.node.is_none()) {
-    crossing.node = complex_.nodes.intern(crossing.point ? *std::move(crossing.point) : meeting_point(where));
-    crossing.point.reset();
-  }
-  return crossing.node;
+  if (known.is_none()) known = nodes_.push_back({});
+  NodeId& node = nodes_[known];
+  if (node.is_none()) node = complex_.nodes.intern(take_point(known, where));
+  return node;
 }
 
 NodeId Crossings::of_planes(PlaneId p, PlaneId q, PlaneId r) {

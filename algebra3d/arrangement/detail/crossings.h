@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <span>
+#include <vector>
 
 #include "algebra3d/arrangement/detail/id_map.h"
 #include "algebra3d/arrangement/detail/segment_complex.h"
@@ -29,6 +29,8 @@ class Crossings {
   Crossings(const Operands& operands, const Facets& facets, SegmentComplex& complex)
       : operands_(operands), facets_(facets), complex_(complex) {}
 
+  /// Makes room for so many points in which edges meet planes.
+  void reserve(std::size_t count);
   /// The node where an edge meets a plane in one point. Exact.
   NodeId of_edge_and_plane(const EdgeAndPlane& where);
   /// The node where three planes meet in one point. Exact.
@@ -37,17 +39,14 @@ class Crossings {
   NodeId of_edges(InputEdgeId edge, InputEdgeId other, Projection projection);
 
   /// Computes points in which edges meet planes, in parallel if they are many. They become nodes once they are asked
-  /// for.
+  /// for; those that nobody has asked for by the next call are forgotten then.
   void compute(std::span<const EdgeAndPlane> wanted);
 
  private:
-  struct Crossing {
-    std::optional<ExactPoint> point;  ///< if it was computed and is no node yet
-    NodeId node;
-  };
   using CrossingId = StrongId<struct CrossingTag>;
 
   ExactPoint meeting_point(const EdgeAndPlane& where);
+  ExactPoint take_point(CrossingId crossing, const EdgeAndPlane& where);
   PointRef start(InputEdgeId edge) const { return operands_.point(Operands::halfedge(edge)); }
   PointRef end(InputEdgeId edge) const { return operands_.point(Operands::next(Operands::halfedge(edge))); }
 
@@ -55,7 +54,10 @@ class Crossings {
   const Facets& facets_;
   SegmentComplex& complex_;
   IdMap<CrossingId> of_edges_and_planes_;
-  IdVector<CrossingId, Crossing> crossings_;  // of edges and planes
+  IdVector<CrossingId, NodeId> nodes_;  // of edges and planes; none: not asked for yet
+  // Points of the last call of `compute`, of which that of the first crossing comes first.
+  std::vector<ExactPoint> points_;
+  CrossingId first_point_{0};
   std::map<std::array<PlaneId, 3>, NodeId> of_planes_;
 };
 

@@ -5,10 +5,11 @@
 #include <optional>
 #include <span>
 
-#include "algebra3d/arrangement/detail/bucket_sort.h"
 #include "algebra3d/arrangement/detail/crossings.h"
 #include "algebra3d/arrangement/detail/face_contacts.h"
+#include "algebra3d/arrangement/detail/numbers_by_bucket.h"
 #include "algebra3d/arrangement/detail/segment_maker.h"
+#include "algebra3d/arrangement/detail/task_sizes.h"
 #include "algebra3d/base/equal_span.h"
 
 namespace algebra3d::arrangement {
@@ -24,6 +25,8 @@ struct ContactEnd {
   ContactEnd opposite() const { return {contact, 1 - number}; }
 };
 
+/// Joins the contacts of one block of facets after another: what contacts of faces and points take before they are
+/// joined is there for a block only.
 class FacetContactFinder {
  public:
   FacetContactFinder(const Operands& operands, const Facets& facets)
@@ -31,15 +34,17 @@ class FacetContactFinder {
         facets_(facets),
         boundaries_(operands, facets),
         crossings_(operands, facets, complex_),
-        segments_(operands, facets, complex_) {
+        segments_(operands, facets, complex_),
+        has_coefficients_(facets.planes.size()) {
     complex_.coefficients = PlaneCoefficients(facets);
   }
 
   Result<SegmentComplex> run(const PairContacts& contacts);
 
  private:
-  void find_face_contacts(const PairContacts& contacts);
+  void find_face_contacts(const PairContacts& contacts, std::span<const std::uint32_t> numbers);
   void compute_crossings();
+  Status join_block();
   bool is_end(const Feature& feature, const EndInFace& end);
   bool is_real(const FaceContactEnd& end);
   EdgeAndPlane crossing_of(const FaceContact& contact, const FaceContactEnd& end);
@@ -61,17 +66,22 @@ class FacetContactFinder {
   FacetBoundaries boundaries_;
   Crossings crossings_;
   SegmentMaker segments_;
-  std::vector<FaceContact> contacts_;
+  IdVector<PlaneId, bool> has_coefficients_;
+  std::vector<FaceContact> block_;  // ascending, facet by facet
   // Contacts of the two facets at hand; a member, so that its memory is used again.
   std::vector<FaceContact> distinct_;
   std::vector<ContactEnd> real_, artificial_;  // the latter ascending; each point twice
   std::vector<bool> is_done_;                  // per contact
 };
 
-void FacetContactFinder::find_face_contacts(const PairContacts& contacts) {
-  contacts_.reserve(contacts.contacts.size());
-  for (const PairContact& pair : contacts.contacts)
-    if (const auto contact = face_contact(pair, operands_, facets_, boundaries_)) contacts_.push_back(*contact);
+/// Adds the contacts of one first facet to the block.
+void FacetContactFinder::find_face_contacts(const PairContacts& contacts, std::span<const std::uint32_t> numbers) {
+  const auto first = static_cast<std::ptrdiff_t>(block_.size());
+  for (const std::uint32_t number : numbers)
+    if (const auto contact = face_contact(contacts.contacts[number], operands_, facets_, boundaries_))
+      block_.push_back(*contact);
+  std::sort(block_.begin() + first, block_.end(),
+            [](const FaceContact& a, const FaceContact& b) { return a.key() < b.key(); });
 }
 
 /// True if common parts end at the feature, or at least everybody sees it, however the facet is triangulated.
@@ -100,17 +110,20 @@ NodeId FacetContactFinder::node_of(const FaceContact& contact, const FaceContact
   return crossings_.of_edge_and_plane(crossing_of(contact, end));
 }
 
-/// Planes and points that will be needed, all at once.
+/// Planes and points that the block will need, all at once.
 void FacetContactFinder::compute_crossings() {
   std::vector<EdgeAndPlane> crossings;
   std::vector<PlaneId> planes;
-  for (const FaceContact& contact : contacts_)
+  for (const FaceContact& contact : block_)
     for (const FaceContactEnd& end : contact.ends) {
       if (end.features.first.is_vertex() || end.features.second.is_vertex() || !is_real(end)) continue;
       crossings.push_back(crossing_of(contact, end));
       // That of the edge as well: the result keeps planes of faces with such corners.
-      planes.push_back(facets_[contact.first_facet].plane);
-      planes.push_back(facets_[contact.second_facet].plane);
+      for (const FacetId facet : {contact.first_facet, contact.second_facet}) {
+        const PlaneId plane = facets_[facet].plane;
+        if (!has_coefficients_[plane]) planes.push_back(plane);
+        has_coefficients_[plane] = true;
+      }
     }
   complex_.coefficients.compute(facets_, planes);
   crossings_.compute(crossings);
@@ -189,8 +202,8 @@ std::optional<ContactEnd> FacetContactFinder::end_of_chain(const ContactEnd& sta
 }
 
 Error FacetContactFinder::broken_chain(const ContactEnd& start) const {
-  const Vec3 first = facets_.plane_of(start.contact->first_facet).triangle[0].approx;
-  const Vec3 second = facets_.plane_of(start.contact->second_facet).triangle[0].approx;
+  const Vec3 first = facets_.plane_of(start.contact->first_facet).triangle()[0].approx;
+  const Vec3 second = facets_.plane_of(start.contact->second_facet).triangle()[0].approx;
   return {ErrorCode::internal,
           "joining the common parts of the facets with triangles near ({} {} {}) and ({} {} {}): one ends inside both",
           first.x,
@@ -212,18 +225,30 @@ void FacetContactFinder::add_segment(const ContactEnd& start, const ContactEnd& 
       complex_.note_collinear(segment, segments_.of_edge(operands_.edge(edge)));
 }
 
-Result<SegmentComplex> FacetContactFinder::run(const PairContacts& contacts) {
-  find_face_contacts(contacts);
+Status FacetContactFinder::join_block() {
   compute_crossings();
-  bucket_sort(
-      contacts_, facets_.facets.size(), [](const FaceContact& contact) { return contact.first_facet.index(); },
-      [](const FaceContact& a, const FaceContact& b) { return a.key() < b.key(); });
   const auto facets_of = [](const FaceContact& contact) { return std::tie(contact.first_facet, contact.second_facet); };
-  for (std::size_t begin = 0, end = 0; begin < contacts_.size(); begin = end) {
-    while (end < contacts_.size() && facets_of(contacts_[end]) == facets_of(contacts_[begin])) ++end;
-    ALGEBRA3D_RETURN_IF_ERROR(join_facets(std::span(contacts_).subspan(begin, end - begin)));
+  for (std::size_t begin = 0, end = 0; begin < block_.size(); begin = end) {
+    while (end < block_.size() && facets_of(block_[end]) == facets_of(block_[begin])) ++end;
+    ALGEBRA3D_RETURN_IF_ERROR(join_facets(std::span(block_).subspan(begin, end - begin)));
   }
-  std::vector<FaceContact>().swap(contacts_);
+  block_.clear();
+  return {};
+}
+
+Result<SegmentComplex> FacetContactFinder::run(const PairContacts& contacts) {
+  const NumbersByBucket by_first_facet(contacts.contacts.size(), facets_.facets.size(), [&](std::size_t number) {
+    return facets_.of_face[contacts.contacts[number].first_face].index();
+  });
+  // An edge that meets a plane is one of two faces, so there are about as many points as contacts.
+  crossings_.reserve(contacts.contacts.size());
+  segments_.reserve(contacts.contacts.size());
+  for (const FacetId facet : facets_.ids()) {
+    find_face_contacts(contacts, by_first_facet.of(facet.index()));
+    if (block_.size() < kContactsPerBlock) continue;
+    ALGEBRA3D_RETURN_IF_ERROR(join_block());
+  }
+  ALGEBRA3D_RETURN_IF_ERROR(join_block());
   segments_.add_boundaries();
   return std::move(complex_);
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "algebra3d/base/disjoint_sets.h"
+#include "algebra3d/base/shrink.h"
 
 namespace algebra3d::arrangement {
 namespace {
@@ -23,7 +24,7 @@ class FacetMaker {
   bool are_coplanar_at(InputHalfedgeId halfedge, InputHalfedgeId other) const;
   void join_planes_across_nonmanifold_edges(OperandId operand);
   void number_planes();
-  PlaneId add_plane(Facet& facet, TriangleRef triangle);
+  PlaneId add_plane(Facet& facet);
 
   const Operands& operands_;
   const PlanesOfFaces& planes_of_faces_;
@@ -87,12 +88,13 @@ void FacetMaker::join_planes_across_nonmanifold_edges(OperandId operand) {
   }
 }
 
-PlaneId FacetMaker::add_plane(Facet& facet, TriangleRef triangle) {
-  const auto [projection, turn] = dominant_turn(triangle);
+PlaneId FacetMaker::add_plane(Facet& facet) {
+  const InputFaceId face = facets_.faces[facet.faces.first];
+  const auto [projection, turn] = dominant_turn(operands_.corners(face));
   facet.orientation = turn;
-  if (turn < 0) std::swap(triangle[1], triangle[2]);
-  const IntegerPlane* known = planes_of_faces_.find(facets_.faces[facet.faces.first]);
-  return facets_.planes.push_back({triangle, projection,
+  const IntegerPlane* known = planes_of_faces_.find(face);
+  return facets_.planes.push_back({&operands_.mesh(facet.operand), operands_.in_mesh(facet.operand, face), projection,
+                                   turn < 0,
                                    known == nullptr ? IntegerPlane()
                                    : turn > 0       ? *known
                                                     : known->flipped()});
@@ -104,11 +106,11 @@ void FacetMaker::number_planes() {
   facets_.planes.reserve(count);
   for (const FacetId f : facets_.ids()) {
     Facet& facet = facets_.facets[f];
-    const TriangleRef triangle = operands_.corners(facets_.faces[facet.faces.first]);
     const FacetId first_of_plane(coplanar_.find(f.index()));
     if (first_of_plane == f) {
-      facet.plane = add_plane(facet, triangle);
+      facet.plane = add_plane(facet);
     } else {
+      const TriangleRef triangle = operands_.corners(facets_.faces[facet.faces.first]);
       facet.plane = facets_[first_of_plane].plane;
       facet.orientation = orient2d(facets_.planes[facet.plane].projection, triangle[0], triangle[1], triangle[2]);
     }
@@ -117,6 +119,7 @@ void FacetMaker::number_planes() {
 
 Facets FacetMaker::finish() {
   for (const OperandId operand : operands_.ids()) join_planes_across_nonmanifold_edges(operand);
+  shrink(facets_.facets.values());
   number_planes();
   return std::move(facets_);
 }

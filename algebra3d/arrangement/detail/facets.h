@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "algebra3d/arrangement/detail/operands.h"
@@ -25,11 +26,18 @@ struct Facet {
 
 /// A plane with facets in it. Its front is the side from which the corners of `triangle` are seen counter-clockwise.
 struct Plane {
-  /// The corners of an input triangle in the plane, never of a constructed one, counter-clockwise in the projection:
-  /// two are exchanged if the input triangle is clockwise there.
-  TriangleRef triangle;
+  const TriangleMesh* mesh;
+  FaceId face;  ///< of the mesh; a triangle in the plane, never a constructed one
   Projection projection;
+  bool is_clockwise;          ///< the face is clockwise in the projection
   IntegerPlane coefficients;  ///< null unless they were known for one of its faces
+
+  /// The corners of the face, counter-clockwise in the projection: two are exchanged if the face is clockwise there.
+  TriangleRef triangle() const {
+    TriangleRef corners = mesh->corners(face);
+    if (is_clockwise) std::swap(corners[1], corners[2]);
+    return corners;
+  }
 };
 
 /// Output of stage 3: the coplanar facets that take part in an arrangement, which are those with a face that touches

@@ -72,7 +72,7 @@ void FacetsAudit::check_face(FacetId f, InputFaceId face) {
   const Plane& plane = facets_.plane_of(f);
   violations_.expect(operands_.operand_of(face) == facet.operand, "face {} of facet {} is of another operand",
                      face.index(), f.index());
-  violations_.expect(is_in_plane(face, plane.triangle), "face {} does not lie in the plane {} of its facet {}",
+  violations_.expect(is_in_plane(face, plane.triangle()), "face {} does not lie in the plane {} of its facet {}",
                      face.index(), facet.plane.index(), f.index());
   const TriangleRef corners = operands_.corners(face);
   violations_.expect(orient2d(plane.projection, corners[0], corners[1], corners[2]) == facet.orientation,
@@ -80,20 +80,20 @@ void FacetsAudit::check_face(FacetId f, InputFaceId face) {
   for (const InputHalfedgeId h : Operands::halfedges(face)) {
     const InputHalfedgeId other = operands_.opposite(h);
     if (other.is_none() || facets_.of_face[Operands::face(other)] == f) continue;
-    violations_.expect(!is_in_plane(Operands::face(other), plane.triangle),
+    violations_.expect(!is_in_plane(Operands::face(other), plane.triangle()),
                        "facet {} is not maximal: face {} goes on in face {}", f.index(), face.index(),
                        Operands::face(other).index());
   }
 }
 
 void FacetsAudit::check_plane(PlaneId id) {
-  const auto& [triangle, projection, known] = facets_.planes[id];
-  const IntegerPlane& coefficients = known;  // clang 14 captures no parts of a struct
-  violations_.expect(orient2d(projection, triangle[0], triangle[1], triangle[2]) > 0,
+  const Plane& plane = facets_.planes[id];
+  const TriangleRef triangle = plane.triangle();
+  violations_.expect(orient2d(plane.projection, triangle[0], triangle[1], triangle[2]) > 0,
                      "plane {}: its triangle does not turn counter-clockwise", id.index());
-  if (!coefficients.is_null())
+  if (!plane.coefficients.is_null())
     violations_.expect(
-        std::ranges::all_of(triangle, [&](const PointRef& corner) { return coefficients.side(corner) == 0; }),
+        std::ranges::all_of(triangle, [&](const PointRef& corner) { return plane.coefficients.side(corner) == 0; }),
         "plane {}: its triangle is not in the plane of the coefficients", id.index());
 }
 

@@ -14,7 +14,7 @@ using FaceTrees = IdVector<PlaneId, IdTree<InputFaceId>>;
 /// The faces of all facets of each plane that has sub-edges.
 FaceTrees trees_of_planes(const Operands& operands, const Facets& facets, const SubEdges& sub_edges) {
   IdVector<PlaneId, bool> is_wanted(facets.planes.size());
-  for (const SubEdge& sub_edge : sub_edges.sub_edges) is_wanted[sub_edge.plane] = true;
+  for (const PlaneId plane : sub_edges.planes) is_wanted[plane] = true;
   IdVector<PlaneId, IdTree<InputFaceId>::Boxes> boxes(facets.planes.size());
   for (const Facet& facet : facets.facets)
     if (is_wanted[facet.plane])
@@ -34,7 +34,7 @@ void add_missing(const Operands& operands, const Facets& facets, const ExactPoin
     const auto own = std::span(incident).subspan(first);
     if (std::ranges::find(own, facet, &IncidentFacet::facet) != own.end()) return;
     // Not on the facet's boundary, along which the facet would be incident already: inside.
-    if (TriangleInPlane(operands.corners(face)).place(middle)) incident.push_back({facet, FacetSides::both});
+    if (TriangleInPlane(operands.corners(face)).place(middle)) incident.emplace_back(facet, FacetSides::both);
   });
 }
 
@@ -45,15 +45,15 @@ Result<SubEdges> with_all_incident_facets(const Operands& operands, const Facets
   const FaceTrees trees = trees_of_planes(operands, facets, sub_edges);
   std::vector<IncidentFacet> incident;
   incident.reserve(sub_edges.incident.size());
-  Stage stage(monitor.silent(), {}, sub_edges.sub_edges.size());
-  for (SubEdge& sub_edge : sub_edges.sub_edges) {
+  Stage stage(monitor.silent(), {}, sub_edges.size());
+  for (const SubEdgeId id : sub_edges.ids()) {
     if (!stage.begin_step()) return Monitor::interrupted();
-    const auto given = sub_edge.incident.of(sub_edges.incident);
+    const auto [ends, plane] = sub_edges[id];
+    const auto given = sub_edges.incident_to(id);
     const std::size_t first = incident.size();
     incident.insert(incident.end(), given.begin(), given.end());
-    add_missing(operands, facets, complex.nodes.middle(sub_edge.ends.u, sub_edge.ends.v), trees[sub_edge.plane], first,
-                incident);
-    sub_edge.incident = Slice::from(first, incident);
+    add_missing(operands, facets, complex.nodes.middle(ends.u, ends.v), trees[plane], first, incident);
+    sub_edges.first_incident[id] = static_cast<std::uint32_t>(first);
   }
   sub_edges.incident = std::move(incident);
   return sub_edges;

@@ -15,8 +15,7 @@ namespace algebra3d::arrangement {
 struct SeedPlace {
   IdRange<SubEdgeId> sub_edges;  ///< all along the space edge
   SubEdgeSide half_plane;        ///< one with a jump
-  /// The number of operands with a face there. Of the seeds of a set, the first one with the most operands is used:
-  /// where each operand is closed alone, only the others need rays.
+  /// The number of operands with a face there: where each operand is closed alone, only the others need rays.
   std::uint32_t operand_count;
 };
 
@@ -24,7 +23,8 @@ struct SeedPlace {
 struct LinkedWindings {
   FrontWindingIds ids;
   WindingSets sets;
-  std::vector<SeedPlace> seeds;  ///< one for each space edge with a jump that is not on an uncut edge
+  /// One for each set with a jump at a space edge that is on no uncut edge: the first one with the most operands.
+  std::vector<SeedPlace> seeds;
 };
 
 /// Step 1 of stage 8: unites front windings whose difference is known. The sides of sub-edges

@@ -70,7 +70,7 @@ void LinkingAudit::check_uncut_edge(const UncutEdge& edge) {
 void LinkingAudit::check_seed(const SeedPlace& seed) {
   const SubEdges& sub_edges = subdivision_.sub_edges;
   const SubEdgeId first = seed.sub_edges.front(), own = seed.half_plane.sub_edge();
-  const bool is_line = !seed.sub_edges.empty() && first.index() + seed.sub_edges.size() <= sub_edges.sub_edges.size() &&
+  const bool is_line = !seed.sub_edges.empty() && first.index() + seed.sub_edges.size() <= sub_edges.size() &&
                        sub_edges.along(sub_edges[first].ends).front() == first &&
                        sub_edges.along(sub_edges[first].ends).size() == seed.sub_edges.size();
   if (!violations_.expect(is_line, "a seed begins with sub-edge {} and has {}, which are not all along a space edge",

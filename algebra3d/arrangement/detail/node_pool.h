@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
 
 #include "algebra3d/arrangement/detail/ids.h"
 #include "algebra3d/exact/plane.h"
@@ -13,11 +12,15 @@ namespace algebra3d::arrangement {
 /// but the order of the calls.
 class NodePool {
  public:
-  /// The node at the point, which is added if it is new. Coordinates that are no doubles are referred to, not copied:
-  /// they must outlive the pool. Cost: constant expected.
+  NodePool() = default;
+  /// With capacity for `expected_count` nodes.
+  explicit NodePool(std::size_t expected_count) : points_(expected_count) {}
+
+  /// The node at the point, which is added if it is new. Cost: constant expected.
   NodeId intern(const PointRef& point) { return NodeId(points_.intern(point)); }
-  /// The same for a point whose coordinates the pool keeps alive.
-  NodeId intern(ExactPoint point) { return NodeId(points_.intern(std::move(point))); }
+
+  /// Frees what finding points takes: no more are added.
+  void finish() { points_.finish(); }
 
   PointRef operator[](NodeId node) const { return points_[node.index()]; }
   std::size_t size() const { return points_.size(); }

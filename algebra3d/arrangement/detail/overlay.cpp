@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
-#include <span>
 
 #include "algebra3d/arrangement/detail/bucket_sort.h"
 #include "algebra3d/arrangement/detail/collinear_cuts.h"
@@ -32,7 +31,7 @@ class Overlay {
 
  private:
   std::vector<PlaneCuts> find_cuts();
-  PlaneCuts find_cuts_in(std::span<const Slice> planes, const std::vector<PlaneElement>& elements);
+  PlaneCuts find_cuts_in(IdRange<PlaneId> planes, const PlaneElements& elements);
   void add(const PlaneCuts& found);
   PlaneId plane_across(SegmentId segment, PlaneId plane) const;
   NodeId node_of(const SegmentCrossing& crossing);
@@ -46,33 +45,25 @@ class Overlay {
   Crossings crossings_;
 };
 
-/// The elements of each plane that has more than one.
-std::vector<Slice> elements_by_plane(const std::vector<PlaneElement>& elements) {
-  std::vector<Slice> planes;
-  for (std::size_t begin = 0, end = 0; begin < elements.size(); begin = end) {
-    while (end < elements.size() && elements[end].plane == elements[begin].plane) ++end;
-    if (end - begin > 1) planes.push_back(Slice::between(begin, end));
-  }
-  return planes;
-}
-
 std::vector<PlaneCuts> Overlay::find_cuts() {
-  const std::vector<PlaneElement> elements = plane_elements(facets_, complex_);
-  const std::vector<Slice> planes = elements_by_plane(elements);
-  return parallel_collect(planes.size(), kPlanesPerTask, [&](std::size_t begin, std::size_t end) {
+  const PlaneElements elements(facets_, complex_);
+  return parallel_collect(facets_.planes.size(), kPlanesPerTask, [&](std::size_t begin, std::size_t end) {
     std::vector<PlaneCuts> found;
-    if (begin < end) found.push_back(find_cuts_in(std::span(planes).subspan(begin, end - begin), elements));
+    if (begin < end) found.push_back(find_cuts_in(IdRange(PlaneId(begin), PlaneId(end)), elements));
     return found;
   });
 }
 
 /// Incomplete once the work is cancelled or there are too many cuts.
-PlaneCuts Overlay::find_cuts_in(std::span<const Slice> planes, const std::vector<PlaneElement>& elements) {
+PlaneCuts Overlay::find_cuts_in(IdRange<PlaneId> planes, const PlaneElements& elements) {
   PlaneCuts found;
-  for (const Slice& plane : planes) {
+  std::vector<PlaneElement> in_plane;
+  for (const PlaneId plane : planes) {
     if (monitor_.is_cancelled() || cut_count_ > max_cuts_) break;
+    elements.collect(plane, in_plane);
+    if (in_plane.size() < 2) continue;
     const std::size_t before = found.count();
-    overlay_plane(facets_, complex_, plane.of(elements), found);
+    overlay_plane(facets_, complex_, in_plane, found);
     cut_count_ += found.count() - before;
   }
   return found;
@@ -117,6 +108,7 @@ Result<SegmentComplex> overlay(const Operands& operands, const Facets& facets, S
                                const Monitor& monitor, std::size_t max_cuts) {
   monitor.tell("finding crossings");
   ALGEBRA3D_RETURN_IF_ERROR(Overlay(operands, facets, complex, monitor, max_cuts).run());
+  complex.nodes.finish();
   share_cuts(complex);
   bucket_sort(
       complex.cuts, complex.segments.size(), [](const Cut& cut) { return cut.segment.index(); }, std::less());

@@ -1,11 +1,8 @@
 #pragma once
 
-#include "algebra3d/arrangement/detail/subdivision.h"
+#include "algebra3d/arrangement/detail/selection.h"
 
 namespace algebra3d::arrangement {
-
-/// Selection::patch of every patch: 1 if the result takes the faces over, -1 if it takes them flipped, else 0.
-using KeptPatches = IdVector<PatchId, int>;
 
 /// The nodes that are corners of faces which a result takes over.
 class PatchCorners {

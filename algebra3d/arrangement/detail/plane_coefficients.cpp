@@ -1,7 +1,5 @@
 #include "algebra3d/arrangement/detail/plane_coefficients.h"
 
-#include <vector>
-
 #include "algebra3d/arrangement/detail/task_sizes.h"
 #include "algebra3d/base/scheduler.h"
 
@@ -13,23 +11,16 @@ PlaneCoefficients::PlaneCoefficients(const Facets& facets) {
 }
 
 const IntegerPlane& PlaneCoefficients::get(const Facets& facets, PlaneId plane) {
-  if (known_[plane].is_null()) known_[plane] = IntegerPlane::through(facets.planes[plane].triangle);
+  if (known_[plane].is_null()) known_[plane] = IntegerPlane::through(facets.planes[plane].triangle());
   return known_[plane];
 }
 
 void PlaneCoefficients::compute(const Facets& facets, std::span<const PlaneId> planes) {
-  IdVector<PlaneId, bool> is_listed(known_.size());
-  std::vector<PlaneId> missing;
-  for (const PlaneId plane : planes) {
-    if (is_listed[plane] || !known_[plane].is_null()) continue;
-    is_listed[plane] = true;
-    missing.push_back(plane);
-  }
-  parallel_for(missing.size(), kPointsPerTask, [&](std::size_t i) { get(facets, missing[i]); });
+  parallel_for(planes.size(), kPointsPerTask, [&](std::size_t i) { get(facets, planes[i]); });
 }
 
 IntegerPlane PlaneCoefficients::find_or_compute(const Facets& facets, PlaneId plane) const {
-  return known_[plane].is_null() ? IntegerPlane::through(facets.planes[plane].triangle) : known_[plane];
+  return known_[plane].is_null() ? IntegerPlane::through(facets.planes[plane].triangle()) : known_[plane];
 }
 
 }  // namespace algebra3d::arrangement

@@ -17,7 +17,8 @@ class PlaneCoefficients {
   /// The coefficients of a plane. `facets` must be those given to the constructor. Cost: a few products of integers at
   /// the first call for a plane.
   const IntegerPlane& get(const Facets& facets, PlaneId plane);
-  /// Computes the coefficients of many planes at once, in parallel if they are very many; `get` then finds them.
+  /// Computes the coefficients of many planes at once, each listed once, in parallel if they are very many; `get` then
+  /// finds them.
   void compute(const Facets& facets, std::span<const PlaneId> planes);
   /// The same as `get`, but what is not known yet is computed and not remembered. For stage 9, where the complex is
   /// constant.

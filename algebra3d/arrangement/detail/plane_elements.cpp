@@ -1,56 +1,62 @@
 #include "algebra3d/arrangement/detail/plane_elements.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <tuple>
-
-#include "algebra3d/arrangement/detail/bucket_sort.h"
 
 namespace algebra3d::arrangement {
 namespace {
 
-std::uint64_t line_of(const PlaneElement& element) {
-  return std::uint64_t{element.plane.index()} << 32U | element.segment.index();
-}
-
+/// The order of the elements of one plane.
 bool is_less(const PlaneElement& a, const PlaneElement& b) {
-  const std::uint64_t line_a = line_of(a), line_b = line_of(b);
-  if (line_a != line_b) return line_a < line_b;
+  if (a.segment != b.segment) return a.segment < b.segment;
   return std::tuple(a.from, a.facet, a.is_boundary) < std::tuple(b.from, b.facet, b.is_boundary);
 }
 
 bool are_one(const PlaneElement& a, const PlaneElement& b) {
-  return line_of(a) == line_of(b) && a.from == b.from;
+  return a.segment == b.segment && a.from == b.from;
 }
 
-/// With repetitions.
-std::vector<PlaneElement> sorted_elements(const Facets& facets, const SegmentComplex& complex) {
-  std::vector<PlaneElement> elements;
-  elements.reserve(complex.incidences.size() + complex.touches.size());
-  for (const SegmentIncidence& incidence : complex.incidences) {
-    const Segment& segment = complex.segments[incidence.segment];
-    elements.push_back({facets[incidence.facet].plane, incidence.segment, segment.from, segment.to, incidence.facet,
-                        incidence.sides != FacetSides::both});
-  }
-  for (const auto& [facet, node] : complex.touches)
-    elements.push_back({facets[facet].plane, {}, node, node, facet, false});
-  bucket_sort(
-      elements, facets.planes.size(), [](const PlaneElement& e) { return e.plane.index(); }, is_less);
-  return elements;
+/// The number of an incidence, or of a touch behind all incidences.
+PlaneId plane_of(const Facets& facets, const SegmentComplex& complex, std::size_t number) {
+  const std::size_t count = complex.incidences.size();
+  return facets[number < count ? complex.incidences[number].facet : complex.touches[number - count].facet].plane;
 }
 
 }  // namespace
 
-std::vector<PlaneElement> plane_elements(const Facets& facets, const SegmentComplex& complex) {
-  std::vector<PlaneElement> distinct;
-  for (const PlaneElement& element : sorted_elements(facets, complex)) {
-    if (distinct.empty() || !are_one(distinct.back(), element)) {
-      distinct.push_back(element);
+PlaneElements::PlaneElements(const Facets& facets, const SegmentComplex& complex)
+    : complex_(complex),
+      by_plane_(complex.incidences.size() + complex.touches.size(), facets.planes.size(),
+                [&](std::size_t number) { return plane_of(facets, complex, number).index(); }) {}
+
+PlaneElement PlaneElements::element(PlaneId plane, std::size_t number) const {
+  const std::size_t incidence_count = complex_.incidences.size();
+  if (number >= incidence_count) {
+    const auto& [facet, node] = complex_.touches[number - incidence_count];
+    return {plane, {}, node, node, facet, false};
+  }
+  const SegmentIncidence& incidence = complex_.incidences[number];
+  const Segment& segment = complex_.segments[incidence.segment];
+  return {plane, incidence.segment, segment.from, segment.to, incidence.facet, incidence.sides != FacetSides::both};
+}
+
+void PlaneElements::collect(PlaneId plane, std::vector<PlaneElement>& elements) const {
+  elements.clear();
+  for (const std::uint32_t number : by_plane_.of(plane.index())) elements.push_back(element(plane, number));
+  std::sort(elements.begin(), elements.end(), is_less);
+  std::size_t distinct = 0;
+  for (const PlaneElement& element : elements) {
+    if (distinct == 0 || !are_one(elements[distinct - 1], element)) {
+      elements[distinct++] = element;
       continue;
     }
-    if (distinct.back().facet != element.facet) distinct.back().facet = FacetId::none();
-    distinct.back().is_boundary |= element.is_boundary;
+    PlaneElement& known = elements[distinct - 1];
+    if (known.facet != element.facet) known.facet = FacetId::none();
+    known.is_boundary |= element.is_boundary;
   }
-  return distinct;
+  elements.resize(distinct);
 }
 
 }  // namespace algebra3d::arrangement

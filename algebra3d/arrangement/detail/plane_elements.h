@@ -1,8 +1,8 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
+#include "algebra3d/arrangement/detail/numbers_by_bucket.h"
 #include "algebra3d/arrangement/detail/segment_complex.h"
 
 namespace algebra3d::arrangement {
@@ -18,7 +18,21 @@ struct PlaneElement {
   bool is_node() const { return segment.is_none(); }
 };
 
-/// All elements of all planes, plane by plane, each once, however many facets hold it. Cost: near-linear.
-std::vector<PlaneElement> plane_elements(const Facets& facets, const SegmentComplex& complex);
+/// The elements of all planes, made for one plane at a time.
+class PlaneElements {
+ public:
+  /// Cost: linear in the incidences and touches.
+  PlaneElements(const Facets& facets, const SegmentComplex& complex);
+
+  /// The elements of a plane, each once, however many facets hold it, ascending by segments. Replaces `elements`. Calls
+  /// in parallel are safe. Cost: near-linear.
+  void collect(PlaneId plane, std::vector<PlaneElement>& elements) const;
+
+ private:
+  PlaneElement element(PlaneId plane, std::size_t number) const;
+
+  const SegmentComplex& complex_;
+  NumbersByBucket by_plane_;  // incidences, then touches
+};
 
 }  // namespace algebra3d::arrangement

@@ -9,10 +9,10 @@ Classification propagate_windings(const Subdivision& subdivision, LinkedWindings
     if (const auto found = known.find(set); found != known.end()) fronts[front] = found->second + difference;
   }
   Classification result;
-  result.at_sides.reserve(subdivision.sub_edges.sides().size());
+  result.at_sides = CompactWindings<SubEdgeSide>(subdivision.sub_edges.sides().size());
   for (const SubEdgeSide side : subdivision.sub_edges.sides()) {
     const FrontWindingId front = linked.ids.of(side);
-    result.at_sides.push_back(front.is_none() ? WindingVector() : fronts[front]);
+    if (!front.is_none()) result.at_sides.set(side, fronts[front]);
   }
   result.at_patches.reserve(subdivision.patches.patches.size());
   for (const PatchId patch : subdivision.patches.ids()) result.at_patches.push_back(fronts[linked.ids.of(patch)]);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <utility>
 
 #include "algebra3d/arrangement/detail/bucket_sort.h"
+#include "algebra3d/arrangement/detail/numbers_by_bucket.h"
 #include "algebra3d/arrangement/detail/task_sizes.h"
 #include "algebra3d/base/equal_span.h"
 #include "algebra3d/base/scheduler.h"
@@ -25,34 +25,24 @@ struct EdgeEnd {
 /// an end, and EdgeEnds are made at one node at a time: where operands nearly coincide all edges are edges of regions.
 class EndsOfNodes {
  public:
-  EndsOfNodes(const std::vector<RegionEdge>& edges, std::size_t node_count) : edges_(edges), begins_(node_count + 1) {
-    for (const RegionEdge& edge : edges) {
-      ++begins_[edge.from.index() + std::size_t{1}];
-      ++begins_[edge.to.index() + std::size_t{1}];
-    }
-    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-    std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
-    ends_.resize(begins_.back());
-    for (std::uint32_t edge = 0; edge < edges.size(); ++edge) {
-      ends_[next[edges[edge].from.index()]++] = 2 * edge;
-      ends_[next[edges[edge].to.index()]++] = 2 * edge + 1;
-    }
-  }
+  EndsOfNodes(const std::vector<RegionEdge>& edges, std::size_t node_count)
+      : edges_(edges), by_node_(2 * edges.size(), node_count, [&](std::size_t end) {
+          return (end % 2 == 0 ? edges[end / 2].from : edges[end / 2].to).index();
+        }) {}
 
-  std::size_t node_count() const { return begins_.size() - 1; }
+  std::size_t node_count() const { return by_node_.bucket_count(); }
   /// Appends the ends at a node, in no order.
   void collect(NodeId node, std::vector<EdgeEnd>& ends) const {
-    for (std::uint32_t i = begins_[node.index()]; i < begins_[node.index() + std::size_t{1}]; ++i) {
-      const RegionEdge& edge = edges_[ends_[i] / 2];
-      const bool is_outgoing = ends_[i] % 2 == 0;
+    for (const std::uint32_t end : by_node_.of(node.index())) {
+      const RegionEdge& edge = edges_[end / 2];
+      const bool is_outgoing = end % 2 == 0;
       ends.push_back({node, is_outgoing ? edge.to : edge.from, edge.region, is_outgoing});
     }
   }
 
  private:
   const std::vector<RegionEdge>& edges_;
-  std::vector<std::uint32_t> begins_;  // per node, and where all end
-  std::vector<std::uint32_t> ends_;
+  NumbersByBucket by_node_;
 };
 
 /// Edge ends at one node. The edges of all regions that lead from there to one other node are an *arm*.
@@ -153,7 +143,7 @@ bool PseudoNodeFinder::continue_each_other(EdgeEnds one, EdgeEnds other, EdgeEnd
 /// side of the line where the region lies along the edge.
 bool PseudoNodeFinder::is_half_disc(const EdgeEnd& end, NodeId opposite, EdgeEnds all) const {
   const NodePool& nodes = subdivision_.complex.nodes;
-  const Projection projection = subdivision_.facets.planes[end.region.plane].projection;
+  const Projection projection = subdivision_.facets.planes[end.region.plane()].projection;
   return std::ranges::none_of(all, [&](const EdgeEnd& e) {
     if (e.region != end.region || e.other == end.other || e.other == opposite) return false;
     const int turn = orient2d(projection, nodes[end.node], nodes[end.other], nodes[e.other]);
@@ -163,7 +153,7 @@ bool PseudoNodeFinder::is_half_disc(const EdgeEnd& end, NodeId opposite, EdgeEnd
 
 /// Where a patch ends, its edge is whole; so it has to be whole in the regions on its other sides.
 void PseudoNodeFinder::find_along(const UncutEdge& edge) {
-  const auto nodes = subdivision_.sub_edges.segments.nodes(edge.segment);
+  const auto nodes = subdivision_.uncut_edges.nodes_along(edge);
   if (nodes.size() == 2) return;
   std::vector<InputHalfedgeId> along;
   subdivision_.operands.halfedges_along(edge.edge, along);
@@ -219,21 +209,20 @@ std::vector<PseudoNode> find_pseudo_nodes(const Subdivision& subdivision, const 
   return finder.take();
 }
 
-std::vector<RegionEdge> straightened(const std::vector<RegionEdge>& edges, std::span<const PseudoNode> pseudo_nodes) {
-  std::vector<RegionEdge> straight;
-  straight.reserve(edges.size());
-  std::size_t plane_count = 0;
+std::vector<RegionEdge> straightened(std::vector<RegionEdge> edges, std::span<const PseudoNode> pseudo_nodes) {
+  std::size_t count = 0, plane_count = 0;
   for (const RegionEdge& edge : edges) {
     if (continues_another(edge, pseudo_nodes)) continue;
     RegionEdge last = edge;
     for (NodeId next = node_beyond(last, pseudo_nodes); !next.is_none(); next = node_beyond(last, pseudo_nodes))
       last.from = std::exchange(last.to, next);
-    straight.push_back({edge.region, edge.from, last.to});
-    plane_count = std::max<std::size_t>(plane_count, edge.region.plane.index() + std::size_t{1});
+    plane_count = std::max<std::size_t>(plane_count, edge.region.plane().index() + std::size_t{1});
+    edges[count++] = {edge.region, edge.from, last.to};
   }
+  edges.resize(count);
   bucket_sort(
-      straight, plane_count, [](const RegionEdge& edge) { return edge.region.plane.index(); }, std::less());
-  return straight;
+      edges, plane_count, [](const RegionEdge& edge) { return edge.region.plane().index(); }, std::less());
+  return edges;
 }
 
 }  // namespace algebra3d::arrangement

@@ -35,6 +35,6 @@ std::vector<PseudoNode> find_pseudo_nodes(const Subdivision& subdivision, const 
 std::vector<std::string> audit(const Subdivision& subdivision, const std::vector<PseudoNode>& pseudo_nodes);
 
 /// Replaces runs of edges through pseudo-nodes by one edge each. Gives the edges ascending, region by region.
-std::vector<RegionEdge> straightened(const std::vector<RegionEdge>& edges, std::span<const PseudoNode> pseudo_nodes);
+std::vector<RegionEdge> straightened(std::vector<RegionEdge> edges, std::span<const PseudoNode> pseudo_nodes);
 
 }  // namespace algebra3d::arrangement

@@ -13,10 +13,10 @@ namespace {
 int turn_of_normals(const Subdivision& subdivision, SubEdgeId a, SubEdgeId b) {
   if (subdivision.sub_edges[a].plane == subdivision.sub_edges[b].plane) return 0;
   const Plane& plane_a = subdivision.plane_of(a);
-  const TriangleRef& in_b = subdivision.plane_of(b).triangle;
+  const TriangleRef in_b = subdivision.plane_of(b).triangle();
   const SpaceEdge ends = subdivision.sub_edges[a].ends;
   const PointRef u = subdivision.complex.nodes[ends.u], v = subdivision.complex.nodes[ends.v];
-  for (const PointRef& corner : plane_a.triangle) {
+  for (const PointRef& corner : plane_a.triangle()) {
     const int side = orient2d(plane_a.projection, u, v, corner);
     // The direction to the left of the line is m x d, and n (m x d) = - d (m x n).
     if (side != 0) return -side * orient3d(in_b[0], in_b[1], in_b[2], corner);
@@ -53,6 +53,13 @@ void covered_half_planes(const SubEdges& sub_edges, IdRange<SubEdgeId> edge, std
   for (const SubEdgeId s : edge)
     for (const Side side : kSides)
       if (sub_edges.is_covered({s, side})) result.emplace_back(s, side);
+}
+
+SubEdgeSide first_with_jump(const WindingJumps& jumps, IdRange<SubEdgeId> edge) {
+  for (const SubEdgeId s : edge)
+    for (const Side side : kSides)
+      if (jumps[{s, side}] != WindingVector()) return {s, side};
+  return {};
 }
 
 void half_planes_with_jumps(const WindingJumps& jumps, IdRange<SubEdgeId> edge, std::vector<SubEdgeSide>& result) {

@@ -12,15 +12,20 @@ namespace algebra3d::arrangement {
 
 /// A region of a result: all its faces made of facets that lie in one plane and have their front on the same side. It
 /// need not be connected.
-struct RegionKey {
-  PlaneId plane;
-  bool is_flipped;  ///< the region's own front is the back of the plane
+class RegionKey {
+ public:
+  RegionKey() = default;
+  RegionKey(PlaneId plane, bool is_flipped)
+      : plane_and_flip_(plane.index() << 1U | static_cast<std::uint32_t>(is_flipped)) {}
 
-  /// Both in one number, in which they are compared.
-  std::uint64_t key() const { return std::uint64_t{plane.index()} << 1U | static_cast<std::uint64_t>(is_flipped); }
+  PlaneId plane() const { return PlaneId(plane_and_flip_ >> 1U); }
+  /// The region's own front is the back of the plane.
+  bool is_flipped() const { return plane_and_flip_ % 2 == 1; }
 
-  friend bool operator==(const RegionKey& a, const RegionKey& b) { return a.key() == b.key(); }
-  friend auto operator<=>(const RegionKey& a, const RegionKey& b) { return a.key() <=> b.key(); }
+  friend auto operator<=>(const RegionKey&, const RegionKey&) = default;
+
+ private:
+  std::uint32_t plane_and_flip_ = 0;  // there are no more planes than faces, fewer than 2^30 (TriangleMesh::kMaxFaces)
 };
 
 /// A boundary edge of a region. The region is to the left of it, seen from the front of the plane, also if the region

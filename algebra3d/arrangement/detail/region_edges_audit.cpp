@@ -25,7 +25,7 @@ class RegionEdgesAudit {
   void check_repetitions();
   void check_boundaries();
   bool is_in_plane(NodeId node, PlaneId plane) const {
-    const TriangleRef& triangle = subdivision_.facets.planes[plane].triangle;
+    const TriangleRef triangle = subdivision_.facets.planes[plane].triangle();
     return orient3d(triangle[0], triangle[1], triangle[2], subdivision_.complex.nodes[node]) == 0;
   }
 
@@ -38,14 +38,14 @@ class RegionEdgesAudit {
 bool RegionEdgesAudit::check_edge(const RegionEdge& edge) {
   const auto& [region, from, to] = edge;
   const std::size_t node_count = subdivision_.complex.nodes.size();
-  const bool is_there = region.plane.index() < subdivision_.facets.planes.size() && from != to &&
+  const bool is_there = region.plane().index() < subdivision_.facets.planes.size() && from != to &&
                         from.index() < node_count && to.index() < node_count;
   if (!violations_.expect(is_there, "the edge from node {} to node {} has no two ends or no plane", from.index(),
                           to.index()))
     return false;
-  violations_.expect(is_in_plane(from, region.plane) && is_in_plane(to, region.plane),
+  violations_.expect(is_in_plane(from, region.plane()) && is_in_plane(to, region.plane()),
                      "the edge from node {} to node {} is not in the plane {} of its region", from.index(), to.index(),
-                     region.plane.index());
+                     region.plane().index());
   return true;
 }
 
@@ -54,7 +54,7 @@ void RegionEdgesAudit::check_repetitions() {
   std::ranges::sort(sorted);
   for (std::size_t i = 1; i < sorted.size(); ++i)
     violations_.expect(sorted[i - 1] != sorted[i], "a region in plane {} has the edge from node {} to node {} twice",
-                       sorted[i].region.plane.index(), sorted[i].from.index(), sorted[i].to.index());
+                       sorted[i].region.plane().index(), sorted[i].from.index(), sorted[i].to.index());
 }
 
 void RegionEdgesAudit::check_boundaries() {
@@ -69,7 +69,7 @@ void RegionEdgesAudit::check_boundaries() {
     int excess = 0;
     for (; last < ends.size() && place(ends[last]) == place(ends[first]); ++last) excess += ends[last].excess;
     violations_.expect(excess == 0, "a region in plane {}: {} more edges begin than end at node {}",
-                       ends[first].region.plane.index(), excess, ends[first].node.index());
+                       ends[first].region.plane().index(), excess, ends[first].node.index());
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/planar/sweep_triangulation.h"
@@ -24,25 +25,86 @@ std::vector<Boundary> boundaries_of_regions(const std::vector<RegionEdge>& edges
   return boundaries;
 }
 
-/// Nothing if the edges bound no region.
-std::optional<Region> triangulated(const Subdivision& subdivision, Boundary boundary) {
-  const NodePool& nodes = subdivision.complex.nodes;
-  Region region{boundary.front().region, false, {}};
-  std::vector<DirectedEdge> edges;
-  edges.reserve(boundary.size());
-  for (const auto& [key, from, to] : boundary) {
-    edges.emplace_back(from.index(), to.index());
-    region.has_exact_corner = region.has_exact_corner || !nodes[from].is_double();
+/// Triangulates some of the regions.
+class RegionTriangulator {
+ public:
+  RegionTriangulator(const Subdivision& subdivision, std::size_t region_count, std::size_t edge_count)
+      : subdivision_(subdivision) {
+    result_.regions.reserve(region_count);
+    result_.triangles.reserve(edge_count);  // hardly any region has more triangles than edges
   }
-  region.triangles.reserve(edges.size());
-  const Projection projection = subdivision.facets.planes[region.key.plane].projection;
-  if (!triangulate_by_sweep(nodes.points(), projection, edges, region.triangles)) return std::nullopt;
-  return region;
+
+  /// False if the edges bound no region.
+  bool add(Boundary boundary);
+  Regions take() { return std::move(result_); }
+
+ private:
+  const Subdivision& subdivision_;
+  Regions result_;
+  // Of the region at hand; members, so that their memory is used again.
+  std::vector<DirectedEdge> edges_;
+  std::vector<IndexTriangle> triangles_;
+};
+
+bool RegionTriangulator::add(Boundary boundary) {
+  const NodePool& nodes = subdivision_.complex.nodes;
+  bool has_exact_corner = false;
+  edges_.clear();
+  triangles_.clear();
+  for (const auto& [key, from, to] : boundary) {
+    edges_.emplace_back(from.index(), to.index());
+    has_exact_corner = has_exact_corner || !nodes[from].is_double();
+  }
+  const RegionKey key = boundary.front().region;
+  const Projection projection = subdivision_.facets.planes[key.plane()].projection;
+  if (!triangulate_by_sweep(nodes.points(), projection, edges_, triangles_)) return false;
+  const std::size_t first = result_.triangles.size();
+  result_.triangles.insert(result_.triangles.end(), triangles_.begin(), triangles_.end());
+  result_.regions.push_back({key, has_exact_corner, Slice::from(first, result_.triangles)});
+  return true;
+}
+
+/// The regions of one task.
+struct Part {
+  Regions regions;
+  std::optional<RegionKey> unbounded;  // one whose edges bound no region: later ones are not there
+};
+
+/// Consecutive regions, at least one.
+Part triangulated(const Subdivision& subdivision, std::span<const Boundary> boundaries) {
+  const auto edge_count =
+      static_cast<std::size_t>(boundaries.back().data() + boundaries.back().size() - boundaries.front().data());
+  RegionTriangulator triangulator(subdivision, boundaries.size(), edge_count);
+  Part part;
+  for (const Boundary& boundary : boundaries)
+    if (!part.unbounded && !triangulator.add(boundary)) part.unbounded = boundary.front().region;
+  part.regions = triangulator.take();
+  return part;
+}
+
+/// Frees the parts.
+Regions joined(std::vector<Part>& parts) {
+  std::size_t region_count = 0, triangle_count = 0;
+  for (const auto& [regions, unbounded] : parts) {
+    region_count += regions.regions.size();
+    triangle_count += regions.triangles.size();
+  }
+  Regions all;
+  all.regions.reserve(region_count);
+  all.triangles.reserve(triangle_count);
+  for (Part& part : parts) {
+    const Regions regions = std::move(part.regions);
+    const std::size_t first = all.triangles.size();
+    for (const auto& [key, has_exact_corner, triangles] : regions.regions)
+      all.regions.push_back({key, has_exact_corner, Slice::between(first + triangles.first, first + triangles.last)});
+    all.triangles.insert(all.triangles.end(), regions.triangles.begin(), regions.triangles.end());
+  }
+  return all;
 }
 
 Error unbounded_region(const Subdivision& subdivision, const RegionKey& region) {
   const Facets& facets = subdivision.facets;
-  const auto facet = std::ranges::find(facets.facets, region.plane, &Facet::plane);
+  const auto facet = std::ranges::find(facets.facets, region.plane(), &Facet::plane);
   const InputFaceId face = facets.faces[facet->faces.first];
   const Vec3 where = subdivision.operands.corners(face)[0].approx;
   return {ErrorCode::internal,
@@ -57,18 +119,17 @@ Error unbounded_region(const Subdivision& subdivision, const RegionKey& region) 
 
 }  // namespace
 
-Result<std::vector<Region>> triangulate_regions(const Subdivision& subdivision, const std::vector<RegionEdge>& edges) {
+Result<Regions> triangulate_regions(const Subdivision& subdivision, const std::vector<RegionEdge>& edges) {
   const std::vector<Boundary> boundaries = boundaries_of_regions(edges);
-  std::vector<std::optional<Region>> found(boundaries.size());
-  parallel_for(boundaries.size(), kRegionsPerTask,
-               [&](std::size_t i) { found[i] = triangulated(subdivision, boundaries[i]); });
-  std::vector<Region> regions;
-  regions.reserve(found.size());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!found[i]) return unbounded_region(subdivision, boundaries[i].front().region);
-    regions.push_back(*std::move(found[i]));
-  }
-  return regions;
+  std::vector<Part> parts =
+      parallel_collect(boundaries.size(), kRegionsPerTask, [&](std::size_t begin, std::size_t end) {
+        std::vector<Part> part;
+        if (begin < end) part.push_back(triangulated(subdivision, std::span(boundaries).subspan(begin, end - begin)));
+        return part;
+      });
+  for (const Part& part : parts)
+    if (part.unbounded) return unbounded_region(subdivision, *part.unbounded);
+  return joined(parts);
 }
 
 }  // namespace algebra3d::arrangement

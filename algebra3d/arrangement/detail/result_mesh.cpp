@@ -9,14 +9,14 @@
 
 namespace algebra3d::arrangement {
 
-ResultMesh::ResultMesh(const Subdivision& subdivision, const PatchCorners& patch_corners, const KeptPatches& kept)
+ResultMesh::ResultMesh(const Subdivision& subdivision, const PatchCorners& patch_corners, const KeptPatches& kept,
+                       std::size_t region_triangles)
     : subdivision_(subdivision),
       runs_(subdivision.operands, subdivision.patches, kept),
       vertices_(subdivision, patch_corners, kept),
       at_nodes_(vertices_.at_nodes()),
       planes_(subdivision) {
-  // Regions mostly have fewer triangles than half of the sub-edges, one of which has two sides in each of its planes.
-  const std::size_t capacity = 3 * (runs_.face_count() + subdivision.sub_edges.sub_edges.size() / 2);
+  const std::size_t capacity = 3 * (runs_.face_count() + region_triangles);
   for (auto* values : {&mesh_.origins, &mesh_.opposites}) {
     values->reserve(capacity);
     values->resize(3 * runs_.face_count());
@@ -84,17 +84,17 @@ void ResultMesh::take_opposites(const TakenRun& run, FaceId first, std::size_t c
   }
 }
 
-void ResultMesh::add(const Region& region) {
+void ResultMesh::add(const Region& region, std::span<const IndexTriangle> triangles) {
   LargeVector<std::uint32_t>& origins = mesh_.origins;
   const FaceId first(origins.size() / 3);
-  for (const IndexTriangle& corners : region.triangles) {
+  for (const IndexTriangle& corners : triangles) {
     const std::size_t at = origins.size();
     for (const std::uint32_t node : corners) origins.push_back(vertex_at(NodeId(node)).index());
-    if (region.key.is_flipped) std::swap(origins[at + 1], origins[at + 2]);
+    if (region.key.is_flipped()) std::swap(origins[at + 1], origins[at + 2]);
   }
   mesh_.opposites.resize(origins.size());
   if (region.has_exact_corner)
-    planes_.add({first, FaceId(origins.size() / 3)}, region.key.plane, region.key.is_flipped);
+    planes_.add({first, FaceId(origins.size() / 3)}, region.key.plane(), region.key.is_flipped());
 }
 
 VertexId ResultMesh::vertex_at(NodeId node) {

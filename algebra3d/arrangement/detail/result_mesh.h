@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "algebra3d/arrangement/detail/patch_corners.h"
 #include "algebra3d/arrangement/detail/regions.h"
@@ -29,11 +31,12 @@ TriangleMesh linked(UnlinkedMesh mesh);
 class ResultMesh {
  public:
   /// Takes the faces of patches with their corners, adjacency and planes, in parallel. Edges between two vertices that
-  /// are not settled are not linked.
-  ResultMesh(const Subdivision& subdivision, const PatchCorners& patch_corners, const KeptPatches& kept);
+  /// are not settled are not linked. Leaves room for `region_triangles`.
+  ResultMesh(const Subdivision& subdivision, const PatchCorners& patch_corners, const KeptPatches& kept,
+             std::size_t region_triangles);
 
-  /// Adds triangles with nodes for corners. If some corner is no double, the plane is kept.
-  void add(const Region& region);
+  /// Adds the triangles of a region, with nodes for corners. If some corner is no double, the plane is kept.
+  void add(const Region& region, std::span<const IndexTriangle> triangles);
   /// The mesh. Leaves this object empty.
   UnlinkedMesh finish();
 

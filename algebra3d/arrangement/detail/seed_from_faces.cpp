@@ -23,12 +23,12 @@ std::vector<OperandId> SeedFromFaces::add_operands_with_faces(std::span<const Su
                                                               WindingVector& windings) const {
   std::vector<OperandId> known;
   for (const SubEdgeSide h : around)
-    for (const auto& [facet, sides] : subdivision_.sub_edges.incident_to(h.sub_edge())) {
-      const OperandId operand = subdivision_.facets[facet].operand;
-      if (!includes(sides, h.side()) || std::ranges::find(known, operand) != known.end()) continue;
+    for (const IncidentFacet& incident : subdivision_.sub_edges.incident_to(h.sub_edge())) {
+      const auto& [operand, plane, orientation, faces] = subdivision_.facets[incident.facet()];
+      if (!includes(incident.sides(), h.side()) || std::ranges::find(known, operand) != known.end()) continue;
       known.push_back(operand);
       // A left half-plane is met from behind.
-      const bool is_inside = (h.side() == Side::left) == (subdivision_.facets[facet].orientation > 0);
+      const bool is_inside = (h.side() == Side::left) == (orientation > 0);
       if (is_inside) ++windings[subdivision_.operands.group(operand)];
     }
   std::ranges::sort(known);

@@ -90,6 +90,8 @@ struct SegmentComplex {
     std::vector<Touch>().swap(touches);
     std::vector<CollinearSegments>().swap(collinear);
   }
+  /// Frees the segments themselves, once uncut edges are known.
+  void free_segments() { IdVector<SegmentId, Segment>().values().swap(segments.values()); }
   /// Notes that two segments lie on one line; does nothing if they are the same.
   void note_collinear(SegmentId a, SegmentId b) {
     if (a != b) collinear.push_back({a, b});

@@ -95,7 +95,7 @@ void SegmentComplexAudit::check_distinct_segments() {
 }
 
 bool SegmentComplexAudit::is_in_plane(NodeId node, FacetId facet) const {
-  const TriangleRef& plane = facets_.plane_of(facet).triangle;
+  const TriangleRef plane = facets_.plane_of(facet).triangle();
   return orient3d(plane[0], plane[1], plane[2], nodes_[node]) == 0;
 }
 

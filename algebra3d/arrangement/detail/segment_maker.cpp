@@ -51,11 +51,33 @@ void SegmentMaker::add_boundary(FacetId facet, InputHalfedgeId halfedge) {
   complex_.incidences.push_back({segment, facet, is_left ? FacetSides::left : FacetSides::right});
 }
 
-void SegmentMaker::add_boundaries() {
+/// Calls visit(facet, half-edge) for the boundaries of all facets.
+template <typename Visit>
+void SegmentMaker::for_each_boundary(const Visit& visit) const {
   for (const FacetId facet : facets_.ids())
     for (const InputFaceId face : facets_.faces_of(facet))
       for (const InputHalfedgeId h : Operands::halfedges(face))
-        if (facets_.is_boundary(operands_, h)) add_boundary(facet, h);
+        if (facets_.is_boundary(operands_, h)) visit(facet, h);
+}
+
+void SegmentMaker::reserve(std::size_t contact_count) {
+  std::size_t incidence_count = 0, edge_count = 0;
+  for_each_boundary([&](FacetId, InputHalfedgeId h) {
+    ++incidence_count;
+    edge_count += Operands::halfedge(operands_.edge(h)) == h ? 1 : 0;
+  });
+  // A closed mesh has three times as many edges as vertices, and edges that meet planes are about as many as contacts.
+  complex_.nodes = NodePool(contact_count + edge_count / 3);
+  complex_.segments.reserve(contact_count + edge_count);
+  // What is freed before there are sub-edges lies together, so that these find room there.
+  of_edges_.reserve(edge_count);
+  between_.reserve(contact_count + edge_count);
+  complex_.incidences.reserve(2 * contact_count + incidence_count);
+  complex_.cuts.reserve(2 * contact_count);
+}
+
+void SegmentMaker::add_boundaries() {
+  for_each_boundary([&](FacetId facet, InputHalfedgeId h) { add_boundary(facet, h); });
 }
 
 }  // namespace algebra3d::arrangement

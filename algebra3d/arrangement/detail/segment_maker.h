@@ -11,6 +11,8 @@ class SegmentMaker {
   SegmentMaker(const Operands& operands, const Facets& facets, SegmentComplex& complex)
       : operands_(operands), facets_(facets), complex_(complex) {}
 
+  /// Makes room for the nodes and segments of all boundary edges and of at most so many contacts, before all else.
+  void reserve(std::size_t contact_count);
   /// The node at the origin of the half-edge.
   NodeId node_at_origin(InputHalfedgeId halfedge);
   /// The segment of a boundary edge of some facet.
@@ -26,6 +28,8 @@ class SegmentMaker {
 
  private:
   SegmentId between(NodeId from, NodeId to);
+  template <typename Visit>
+  void for_each_boundary(const Visit& visit) const;
   void add_boundary(FacetId facet, InputHalfedgeId halfedge);
 
   const Operands& operands_;

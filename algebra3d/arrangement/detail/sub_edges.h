@@ -16,11 +16,18 @@ namespace algebra3d::arrangement {
 
 /// An incident facet of a sub-edge: a facet of its plane that holds it, on both sides of it or on one, seen from the
 /// front of the plane by someone who walks from u to v.
-struct IncidentFacet {
-  FacetId facet;
-  FacetSides sides;
+class IncidentFacet {
+ public:
+  IncidentFacet(FacetId facet, FacetSides sides)
+      : facet_and_sides_(facet.index() << 2U | static_cast<std::uint32_t>(sides)) {}
+
+  FacetId facet() const { return FacetId(facet_and_sides_ >> 2U); }
+  FacetSides sides() const { return static_cast<FacetSides>(facet_and_sides_ & 3U); }
 
   friend bool operator==(const IncidentFacet&, const IncidentFacet&) = default;
+
+ private:
+  std::uint32_t facet_and_sides_;  // there are fewer than 2^30 faces (TriangleMesh::kMaxFaces), and so facets
 };
 
 /// An undivided piece of a segment in space, by its two nodes, u < v. It is one sub-edge in each plane in which it
@@ -41,44 +48,66 @@ struct SpaceEdge {
 struct SubEdge {
   SpaceEdge ends;
   PlaneId plane;
-  Slice incident;  ///< of SubEdges::incident
 };
 
-/// Output of stage 6: the subdivision of all planes.
+/// Output of stage 6: the subdivision of all planes. Lists of their own for what a sub-edge has find room more easily,
+/// where there are many.
 struct SubEdges {
-  /// Ascending by ends, then by plane: so those along one space edge are neighbours.
-  IdVector<SubEdgeId, SubEdge> sub_edges;
+  /// Ascending, and those along one space edge ascending by plane: so these are neighbours.
+  IdVector<SubEdgeId, SpaceEdge> ends;
+  IdVector<SubEdgeId, PlaneId> planes;
+  IdVector<SubEdgeId, std::uint32_t> first_incident;  ///< of `incident`; those of the next sub-edge follow
   /// Sub-edge by sub-edge. The list of each is complete if all operands are closed: a sub-edge of plane P lies on a
   /// facet G that is not in P, a neighbour across a boundary edge or a facet that crosses P. A facet of P of another
   /// operand that holds the sub-edge meets G there, so stage 4 has found it as a contact; one of the same operand has
   /// the sub-edge in its boundary, which stage 4 adds.
   std::vector<IncidentFacet> incident;
-  CutSegments segments;  ///< the nodes along each segment, for uncut edges
+  CutSegments segments;  ///< the nodes along each segment; freed once uncut edges are known
 
-  IdRange<SubEdgeId> ids() const { return sub_edges.ids(); }
-  IdRange<SubEdgeSide> sides() const { return IdRange<SubEdgeSide>(2 * sub_edges.size()); }
-  const SubEdge& operator[](SubEdgeId sub_edge) const { return sub_edges[sub_edge]; }
+  std::size_t size() const { return ends.size(); }
+  IdRange<SubEdgeId> ids() const { return ends.ids(); }
+  IdRange<SubEdgeSide> sides() const { return IdRange<SubEdgeSide>(2 * size()); }
+  SubEdge operator[](SubEdgeId sub_edge) const { return {ends[sub_edge], planes[sub_edge]}; }
+  /// Where those of `incident` end that are incident to a sub-edge.
+  std::size_t end_of_incident(SubEdgeId sub_edge) const {
+    const std::size_t next = sub_edge.index() + std::size_t{1};
+    return next < size() ? first_incident[SubEdgeId(next)] : incident.size();
+  }
   /// The incident facets of a sub-edge.
   std::span<const IncidentFacet> incident_to(SubEdgeId sub_edge) const {
-    return sub_edges[sub_edge].incident.of(incident);
+    const std::size_t first = first_incident[sub_edge];
+    return std::span(incident).subspan(first, end_of_incident(sub_edge) - first);
   }
   /// True if a facet covers the sub-facet at that side.
   bool is_covered(SubEdgeSide side) const {
     return std::ranges::any_of(incident_to(side.sub_edge()),
-                               [&](const IncidentFacet& f) { return includes(f.sides, side.side()); });
+                               [&](const IncidentFacet& f) { return includes(f.sides(), side.side()); });
   }
   /// The sub-edges along a space edge, one for each plane.
-  IdRange<SubEdgeId> along(const SpaceEdge& ends) const {
-    const auto found = equal_span(sub_edges.values(), ends, &SubEdge::ends);
-    const auto first = static_cast<std::size_t>(found.data() - sub_edges.values().data());
+  IdRange<SubEdgeId> along(const SpaceEdge& edge) const {
+    const auto found = equal_span(ends.values(), edge);
+    const auto first = static_cast<std::size_t>(found.data() - ends.values().data());
     return {SubEdgeId(first), SubEdgeId(first + found.size())};
   }
   /// Calls visit(sub_edges) for the sub-edges along each space edge.
   template <typename Visit>
   void for_each_space_edge(const Visit& visit) const {
-    for (SubEdgeId first(0), last(0); first < sub_edges.next_id(); first = last) {
-      while (last < sub_edges.next_id() && sub_edges[last].ends == sub_edges[first].ends)
+    for_each_space_edge(ids(), visit);
+  }
+  /// The same for each space edge whose first sub-edge is in a range.
+  template <typename Visit>
+  void for_each_space_edge(IdRange<SubEdgeId> range, const Visit& visit) const {
+    const auto end_of = [&](SubEdgeId last) {
+      do {
         last = SubEdgeId(last.index() + 1);
+      } while (last < ends.next_id() && ends[last] == ends[SubEdgeId(last.index() - 1)]);
+      return last;
+    };
+    SubEdgeId first = *range.begin();
+    const SubEdgeId end = *range.end();
+    if (first < end && first.index() > 0 && ends[first] == ends[SubEdgeId(first.index() - 1)]) first = end_of(first);
+    for (SubEdgeId last; first < end; first = last) {
+      last = end_of(first);
       visit(IdRange(first, last));
     }
   }
@@ -86,8 +115,9 @@ struct SubEdges {
 
 /// Stage 6: divides at their cuts the segments of a complex that overlay has completed. Equal pieces of several
 /// segments become one sub-edge in each plane, with the incident facets of all. If a facet has both an incidence with
-/// FacetSides::both and, from its boundary, one with a side, the latter counts. Cost: n log n.
-SubEdges divide(const Facets& facets, const SegmentComplex& complex);
+/// FacetSides::both and, from its boundary, one with a side, the latter counts. Leaves the complex without incidences,
+/// cuts, touches and collinear segments. Cost: n log n.
+SubEdges divide(const Facets& facets, SegmentComplex& complex);
 
 /// Every violated invariant, one sentence each: sub-edges are ascending and lie in their planes, which are those of
 /// their incident facets; a facet is on a side at most once; sub-edges of one plane meet in common ends alone; each cut

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 #include "algebra3d/arrangement/detail/id_tree.h"
 #include "algebra3d/arrangement/detail/stage_audit.h"
@@ -23,7 +23,7 @@ class SubEdgesAudit {
   void check_pair(SubEdgeId a, SubEdgeId b);
   void check_cut_segments();
   bool is_in_plane(NodeId node, PlaneId plane) const {
-    const TriangleRef& triangle = facets_.planes[plane].triangle;
+    const TriangleRef triangle = facets_.planes[plane].triangle();
     return orient3d(triangle[0], triangle[1], triangle[2], nodes_[node]) == 0;
   }
 
@@ -39,39 +39,40 @@ bool SubEdgesAudit::check_lists() {
   bool holds = true;
   std::size_t first = 0;
   for (const SubEdgeId id : sub_edges_.ids()) {
-    const auto& [ends, plane, incident] = sub_edges_[id];
+    const auto [ends, plane] = sub_edges_[id];
+    const std::size_t begin = sub_edges_.first_incident[id], end = sub_edges_.end_of_incident(id);
     holds &=
         violations_.expect(ends.u < ends.v && ends.v.index() < nodes_.size() && plane.index() < facets_.planes.size(),
                            "sub-edge {} has no two ends, ascending, or no plane", id.index());
-    holds &= violations_.expect(
-        incident.first == first && incident.last > first && incident.last <= sub_edges_.incident.size(),
-        "sub-edge {} has the incident facets {} to {} of {}", id.index(), incident.first, incident.last,
-        sub_edges_.incident.size());
-    first = incident.last;
+    holds &= violations_.expect(begin == first && end > first && end <= sub_edges_.incident.size(),
+                                "sub-edge {} has the incident facets {} to {} of {}", id.index(), begin, end,
+                                sub_edges_.incident.size());
+    first = end;
   }
   for (const IncidentFacet& incident : sub_edges_.incident)
-    holds &= violations_.expect(incident.facet.index() < facets_.facets.size(), "an incident facet is not there");
+    holds &= violations_.expect(incident.facet().index() < facets_.facets.size(), "an incident facet is not there");
   return holds;
 }
 
 void SubEdgesAudit::check_order() {
-  const auto key = [&](SubEdgeId id) { return std::tie(sub_edges_[id].ends, sub_edges_[id].plane); };
-  for (std::size_t i = 1; i < sub_edges_.sub_edges.size(); ++i)
+  const auto key = [&](SubEdgeId id) { return std::pair(sub_edges_[id].ends, sub_edges_[id].plane); };
+  for (std::size_t i = 1; i < sub_edges_.size(); ++i)
     violations_.expect(key(SubEdgeId(i - 1)) < key(SubEdgeId(i)), "sub-edge {} is not behind the one before it", i);
 }
 
 void SubEdgesAudit::check_incident_facets(SubEdgeId id) {
-  const auto& [ends, plane, slice] = sub_edges_[id];
+  const auto [ends, plane] = sub_edges_[id];
   violations_.expect(is_in_plane(ends.u, plane) && is_in_plane(ends.v, plane), "sub-edge {} is not in its plane {}",
                      id.index(), plane.index());
   const auto incident = sub_edges_.incident_to(id);
-  for (const auto& [facet, sides] : incident) {
+  for (const IncidentFacet& at : incident) {
+    const FacetId facet = at.facet();
     violations_.expect(facets_[facet].plane == plane, "sub-edge {}: facet {} is in another plane", id.index(),
                        facet.index());
     // A facet may have the line for a boundary twice, once from each side.
-    const auto is_same = [facet = facet, sides = sides](const IncidentFacet& f) {
-      return f.facet == facet &&
-             std::ranges::any_of(kSides, [&](Side s) { return includes(f.sides, s) && includes(sides, s); });
+    const auto is_same = [&](const IncidentFacet& f) {
+      return f.facet() == facet &&
+             std::ranges::any_of(kSides, [&](Side s) { return includes(f.sides(), s) && includes(at.sides(), s); });
     };
     violations_.expect(std::ranges::count_if(incident, is_same) == 1, "sub-edge {}: facet {} is on one side twice",
                        id.index(), facet.index());

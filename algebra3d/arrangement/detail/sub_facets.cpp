@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <compare>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "algebra3d/arrangement/detail/numbers_by_bucket.h"
 #include "algebra3d/arrangement/detail/task_sizes.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/predicates.h"
@@ -53,46 +53,22 @@ class AngularOrder {
   NodeId centre_;
 };
 
-/// The sub-edges plane by plane, ascending in each.
-class SubEdgesOfPlanes {
- public:
-  explicit SubEdgesOfPlanes(const Subdivision& subdivision)
-      : begins_(subdivision.facets.planes.size() + 1), sub_edges_(subdivision.sub_edges.sub_edges.size()) {
-    for (const SubEdgeId s : subdivision.sub_edges.ids())
-      ++begins_[subdivision.sub_edges[s].plane.index() + std::size_t{1}];
-    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-    std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
-    for (const SubEdgeId s : subdivision.sub_edges.ids())
-      sub_edges_[next[subdivision.sub_edges[s].plane.index()]++] = s;
-  }
-
-  std::size_t plane_count() const { return begins_.size() - 1; }
-  /// The sub-edges of the planes in [first_plane, last_plane).
-  std::span<const SubEdgeId> of(std::size_t first_plane, std::size_t last_plane) const {
-    return std::span(sub_edges_).subspan(begins_[first_plane], begins_[last_plane] - begins_[first_plane]);
-  }
-
- private:
-  std::vector<std::uint32_t> begins_;  // per plane, and where all end
-  std::vector<SubEdgeId> sub_edges_;
-};
-
 /// Finds the closed chains of sides in some planes, and numbers them from 0.
 class ChainFinder {
  public:
   ChainFinder(const Subdivision& subdivision, IdVector<SubEdgeSide, FrontWindingId>& chains)
       : subdivision_(subdivision), chains_(chains) {}
 
-  /// The sub-edges of one plane.
-  Status add(std::span<const SubEdgeId> in_plane);
+  /// The sub-edges of one plane, ascending.
+  Status add(std::span<const std::uint32_t> in_plane);
   std::size_t count() const { return count_; }
 
  private:
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-  void collect_sides(std::span<const SubEdgeId> in_plane);
+  void collect_sides(std::span<const std::uint32_t> in_plane);
   Status join_around(std::span<OutgoingSubEdge> around, Projection projection);
-  void number_chains(std::span<const SubEdgeId> in_plane);
+  void number_chains(std::span<const std::uint32_t> in_plane);
 
   const Subdivision& subdivision_;
   IdVector<SubEdgeSide, FrontWindingId>& chains_;
@@ -103,16 +79,16 @@ class ChainFinder {
   std::vector<std::uint32_t> next_;        // the side that follows in the chain; kNone for sides that are not covered
 };
 
-void ChainFinder::collect_sides(std::span<const SubEdgeId> in_plane) {
+void ChainFinder::collect_sides(std::span<const std::uint32_t> in_plane) {
   outgoing_.clear();
   is_covered_.assign(2 * in_plane.size(), false);
   for (std::uint32_t place = 0; place < in_plane.size(); ++place) {
-    const auto [u, v] = subdivision_.sub_edges[in_plane[place]].ends;
+    const auto [u, v] = subdivision_.sub_edges[SubEdgeId(in_plane[place])].ends;
     outgoing_.push_back({u, v, place});
     outgoing_.push_back({v, u, place});
-    for (const IncidentFacet& incident : subdivision_.sub_edges.incident_to(in_plane[place]))
+    for (const IncidentFacet& incident : subdivision_.sub_edges.incident_to(SubEdgeId(in_plane[place])))
       for (const Side side : kSides)
-        if (includes(incident.sides, side)) is_covered_[2 * place + static_cast<std::uint32_t>(side)] = true;
+        if (includes(incident.sides(), side)) is_covered_[2 * place + static_cast<std::uint32_t>(side)] = true;
   }
   std::ranges::sort(outgoing_, {}, &OutgoingSubEdge::key);
 }
@@ -134,20 +110,20 @@ Status ChainFinder::join_around(std::span<OutgoingSubEdge> around, Projection pr
 }
 
 /// Each covered side is followed by one side and follows one.
-void ChainFinder::number_chains(std::span<const SubEdgeId> in_plane) {
+void ChainFinder::number_chains(std::span<const std::uint32_t> in_plane) {
   for (std::uint32_t first = 0; first < next_.size(); ++first) {
     if (next_[first] == kNone) continue;
     const FrontWindingId chain(count_++);
     for (std::uint32_t side = first; next_[side] != kNone; side = std::exchange(next_[side], kNone))
-      chains_[{in_plane[side / 2], static_cast<Side>(side % 2)}] = chain;
+      chains_[{SubEdgeId(in_plane[side / 2]), static_cast<Side>(side % 2)}] = chain;
   }
 }
 
-Status ChainFinder::add(std::span<const SubEdgeId> in_plane) {
+Status ChainFinder::add(std::span<const std::uint32_t> in_plane) {
   if (in_plane.empty()) return {};
   collect_sides(in_plane);
   next_.assign(2 * in_plane.size(), kNone);
-  const Projection projection = subdivision_.plane_of(in_plane.front()).projection;
+  const Projection projection = subdivision_.plane_of(SubEdgeId(in_plane.front())).projection;
   for (std::size_t begin = 0, end = 0; begin < outgoing_.size(); begin = end) {
     while (end < outgoing_.size() && outgoing_[end].origin == outgoing_[begin].origin) ++end;
     ALGEBRA3D_RETURN_IF_ERROR(join_around(std::span(outgoing_).subspan(begin, end - begin), projection));
@@ -173,14 +149,16 @@ std::vector<PlaneBlock> plane_blocks(std::size_t plane_count) {
 }  // namespace
 
 Result<FrontWindingIds> number_front_windings(const Subdivision& subdivision) {
-  const SubEdgesOfPlanes by_plane(subdivision);
-  IdVector<SubEdgeSide, FrontWindingId> chains(subdivision.sub_edges.sides().size());
-  std::vector<PlaneBlock> blocks = plane_blocks(by_plane.plane_count());
+  const SubEdges& sub_edges = subdivision.sub_edges;
+  const NumbersByBucket by_plane(sub_edges.size(), subdivision.facets.planes.size(),
+                                 [&](std::size_t i) { return sub_edges[SubEdgeId(i)].plane.index(); });
+  IdVector<SubEdgeSide, FrontWindingId> chains(sub_edges.sides().size());
+  std::vector<PlaneBlock> blocks = plane_blocks(by_plane.bucket_count());
   parallel_for(blocks.size(), 1, [&](std::size_t i) {
     PlaneBlock& block = blocks[i];
     ChainFinder finder(subdivision, chains);
     for (std::size_t plane = block.first_plane; plane < block.last_plane && block.status.ok(); ++plane)
-      block.status = finder.add(by_plane.of(plane, plane + 1));
+      block.status = finder.add(by_plane.of(plane));
     block.chain_count = finder.count();
   });
   std::vector<std::size_t> first_chains;
@@ -191,9 +169,9 @@ Result<FrontWindingIds> number_front_windings(const Subdivision& subdivision) {
     chain_count += block.chain_count;
   }
   parallel_for(blocks.size(), 1, [&](std::size_t i) {
-    for (const SubEdgeId s : by_plane.of(blocks[i].first_plane, blocks[i].last_plane))
+    for (const std::uint32_t s : by_plane.of(blocks[i].first_plane, blocks[i].last_plane))
       for (const Side side : kSides)
-        if (FrontWindingId& chain = chains[{s, side}]; !chain.is_none())
+        if (FrontWindingId& chain = chains[{SubEdgeId(s), side}]; !chain.is_none())
           chain = FrontWindingId(first_chains[i] + chain.index());
   });
   return FrontWindingIds(std::move(chains), chain_count, subdivision.patches.patches.size());

@@ -33,7 +33,6 @@ Result<SubEdges> find_sub_edges(Subdivision& subdivision, PairContacts contacts,
   }
   ALGEBRA3D_RETURN_IF_ERROR(
       check_stage("the sub-edges", [&] { return audit(subdivision.facets, subdivision.complex, result); }));
-  complex.free_divided();
   return result;
 }
 
@@ -60,6 +59,8 @@ Result<Subdivision> subdivide(std::span<const Operand> list, Boundaries boundari
   ALGEBRA3D_ASSIGN_OR_RETURN(result.sub_edges, std::move(sub_edges));
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the patches", [&] { return audit(operands, result.facets, result.patches); }));
   result.uncut_edges = find_uncut_edges(operands, result.complex, result.sub_edges, result.patches);
+  result.sub_edges.segments = {};
+  result.complex.free_segments();
   return result;
 }
 

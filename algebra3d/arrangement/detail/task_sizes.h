@@ -12,11 +12,13 @@ inline constexpr std::size_t kFacesPerTask = 16384;
 inline constexpr std::size_t kFacesWorthATask = 1500;
 /// Points or planes that are computed exactly by one task.
 inline constexpr std::size_t kPointsPerTask = 32;
+/// Contacts of faces that are joined at once: many tasks' worth of points.
+inline constexpr std::size_t kContactsPerBlock = 8192;
 /// Planes in which one task overlays segments.
 inline constexpr std::size_t kPlanesPerTask = 32;
 /// Nodes at which one task looks for pseudo-nodes; many have no edge of a region.
 inline constexpr std::size_t kNodesPerTask = 128;
-/// Number of sub-edges from which on sorting them round nodes and round space edges is worth a task each.
-inline constexpr std::size_t kSubEdgesWorthATask = 500;
+/// Sub-edges of which one task sorts those round space edges, and those whose radial orders are there at once.
+inline constexpr std::size_t kSubEdgesPerTask = 512, kSubEdgesPerBlock = 65536;
 
 }  // namespace algebra3d::arrangement

@@ -25,8 +25,10 @@ UncutEdges find_uncut_edges(const Operands& operands, const SegmentComplex& comp
     if (segment.edge.is_none()) continue;
     operands.halfedges_along(segment.edge, along);
     if (!std::ranges::any_of(along, is_of_patch)) continue;
-    result.edges.push_back({s, segment.edge});
     const auto nodes = sub_edges.segments.nodes(s);
+    const std::size_t first = result.nodes.size();
+    result.nodes.insert(result.nodes.end(), nodes.begin(), nodes.end());
+    result.edges.push_back({segment.edge, Slice::from(first, result.nodes)});
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) space_edges.push_back(SpaceEdge::of(nodes[i], nodes[i + 1]));
   }
   result.space_edges = SpaceEdgeSet(space_edges, complex.nodes.size());

@@ -15,8 +15,8 @@ namespace algebra3d::arrangement {
 /// with a corner or an edge; then it is divided into several space edges. The patch has it whole, so every result that
 /// takes the patch has, too.
 struct UncutEdge {
-  SegmentId segment;
   InputEdgeId edge;
+  Slice nodes;  ///< of UncutEdges::nodes: those along the segment of the edge, in its direction
 };
 
 /// A set of space edges, which is asked for every space edge several times. Constant once it is made.
@@ -41,7 +41,10 @@ class SpaceEdgeSet {
 /// All uncut edges.
 struct UncutEdges {
   std::vector<UncutEdge> edges;  ///< in the order of their segments
+  std::vector<NodeId> nodes;     ///< edge by edge
   SpaceEdgeSet space_edges;      ///< those along them: where patches end
+
+  std::span<const NodeId> nodes_along(const UncutEdge& edge) const { return edge.nodes.of(nodes); }
 };
 
 /// Cost: linear in the segments and nodes.

@@ -1,15 +1,21 @@
 #include "algebra3d/arrangement/detail/winding_jumps.h"
 
+#include <array>
+#include <cstddef>
+
 namespace algebra3d::arrangement {
 
 WindingJumps winding_jumps(const Operands& operands, const Facets& facets, const SubEdges& sub_edges) {
   WindingJumps jumps(sub_edges.sides().size());
-  for (const SubEdgeId sub_edge : sub_edges.ids())
-    for (const auto& [facet, sides] : sub_edges.incident_to(sub_edge)) {
-      const auto& [operand, plane, orientation, faces] = facets[facet];
-      for (const Side side : kSides)
-        if (includes(sides, side)) jumps[{sub_edge, side}][operands.group(operand)] += orientation;
+  for (const SubEdgeId sub_edge : sub_edges.ids()) {
+    std::array<WindingVector, 2> of_sides;  // left, right
+    for (const IncidentFacet& incident : sub_edges.incident_to(sub_edge)) {
+      const Facet& facet = facets[incident.facet()];
+      for (std::size_t i = 0; i < 2; ++i)
+        if (includes(incident.sides(), kSides[i])) of_sides[i][operands.group(facet.operand)] += facet.orientation;
     }
+    for (std::size_t i = 0; i < 2; ++i) jumps.set({sub_edge, kSides[i]}, of_sides[i]);
+  }
   return jumps;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "algebra3d/arrangement/detail/compact_windings.h"
 #include "algebra3d/arrangement/detail/sub_edges.h"
 #include "algebra3d/arrangement/detail/subdivision.h"
 #include "algebra3d/arrangement/winding_vector.h"
@@ -12,7 +13,7 @@ namespace algebra3d::arrangement {
 /// Winding jumps: by how much the windings of the cell behind the plane (Plane, facets.h) exceed those of the cell in
 /// front of it, at the sub-facet on each side of each sub-edge. What facets of one group contribute in opposite
 /// directions cancels out.
-using WindingJumps = IdVector<SubEdgeSide, WindingVector>;
+using WindingJumps = CompactWindings<SubEdgeSide>;
 
 /// The beginning of stage 8: the winding jumps of all sides, from the incident facets. Cost: linear.
 WindingJumps winding_jumps(const Operands& operands, const Facets& facets, const SubEdges& sub_edges);

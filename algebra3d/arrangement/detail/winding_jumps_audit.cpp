@@ -29,8 +29,8 @@ class WindingJumpsAudit {
 void WindingJumpsAudit::check_side(SubEdgeSide side) {
   WindingVector most;
   for (const IncidentFacet& incident : sub_edges_.incident_to(side.sub_edge()))
-    if (includes(incident.sides, side.side()))
-      ++most[subdivision_.operands.group(subdivision_.facets[incident.facet].operand)];
+    if (includes(incident.sides(), side.side()))
+      ++most[subdivision_.operands.group(subdivision_.facets[incident.facet()].operand)];
   for (std::size_t group = 0; group < WindingVector::kGroupCount; ++group)
     violations_.expect(std::abs(jumps_[side][group]) <= most[group] && (jumps_[side][group] - most[group]) % 2 == 0,
                        "side {} of sub-edge {}: a jump of {} at {} facets of group {}",

@@ -25,15 +25,14 @@ void make_denominator_positive(HomogeneousPoint& numbers) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
 ExactCoordinates::ExactCoordinates(const HomogeneousPoint& numbers, const std::array<std::int8_t, 3>& beyond)
-    : beyond_(beyond), numbers_(detail::copy_to(reinterpret_cast<mp_limb_t*>(this + 1), numbers)) {}
+    : beyond_(beyond), numbers_(numbers) {}
 
 const ExactCoordinates* ExactCoordinates::allocate(const HomogeneousPoint& numbers,
                                                    const std::array<std::int8_t, 3>& beyond) {
   static_assert(sizeof(ExactCoordinates) % alignof(mp_limb_t) == 0);
   detail::count_heap_rational();
-  void* block = ::operator new(sizeof(ExactCoordinates) + detail::limb_count(numbers) * sizeof(mp_limb_t));
+  void* block = ::operator new(sizeof(ExactCoordinates) + detail::PackedIntegers::bytes_behind(numbers));
   return new (block) ExactCoordinates(numbers, beyond);
 }
 
@@ -51,7 +50,7 @@ SharedCoordinates ExactCoordinates::make(HomogeneousPoint& numbers, Vec3& approx
 }
 
 Rational ExactCoordinates::coordinate(std::size_t axis) const {
-  return RationalAccess::quotient(&numbers_[axis], &numbers_[3]);
+  return RationalAccess::quotient(numbers_[axis], numbers_[3]);
 }
 
 double ExactCoordinates::rest(std::size_t axis, double rounded) const {
@@ -70,26 +69,24 @@ double ExactCoordinates::compute_rest(std::size_t axis, double rounded) const {
   int exponent = 0;
   const double mantissa = std::frexp(rounded, &exponent);
   exponent -= kBits;
-  mpz_mul_si(product.get_mpz_t(), &numbers_[3], static_cast<long>(std::ldexp(mantissa, kBits)));
+  mpz_mul_si(product.get_mpz_t(), numbers_[3], static_cast<long>(std::ldexp(mantissa, kBits)));
   const auto shift = static_cast<mp_bitcnt_t>(std::abs(exponent));
   if (exponent >= 0) {
     mpz_mul_2exp(product.get_mpz_t(), product.get_mpz_t(), shift);
-    mpz_sub(difference.get_mpz_t(), &numbers_[axis], product.get_mpz_t());
+    mpz_sub(difference.get_mpz_t(), numbers_[axis], product.get_mpz_t());
   } else {
-    mpz_mul_2exp(difference.get_mpz_t(), &numbers_[axis], shift);
+    mpz_mul_2exp(difference.get_mpz_t(), numbers_[axis], shift);
     mpz_sub(difference.get_mpz_t(), difference.get_mpz_t(), product.get_mpz_t());
   }
   long difference_exponent = 0, divisor_exponent = 0;
   const double dividend = mpz_get_d_2exp(&difference_exponent, difference.get_mpz_t());
-  const double divisor = mpz_get_d_2exp(&divisor_exponent, &numbers_[3]);
+  const double divisor = mpz_get_d_2exp(&divisor_exponent, numbers_[3]);
   return std::ldexp(dividend / divisor,
                     static_cast<int>(difference_exponent - divisor_exponent + std::min(exponent, 0)));
 }
 
 std::size_t ExactCoordinates::heap_bytes() const {
-  std::size_t limbs = 0;
-  for (const __mpz_struct& number : numbers_) limbs += mpz_size(&number);
-  return sizeof(ExactCoordinates) + limbs * sizeof(mp_limb_t);
+  return sizeof(ExactCoordinates) + numbers_.bytes_behind();
 }
 
 bool operator==(const ExactCoordinates& a, const ExactCoordinates& b) {

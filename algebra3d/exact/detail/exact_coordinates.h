@@ -6,17 +6,12 @@
 #include <cstdint>
 #include <limits>
 
-#include <gmp.h>
-
 #include "algebra3d/base/reference_count.h"
+#include "algebra3d/exact/detail/homogeneous.h"
 #include "algebra3d/exact/point.h"
 #include "algebra3d/exact/rational.h"
 
 namespace algebra3d {
-
-namespace detail {
-struct HomogeneousPoint;
-}
 
 /// The coordinates of a point that is not a triple of doubles: x = X / W and so on, with integers, W > 0. They may have
 /// a common divisor, as long as they are short; so equal points need not have equal integers. Immutable; one heap block
@@ -34,7 +29,7 @@ class ExactCoordinates {
   ~ExactCoordinates() = default;
 
   /// X, Y, Z, W.
-  mpz_srcptr operator[](std::size_t i) const { return &numbers_[i]; }
+  detail::IntegerView operator[](std::size_t i) const { return numbers_[i]; }
   /// Sign of the coordinate minus its rounding; 0 if it is a double.
   int beyond(std::size_t axis) const { return beyond_[axis]; }
   Rational coordinate(std::size_t axis) const;
@@ -59,7 +54,7 @@ class ExactCoordinates {
   std::array<std::int8_t, 3> beyond_;
   // Not a number: not asked for so far. Threads that compute one at the same time get the same.
   mutable std::array<std::atomic<double>, 3> rests_{kUnknown, kUnknown, kUnknown};
-  std::array<__mpz_struct, 4> numbers_;  // their limbs follow this object
+  detail::PackedIntegers numbers_;  // last: the limbs follow this object
 };
 
 }  // namespace algebra3d

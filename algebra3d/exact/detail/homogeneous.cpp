@@ -104,24 +104,28 @@ void HomogeneousPoint::set(const Vec3& doubles) {
 
 HomogeneousView::HomogeneousView(const PointRef& point, HomogeneousPoint& buffer) {
   if (point.is_double()) buffer.set(point.approx);
-  for (std::size_t i = 0; i < 4; ++i) numbers_[i] = point.is_double() ? buffer[i] : (*point.exact)[i];
+  for (std::size_t i = 0; i < 4; ++i) numbers_[i] = point.is_double() ? IntegerView(buffer[i]) : (*point.exact)[i];
 }
 
-std::size_t limb_count(const HomogeneousPoint& numbers) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < 4; ++i) count += mpz_size(numbers[i]);
-  return count;
-}
-
-SharingIntegers copy_to(mp_limb_t* limbs, const HomogeneousPoint& numbers) {
-  SharingIntegers result{};
+PackedIntegers::PackedIntegers(const HomogeneousPoint& numbers) {
+  auto* limbs = const_cast<mp_limb_t*>(first_limb());  // NOLINT(cppcoreguidelines-pro-type-const-cast)
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t size = mpz_size(numbers[i]);
-    std::copy_n(mpz_limbs_read(numbers[i]), size, limbs);
-    mpz_roinit_n(&result[i], limbs, mpz_sgn(numbers[i]) * static_cast<mp_size_t>(size));
-    limbs += size;
+    limbs = std::copy_n(mpz_limbs_read(numbers[i]), size, limbs);
+    sizes_[i] = mpz_sgn(numbers[i]) * static_cast<std::int32_t>(size);
   }
-  return result;
+}
+
+std::size_t PackedIntegers::bytes_behind(const HomogeneousPoint& numbers) {
+  std::size_t limbs = 0;
+  for (std::size_t i = 0; i < 4; ++i) limbs += mpz_size(numbers[i]);
+  return limbs * sizeof(mp_limb_t);
+}
+
+std::size_t PackedIntegers::bytes_behind() const {
+  std::size_t limbs = 0;
+  for (const std::int32_t size : sizes_) limbs += static_cast<std::size_t>(std::abs(size));
+  return limbs * sizeof(mp_limb_t);
 }
 
 void shorten(HomogeneousPoint& numbers, std::size_t longest_kept) {

@@ -2,7 +2,8 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
+#include <cstdint>
+#include <cstdlib>
 
 #include <gmpxx.h>
 
@@ -24,25 +25,41 @@ struct HomogeneousPoint {
   void set(const Vec3& doubles);
 };
 
-/// Four integers that share an array of limbs, which must outlive them.
-using SharingIntegers = std::array<__mpz_struct, 4>;
-
-/// The limbs of all four numbers together.
-std::size_t limb_count(const HomogeneousPoint& numbers);
-/// Copies the limbs of the numbers to an array of limb_count; gives the numbers that lie there.
-SharingIntegers copy_to(mp_limb_t* limbs, const HomogeneousPoint& numbers);
-
-/// Homogeneous coordinates that do not change any more, in one heap block.
-class ConstantHomogeneous {
+/// A view of a constant integer whose limbs lie elsewhere, as GMP's functions take it.
+class IntegerView {
  public:
-  explicit ConstantHomogeneous(const HomogeneousPoint& numbers)
-      : limbs_(std::make_unique<mp_limb_t[]>(limb_count(numbers))), numbers_(copy_to(limbs_.get(), numbers)) {}
+  IntegerView() = default;
+  /// `size`: the number of limbs, negative for a negative integer.
+  IntegerView(const mp_limb_t* limbs, int size) { mpz_roinit_n(&number_, limbs, size); }
+  explicit IntegerView(mpz_srcptr number) : number_(*number) {}
 
-  mpz_srcptr operator[](std::size_t i) const { return &numbers_[i]; }
+  operator mpz_srcptr() const { return &number_; }  // NOLINT(google-explicit-constructor)
+  IntegerView operator-() const { return {number_._mp_d, -number_._mp_size}; }
 
  private:
-  std::unique_ptr<mp_limb_t[]> limbs_;
-  SharingIntegers numbers_;
+  __mpz_struct number_{};
+};
+
+/// Homogeneous coordinates that do not change any more: four sizes, and the limbs behind them in the same heap block.
+/// So it must be the last member of an object that is allocated with `bytes_behind` more bytes.
+class PackedIntegers {
+ public:
+  explicit PackedIntegers(const HomogeneousPoint& numbers);
+
+  /// What the limbs of the numbers take.
+  static std::size_t bytes_behind(const HomogeneousPoint& numbers);
+  std::size_t bytes_behind() const;
+  IntegerView operator[](std::size_t i) const {
+    const mp_limb_t* limbs = first_limb();
+    for (std::size_t before = 0; before < i; ++before) limbs += std::abs(sizes_[before]);
+    return {limbs, sizes_[i]};
+  }
+
+ private:
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
+  const mp_limb_t* first_limb() const { return reinterpret_cast<const mp_limb_t*>(this + 1); }
+
+  std::array<std::int32_t, 4> sizes_;  // numbers of limbs, negative for negative integers
 };
 
 /// A read-only view of homogeneous coordinates, of an exact point or of numbers elsewhere.
@@ -51,14 +68,13 @@ class HomogeneousView {
   /// For a point of doubles the integers are computed in `buffer`.
   HomogeneousView(const PointRef& point, HomogeneousPoint& buffer);
   HomogeneousView(const HomogeneousPoint& numbers)  // NOLINT(google-explicit-constructor)
-      : numbers_{numbers[0], numbers[1], numbers[2], numbers[3]} {}
-  HomogeneousView(const ConstantHomogeneous& numbers)  // NOLINT(google-explicit-constructor)
-      : numbers_{numbers[0], numbers[1], numbers[2], numbers[3]} {}
+      : numbers_{IntegerView(numbers[0]), IntegerView(numbers[1]), IntegerView(numbers[2]), IntegerView(numbers[3])} {}
+  explicit HomogeneousView(const std::array<IntegerView, 4>& numbers) : numbers_(numbers) {}
 
   mpz_srcptr operator[](std::size_t i) const { return numbers_[i]; }
 
  private:
-  std::array<mpz_srcptr, 4> numbers_;
+  std::array<IntegerView, 4> numbers_;
 };
 
 /// Divides the numbers, not all of which may be zero, by the powers of two that they have in common; if one has more

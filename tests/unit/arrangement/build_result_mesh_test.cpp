@@ -18,19 +18,19 @@ namespace {
 
 using stages::Lines;
 
-/// What a union has of the sub-facets and patches of boxes. Refers to its arguments.
+/// What a union has of the sub-facets and patches of boxes.
 Selection union_of(const Subdivision& subdivision, const WindingJumps& jumps, const Classification& fronts) {
   const auto keep = [](const WindingVector& front, const WindingVector& back) {
     return static_cast<int>(back != WindingVector()) - static_cast<int>(front != WindingVector());
   };
-  return {[&, keep](SubEdgeSide side) {
-            return jumps[side] == WindingVector() ? 0
-                                                  : keep(fronts.at_sides[side], fronts.at_sides[side] + jumps[side]);
-          },
-          [&, keep](PatchId patch) {
-            const std::size_t group = subdivision.operands.group(subdivision.patches[patch].operand);
-            return keep(fronts.at_patches[patch], fronts.at_patches[patch] + WindingVector::of_group(group, 1));
-          }};
+  const auto keep_side = [&](SubEdgeSide side) {
+    return jumps[side] == WindingVector() ? 0 : keep(fronts.at_sides[side], fronts.at_sides[side] + jumps[side]);
+  };
+  const auto keep_patch = [&](PatchId patch) {
+    const std::size_t group = subdivision.operands.group(subdivision.patches[patch].operand);
+    return keep(fronts.at_patches[patch], fronts.at_patches[patch] + WindingVector::of_group(group, 1));
+  };
+  return Selection::of(subdivision, keep_side, keep_patch);
 }
 
 /// The steps of the stage, for the union of two boxes. Refers to the boxes.
@@ -41,10 +41,8 @@ class UnionSteps {
         jumps_(winding_jumps(subdivision.operands, subdivision.facets, subdivision.sub_edges)),
         fronts_(classify(subdivision, jumps_, Closure::each, {}).value()),
         selection(union_of(subdivision, jumps_, fronts_)) {
-    KeptPatches kept;
-    for (const PatchId patch : subdivision.patches.ids()) kept.push_back(selection.patch(patch));
     edges = region_edges(subdivision, selection);
-    pseudo_nodes = find_pseudo_nodes(subdivision, edges, PatchCorners(subdivision, kept));
+    pseudo_nodes = find_pseudo_nodes(subdivision, edges, PatchCorners(subdivision, selection.patches));
     straight = straightened(edges, pseudo_nodes);
     regions = triangulate_regions(subdivision, straight).value();
   }
@@ -52,7 +50,7 @@ class UnionSteps {
   UnionSteps& operator=(const UnionSteps&) = delete;
 
   std::string plane_text(const RegionKey& region) const {
-    return stages::text(subdivision.facets.planes[region.plane]);
+    return stages::text(subdivision.facets.planes[region.plane()]);
   }
 
   Subdivision subdivision;
@@ -66,7 +64,7 @@ class UnionSteps {
   std::vector<RegionEdge> edges;
   std::vector<PseudoNode> pseudo_nodes;
   std::vector<RegionEdge> straight;
-  std::vector<Region> regions;
+  Regions regions;
 };
 
 /// "x=4: (4 0 0)-(4 0 4) (4 0 0)-(4 4 0)": the edges of each region, without their direction.
@@ -97,10 +95,8 @@ struct Counts {
 };
 
 Counts counts(const UnionSteps& steps) {
-  std::size_t triangles = 0;
-  for (const Region& region : steps.regions) triangles += region.triangles.size();
   const TriangleMesh mesh = build_result_mesh(steps.subdivision, steps.selection).value();
-  return {triangles, mesh.face_count(), mesh.vertex_count()};
+  return {steps.regions.triangles.size(), mesh.face_count(), mesh.vertex_count()};
 }
 
 void expect_audited(const UnionSteps& steps) {
@@ -213,10 +209,20 @@ TEST(BuildResultMesh, of_a_cavity) {
   EXPECT_EQ(steps.edges, std::vector<RegionEdge>());
   EXPECT_EQ(counts(steps), (Counts{0, 12, 8}));
   // Both patches make A without B.
-  const auto both = [](PatchId patch) { return patch == PatchId(0) ? 1 : -1; };
-  const TriangleMesh hollow = build_result_mesh(steps.subdivision, {steps.selection.sub_facet, both}).value();
+  const TriangleMesh hollow = build_result_mesh(steps.subdivision, {steps.selection.sub_facets, {1, -1}}).value();
   EXPECT_EQ(hollow.face_count(), 24U);
   EXPECT_EQ(audit(hollow), Lines());
+}
+
+// The one frees sub-edges on the way, and takes no patches beside the regions.
+TEST(BuildResultMesh, of_a_subdivision_that_is_not_needed_any_more_is_the_same) {
+  const stages::CrossingCubes boxes;
+  UnionSteps steps(boxes);
+  const TriangleMesh kept = build_result_mesh(steps.subdivision, steps.selection).value();
+  const TriangleMesh freed = build_result_mesh(std::move(steps.subdivision), steps.selection).value();
+  EXPECT_EQ(audit(freed), Lines());
+  EXPECT_EQ(kept.points(), freed.points());
+  EXPECT_TRUE(std::ranges::equal(kept.origins(), freed.origins()));
 }
 
 TEST(BuildResultMesh, faces_that_are_not_bounded_all_round_are_an_error) {
@@ -234,8 +240,8 @@ TEST(BuildResultMesh, faces_that_are_not_bounded_all_round_are_an_error) {
 TEST(BuildResultMesh, a_selection_that_no_classification_gives_is_an_error) {
   const stages::CrossingCubes boxes;
   const Subdivision subdivision = boxes.subdivision();
-  const auto result_of = [&](const std::function<int(SubEdgeSide)>& sub_facet) {
-    return build_result_mesh(subdivision, {sub_facet, [](PatchId) { return 0; }});
+  const auto result_of = [&](const std::function<int(SubEdgeSide)>& of_side) {
+    return build_result_mesh(subdivision, Selection::of(subdivision, of_side, [](PatchId) { return 0; }));
   };
   EXPECT_TRUE(result_of([](SubEdgeSide) { return 0; })->is_empty());
   const IdRange<SubEdgeSide> sides = subdivision.sub_edges.sides();
@@ -263,7 +269,7 @@ TEST(BuildResultMesh, audit_sees_damaged_edges) {
   expect_seen([](auto& edges) { edges.push_back(edges.front()); }, "twice");
   expect_seen([](auto& edges) { edges[0].to = edges[0].from; }, "has no two ends or no plane");
   expect_seen([](auto& edges) { edges[0].from = NodeId(99); }, "has no two ends or no plane");
-  expect_seen([](auto& edges) { edges[0].region.plane = PlaneId(99); }, "has no two ends or no plane");
+  expect_seen([](auto& edges) { edges[0].region = {PlaneId(99), false}; }, "has no two ends or no plane");
   expect_seen(
       [&](auto& edges) {
         const auto other = std::ranges::find_if(edges, [&](const RegionEdge& e) {
@@ -298,17 +304,18 @@ TEST(BuildResultMesh, audit_sees_damaged_regions) {
   const stages::CrossingCubes boxes;
   const UnionSteps steps(boxes);
   const auto expect_seen = [&](const auto& damage, const std::string& part) {
-    std::vector<Region> damaged = steps.regions;
+    Regions damaged = steps.regions;
     damage(damaged);
     expect_part(audit(steps.subdivision, steps.straight, damaged), part);
   };
-  expect_seen([](auto& regions) { regions.pop_back(); }, "5 regions are not those of the edges, which are 6");
-  expect_seen([](auto& regions) { std::swap(regions[0], regions[1]); }, "are not those of the edges");
-  expect_seen([](auto& regions) { regions[0].triangles.pop_back(); }, "its triangles and its boundary differ");
-  expect_seen([](auto& regions) { std::swap(regions[0].triangles[0][0], regions[0].triangles[0][1]); },
+  expect_seen([](auto& regions) { regions.regions.pop_back(); }, "5 regions are not those of the edges, which are 6");
+  expect_seen([](auto& regions) { std::swap(regions.regions[0], regions.regions[1]); }, "are not those of the edges");
+  expect_seen([](auto& regions) { --regions.regions[0].triangles.last; }, "its triangles and its boundary differ");
+  expect_seen([](auto& regions) { std::swap(regions.triangles[0][0], regions.triangles[0][1]); },
               "is not counter-clockwise from the front");
-  expect_seen([](auto& regions) { regions[0].triangles[0][2] = 99; }, "has a corner that is no node");
-  expect_seen([](auto& regions) { regions[0].has_exact_corner = true; }, "does not say whether a corner is no double");
+  expect_seen([](auto& regions) { regions.triangles[0][2] = 99; }, "has a corner that is no node");
+  expect_seen([](auto& regions) { regions.regions[0].has_exact_corner = true; },
+              "does not say whether a corner is no double");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ WindingVector windings_at(const Operands& operands, const Vec3& point) {
 }
 
 Vec3 normal_of(const Plane& plane) {
-  const auto& [a, b, c] = plane.triangle;
+  const auto& [a, b, c] = plane.triangle();
   const Vec3 n = cross(b.approx - a.approx, c.approx - a.approx);
   return (1 / length(n)) * n;
 }
@@ -190,6 +190,23 @@ TEST(SpaceEdgeSet, has_its_edges_and_no_others) {
   EXPECT_FALSE(SpaceEdgeSet().contains(edge(0, 1)));
 }
 
+TEST(Linking, gives_one_seed_for_each_set) {
+  const auto seeds_of = [](const stages::Boxes& boxes) {
+    const Subdivision subdivision = boxes.subdivision();
+    const WindingJumps jumps = winding_jumps(subdivision.operands, subdivision.facets, subdivision.sub_edges);
+    return link_windings(subdivision, jumps).value().seeds;
+  };
+  // Where both cubes have faces at a space edge, no ray is needed: so there, not at the first space edge.
+  for (const auto& seeds : {seeds_of(stages::CrossingCubes()), seeds_of(stages::SharedEdge())}) {
+    ASSERT_EQ(seeds.size(), 1U);
+    EXPECT_EQ(seeds[0].operand_count, 2U);
+  }
+  // Two cubes that share a corner alone have two sets, each with faces of one of them.
+  const auto seeds = seeds_of(stages::SharedVertex());
+  ASSERT_EQ(seeds.size(), 2U);
+  for (const SeedPlace& seed : seeds) EXPECT_EQ(seed.operand_count, 1U);
+}
+
 /// Sets of front windings that have a jump or are those of patches.
 std::size_t set_count(const stages::Boxes& boxes) {
   const Subdivision subdivision = boxes.subdivision();
@@ -280,19 +297,22 @@ TEST(WindingJumps, audit_sees_damage) {
     const std::string violations = fmt::format("{}", fmt::join(audit(subdivision, damaged), "\n"));
     EXPECT_NE(violations.find(part), std::string::npos) << "expected: " << part << "\n" << violations;
   };
-  const auto of_a = [](WindingJumps& jumps) -> WindingVector& {
-    return *std::ranges::find_if(jumps, [](const WindingVector& jump) { return jump[0] == 1; });
+  // The first jump of A becomes another one.
+  const auto set_of_a = [](WindingJumps& jumps, const WindingVector& jump) {
+    jumps.set(*std::ranges::find_if(jumps.ids(), [&](SubEdgeSide side) { return jumps[side][0] == 1; }), jump);
   };
-  expect_seen([](WindingJumps& jumps) { jumps.resize(jumps.size() - 1); }, "winding jumps for");
-  expect_seen([&](WindingJumps& jumps) { of_a(jumps)[0] = 2; }, "a jump of 2 at 1 facets of group 0");
-  expect_seen([&](WindingJumps& jumps) { of_a(jumps)[0] = 0; }, "a jump of 0 at 1 facets of group 0");
-  expect_seen([&](WindingJumps& jumps) { of_a(jumps)[1] = -1; }, "a jump of -1 at 0 facets of group 1");
+  expect_seen([](WindingJumps& jumps) { jumps = WindingJumps(jumps.size() - 1); }, "winding jumps for");
+  expect_seen([&](WindingJumps& jumps) { set_of_a(jumps, {2, 0}); }, "a jump of 2 at 1 facets of group 0");
+  expect_seen([&](WindingJumps& jumps) { set_of_a(jumps, {0, 0}); }, "a jump of 0 at 1 facets of group 0");
+  expect_seen([&](WindingJumps& jumps) { set_of_a(jumps, {1, -1}); }, "a jump of -1 at 0 facets of group 1");
   // As if a facet lay the other way round: possible there, but not with those round the line.
   expect_seen(
       [](WindingJumps& jumps) {
-        for (WindingVector& jump : jumps)
-          if (jump[0] == 1) jump[0] = -1;
-        jumps[*std::ranges::find_if(jumps.ids(), [&](SubEdgeSide side) { return jumps[side][0] != 0; })][0] = 1;
+        for (const SubEdgeSide side : jumps.ids())
+          if (jumps[side][0] == 1) jumps.set(side, {-1, jumps[side][1]});
+        const SubEdgeSide first =
+            *std::ranges::find_if(jumps.ids(), [&](SubEdgeSide side) { return jumps[side][0] != 0; });
+        jumps.set(first, {1, jumps[first][1]});
       },
       "windings change by (");
 }
@@ -320,7 +340,7 @@ TEST(Linking, audit_sees_damage) {
       },
       "are not linked by the cell between them");
   expect_seen([](LinkedWindings& linked) { linked.seeds[0].operand_count = 0; }, "has no operand");
-  expect_seen([](LinkedWindings& linked) { linked.seeds[0].half_plane = linked.seeds[1].half_plane; },
+  expect_seen([&](LinkedWindings& linked) { linked.seeds[0].half_plane = SubEdgeSide(jumps.size() - 1); },
               "has no half-plane of its own with a jump");
   expect_seen(
       [](LinkedWindings& linked) {
@@ -341,9 +361,16 @@ TEST(Classification, audit_sees_damage) {
     return *std::ranges::find_if(c.subdivision.sub_edges.sides(),
                                  [&](SubEdgeSide side) { return c.jumps[side] != WindingVector(); });
   };
-  expect_seen([&](Classified& c) { ++c.fronts.at_sides[side_with_jump(c)][1]; },
-              "do not agree on the cell between them");
-  expect_seen([&](Classified& c) { c.fronts.at_sides[side_with_jump(c)][0] = -1; }, "windings (-1 ");
+  const auto add_to_front = [&](Classified& c, const WindingVector& difference) {
+    const SubEdgeSide side = side_with_jump(c);
+    c.fronts.at_sides.set(side, c.fronts.at_sides[side] + difference);
+  };
+  expect_seen([&](Classified& c) { add_to_front(c, {0, 1}); }, "do not agree on the cell between them");
+  expect_seen(
+      [&](Classified& c) {
+        add_to_front(c, {-1 - c.fronts.at_sides[side_with_jump(c)][0], 0});
+      },
+      "windings (-1 ");
   expect_seen([&](Classified& c) { ++c.fronts.at_patches[PatchId(0)][0]; }, "patch 0: windings (1 0) in front");
   expect_seen([&](Classified& c) { c.fronts.at_patches.resize(1); }, "front windings are missing");
 }

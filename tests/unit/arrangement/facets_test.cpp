@@ -87,9 +87,8 @@ TEST(Facets, audit_sees_damage) {
   expect_seen(audited([&](Facets& f) { f.facets[first].faces.last = 1; }), "facet 1 has the faces 2 to 4 of 12");
   expect_seen(audited([&](Facets& f) { f.facets[first].operand = OperandId(1 - f.facets[first].operand.index()); }),
               "is of another operand");
-  expect_seen(
-      audited([&](Facets& f) { std::swap(f.planes[PlaneId(0)].triangle[0], f.planes[PlaneId(0)].triangle[1]); }),
-      "plane 0: its triangle does not turn counter-clockwise");
+  expect_seen(audited([&](Facets& f) { f.planes[PlaneId(0)].is_clockwise = !f.planes[PlaneId(0)].is_clockwise; }),
+              "plane 0: its triangle does not turn counter-clockwise");
   expect_seen(audited([&](Facets& f) {
                 const TriangleRef elsewhere{Vec3{0, 0, 9}, Vec3{1, 0, 9}, Vec3{0, 1, 9}};
                 f.planes[PlaneId(0)].coefficients = IntegerPlane::through(elsewhere);

@@ -105,7 +105,7 @@ inline std::string text(const Operands& operands, InputFaceId face) {
 }
 /// "x=4", for planes parallel to two axes.
 inline std::string text(const Plane& plane) {
-  const auto& [a, b, c] = plane.triangle;
+  const auto& [a, b, c] = plane.triangle();
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (a.approx[axis] == b.approx[axis] && b.approx[axis] == c.approx[axis])
       return fmt::format("{}={}", "xyz"[axis], a.approx[axis]);
