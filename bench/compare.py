@@ -24,7 +24,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KEPT = ROOT / "build" / "compare"
-NAMES = (*sorted(path.name.removesuffix("_bench.cpp") for path in (ROOT / "bench").glob("*_bench.cpp")), "relational")
+NAMES = (*sorted(path.stem.removesuffix("_bench") for path in (ROOT / "bench").glob("*_bench.cpp")), "relational")
 # Benchmarks of other programs' code, which is the same in both.
 PEERS = re.compile(
     r"cgal|corefine|nef|boost|admesh|assimp|epick|sqlite|mp[zq]_class|cpp_|int256|int512|fcl|openmesh|meshoptimizer|draco", re.I
