@@ -30,7 +30,10 @@ std::vector<std::span<Shell>> runs_along(std::size_t axis, std::span<Shell> shel
   std::size_t begin = 0;
   double end_of_run = shells[0].box.max[axis];
   for (std::size_t i = 1; i < shells.size(); ++i) {
-    if (shells[i].box.min[axis] > end_of_run) runs.push_back(shells.subspan(begin, i - std::exchange(begin, i)));
+    if (shells[i].box.min[axis] > end_of_run) {
+      runs.push_back(shells.subspan(begin, i - begin));
+      begin = i;
+    }
     end_of_run = std::max(end_of_run, shells[i].box.max[axis]);
   }
   runs.push_back(shells.subspan(begin));
