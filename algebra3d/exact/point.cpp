@@ -84,7 +84,7 @@ void PointArray::append(const PointArray& from, std::size_t first, std::size_t c
                std::min(first + count, from.first_exact_ + from.exact_.size()), shift);
 }
 
-/// Of the points from `first` to `end`, which become those `shift` further on.
+/// Appends the exact coordinates of the points from `first` to `end`, whose indices here are greater by `shift`.
 void PointArray::append_exact(const PointArray& from, std::size_t first, std::size_t end, std::size_t shift) {
   const auto is_double = [&](std::size_t i) { return from.exact_[i - from.first_exact_].get() == nullptr; };
   while (first < end && is_double(first)) ++first;

@@ -92,7 +92,7 @@ std::uint32_t Linker::count_operands(IdRange<SubEdgeId> edge) {
                                     operands_at_edge_.begin());
 }
 
-/// Those round the space edges that begin with one of some sub-edges.
+/// The radial orders round the space edges that begin with a sub-edge of the range.
 RadialOrders Linker::radial_orders(IdRange<SubEdgeId> first_sub_edges) const {
   RadialOrders orders;
   std::vector<SubEdgeSide> around;

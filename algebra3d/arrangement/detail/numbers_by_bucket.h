@@ -25,7 +25,7 @@ class NumbersByBucket {
 
   std::size_t bucket_count() const { return begins_.size() - 1; }
   std::span<const std::uint32_t> of(std::size_t bucket) const { return of(bucket, bucket + 1); }
-  /// Those of consecutive buckets, from `first` up to `last`, without that.
+  /// The numbers in consecutive buckets, from `first` to the one before `last`.
   std::span<const std::uint32_t> of(std::size_t first, std::size_t last) const {
     return std::span(numbers_).subspan(begins_[first], begins_[last] - begins_[first]);
   }

@@ -41,7 +41,7 @@ class RegionTriangulator {
  private:
   const Subdivision& subdivision_;
   Regions result_;
-  // Of the region at hand; members, so that their memory is used again.
+  // Edges and triangles of the region at hand; members, so that their memory is used again.
   std::vector<DirectedEdge> edges_;
   std::vector<IndexTriangle> triangles_;
 };

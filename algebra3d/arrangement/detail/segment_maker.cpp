@@ -69,7 +69,8 @@ void SegmentMaker::reserve(std::size_t contact_count) {
   // A closed mesh has three times as many edges as vertices, and edges that meet planes are about as many as contacts.
   complex_.nodes = NodePool(contact_count + edge_count / 3);
   complex_.segments.reserve(contact_count + edge_count);
-  // What is freed before there are sub-edges lies together, so that these find room there.
+  // Lists that are freed before there are sub-edges are allocated one after the other, so that sub-edges find room
+  // there.
   of_edges_.reserve(edge_count);
   between_.reserve(contact_count + edge_count);
   complex_.incidences.reserve(2 * contact_count + incidence_count);

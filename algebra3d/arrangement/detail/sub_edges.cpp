@@ -27,7 +27,7 @@ class FacetSubEdges {
   }
 
   std::size_t size() const { return parts_.size(); }
-  /// Those with this first end, in no order.
+  /// The pieces with this first end, in no order.
   std::span<FacetSubEdge> from(NodeId u) {
     return std::span(parts_).subspan(begins_[u.index()], begins_[u.index() + std::size_t{1}] - begins_[u.index()]);
   }

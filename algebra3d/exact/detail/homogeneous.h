@@ -46,7 +46,7 @@ class PackedIntegers {
  public:
   explicit PackedIntegers(const HomogeneousPoint& numbers);
 
-  /// What the limbs of the numbers take.
+  /// The bytes that the limbs of the numbers take.
   static std::size_t bytes_behind(const HomogeneousPoint& numbers);
   std::size_t bytes_behind() const;
   IntegerView operator[](std::size_t i) const {

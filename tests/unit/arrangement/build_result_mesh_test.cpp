@@ -18,7 +18,7 @@ namespace {
 
 using stages::Lines;
 
-/// What a union has of the sub-facets and patches of boxes.
+/// The sub-facets and patches of boxes that their union keeps.
 Selection union_of(const Subdivision& subdivision, const WindingJumps& jumps, const Classification& fronts) {
   const auto keep = [](const WindingVector& front, const WindingVector& back) {
     return static_cast<int>(back != WindingVector()) - static_cast<int>(front != WindingVector());

@@ -71,7 +71,7 @@ TEST_P(EachFamily, comparison_and_collinearity_are_exact) {
   EXPECT_GE(collinear_count, is_small_grid ? 20 : 0);
 }
 
-// What a coordinate exceeds its rounding by may be far below 2^-53 of it, and products of such differences underflow.
+// Differences of coordinates from their roundings may be far below 2^-53 of these, and their products underflow.
 TEST(orient3d, coordinates_that_exceed_a_double_by_hardly_anything_are_decided) {
   for (const int size : {0, -90, -100, -101, -300})
     for (const int exponent : {-60, -110, -160, -210, -270, -400, -700, -1100}) {

@@ -30,7 +30,7 @@ TriangleMesh mesh_of(const Triangles& triangles, std::shared_ptr<const FaceOrder
   return {PointArray(std::move(points)), std::move(origins), std::move(opposites), {}, {}, std::move(order)};
 }
 
-/// What a set operation knows of a mesh with some of the triangles of another one in front.
+/// The order that a set operation takes over for a mesh whose first triangles are some of those of another one.
 std::shared_ptr<const FaceOrder> order_of(const BoxHierarchy& hierarchy, const std::vector<std::uint32_t>& kept) {
   auto order = std::make_shared<FaceOrder>();
   order->frame = hierarchy.frame();
@@ -106,7 +106,7 @@ TEST(face_order, a_hierarchy_is_the_same_with_it_and_without) {
     expect_the_same_with_a_known_order(before, all_but(before.size(), before.size(), 1), {});
     expect_the_same_with_a_known_order(before, all_but(before.size(), 2, 9), added);
     expect_the_same_with_a_known_order(before, all_but(before.size(), 2, 400), added);
-    // Of thirteen at one place, which are ordered by more of their codes than fewer are, some go and others come.
+    // Thirteen triangles at one place are ordered by their full codes, fewer by number: some of them go, others come.
     expect_the_same_with_a_known_order(before, all_but(before.size(), 2, 2), {});
     Triangles more(before.begin() + 2, before.begin() + 500);
     expect_the_same_with_a_known_order(before, all_but(before.size(), 2, 300), more);
