@@ -31,9 +31,10 @@ constexpr int kMaxRoundsTogether = 400;
 /// Clusters that are given up with no more crossings stay as they are; others are restored.
 constexpr std::size_t kFewCrossings = 20;
 
-/// A cluster with more crossings than so many times the given faces is folded: to join features would multiply its
-/// faces by as much, round by round.
-constexpr std::size_t kMostCrossingsPerFace = 32;
+/// A cluster with more crossings than so many, and so many times the given faces, is folded: to join features would
+/// multiply its faces by as much, round by round.
+constexpr std::size_t kManyCrossings = 100;
+constexpr std::size_t kMostCrossingsPerFace = 3;
 
 /// How a cluster gets on.
 struct Progress {
@@ -49,8 +50,15 @@ struct Progress {
     last_gain = rounds;
   }
   bool is_hopeless(std::size_t given_faces) const {
-    return crossings > 0 && (!can_join || rounds > kMaxSnappingRounds || rounds - last_gain > kMaxRoundsWithoutGain ||
-                             crossings > 4 * fewest + 20 || crossings > kMostCrossingsPerFace * given_faces);
+    return crossings > 0 &&
+           (!can_join || rounds > kMaxSnappingRounds || rounds - last_gain > kMaxRoundsWithoutGain ||
+            crossings > 4 * fewest + 20 || crossings > kMostCrossingsPerFace * given_faces + kManyCrossings);
+  }
+  /// Begins the count of rounds again, for two clusters that became one.
+  void add(const Progress& other) {
+    *this = {.crossings = crossings + other.crossings,
+             .fewest = fewest > SIZE_MAX - other.fewest ? SIZE_MAX : fewest + other.fewest,
+             .is_given_up = is_given_up || other.is_given_up};
   }
 };
 
@@ -62,12 +70,12 @@ struct Faults {
 
 class FeatureSnapping {
  public:
-  FeatureSnapping(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing, double largest_reach,
+  FeatureSnapping(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing, const SnappingLimits& limits,
                   const std::atomic<bool>* cancel, Folded folded)
       : faces_(mesh, folded),
         grid_(grid),
         spacing_(spacing),
-        largest_reach_(largest_reach),
+        limits_(limits),
         cancel_(cancel),
         levels_(faces_.point_count()) {}
 
@@ -96,7 +104,8 @@ class FeatureSnapping {
 
   SnappedFaces faces_;
   CoordinateGrid grid_;
-  double spacing_, largest_reach_;
+  double spacing_;
+  SnappingLimits limits_;
   const std::atomic<bool>* cancel_;
   IdVector<PointId, int> levels_;         // of the corners of given faces
   std::map<PointId, Progress> progress_;  // of clusters that cross, or did
@@ -121,15 +130,13 @@ int FeatureSnapping::level_of(std::size_t face) const {
   return level;
 }
 
-/// Faces that cross are of one cluster. Clusters that became one begin anew.
+/// Faces that cross are of one cluster.
 void FeatureSnapping::tie_clusters(const std::vector<FacePair>& pairs) {
   for (const auto& [f, g] : pairs) faces_.tie(faces_.corners(f)[0], faces_.corners(g)[0]);
   std::map<PointId, Progress> progress;
   for (const auto& [old_cluster, old] : progress_) {
     const auto [entry, is_new] = progress.try_emplace(faces_.cluster_of(old_cluster), old);
-    if (!is_new)
-      entry->second = {.crossings = entry->second.crossings + old.crossings,
-                       .is_given_up = entry->second.is_given_up || old.is_given_up};
+    if (!is_new) entry->second.add(old);
   }
   progress_ = std::move(progress);
 }
@@ -158,7 +165,7 @@ std::vector<PointId> FeatureSnapping::raise_levels(const std::vector<PointId>& c
   const auto raise = [&](std::size_t face, int level) {
     const PointId cluster = cluster_of(face);
     if (!std::ranges::binary_search(clusters, cluster)) return;
-    if (reach_at(level) > largest_reach_) too_high.push_back(cluster);
+    if (reach_at(level) > limits_.largest_reach) too_high.push_back(cluster);
     for (const PointId corner : faces_.corners(faces_.given_of(face))) {
       int& to = raised[corner];
       to = std::max(to, level);
@@ -225,6 +232,9 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
   for (;; ++rounds_) {
     ALGEBRA3D_ASSIGN_OR_RETURN(Faults faults, find_faults(search));
     if (rounds_ == 0) crossings_before = faults.pairs.size();
+    if (crossings_before > limits_.most_crossings)
+      return FeatureSnappedMesh{
+          .mesh = faces_.mesh(), .crossings_before = crossings_before, .crossing_pairs = crossings_before};
     tie_clusters(faults.pairs);
     note_progress(faults);
     Left left = leave_hopeless_clusters(faults);
@@ -248,8 +258,8 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
 }  // namespace
 
 Result<FeatureSnappedMesh> snap_features(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing,
-                                         double largest_reach, const std::atomic<bool>* cancel, Folded folded) {
-  return FeatureSnapping(mesh, grid, spacing, largest_reach, cancel, folded).run();
+                                         const SnappingLimits& limits, const std::atomic<bool>* cancel, Folded folded) {
+  return FeatureSnapping(mesh, grid, spacing, limits, cancel, folded).run();
 }
 
 }  // namespace algebra3d

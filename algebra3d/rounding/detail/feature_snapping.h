@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
@@ -20,15 +21,21 @@ struct FeatureSnappedMesh {
   std::size_t crossing_pairs = 0;    ///< 0 if no faces cross any more; else an upper bound of their pairs
 };
 
+/// The limits of feature snapping.
+struct SnappingLimits {
+  double largest_reach = 0;               ///< in spacings
+  std::size_t most_crossings = SIZE_MAX;  ///< a mesh with more crossings is left as it is
+};
+
 /// Feature snapping: joins features of crossing faces of a mesh (near_features.h) in rounds, until no faces cross. The
 /// reach is two spacings at first. A cluster (snapped_faces.h) that goes on crossing is restored, and begins again with
-/// twice the reach, and new vertices on a grid twice as coarse, as long as the reach is at most `largest_reach`
-/// spacings. A closed mesh stays closed. Vertices of the result are given ones or lie on the grid; it may have edges
-/// with more than two faces, and places with other winding numbers than 0 and 1. Domain: all coordinates are doubles.
-/// Exactness: what crosses is decided exactly, what is near is not. Deterministic. Errors: interrupted. Cost: a few
-/// times that of finding all crossings.
+/// twice the reach, and new vertices on a grid twice as coarse, as long as the reach is at most the largest one. A
+/// closed mesh stays closed. Vertices of the result are given ones or lie on the grid; it may have edges with more than
+/// two faces, and places with other winding numbers than 0 and 1. Domain: all coordinates are doubles. Exactness: what
+/// crosses is decided exactly, what is near is not. Deterministic. Errors: interrupted. Cost: a few times that of
+/// finding all crossings.
 Result<FeatureSnappedMesh> snap_features(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing,
-                                         double largest_reach, const std::atomic<bool>* cancel,
+                                         const SnappingLimits& limits, const std::atomic<bool>* cancel,
                                          Folded folded = Folded::vanishes);
 
 }  // namespace algebra3d

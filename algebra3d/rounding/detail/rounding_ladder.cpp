@@ -8,10 +8,9 @@ namespace algebra3d {
 namespace {
 
 /// Within which reach, in spacings of the grid, features are joined, and facets made coplanar: how far before other
-/// ways are tried, and at last. That of coplanar facets grows from rung to rung.
+/// ways are tried, and at last.
 constexpr double kModestReach = 32;
 constexpr double kLargestReach = 0x1p20;
-constexpr double kReachGrowth = 4;
 
 /// The faces are kept if no vertices come together. Where they do, snap rounding is next; but on a grid of multiples,
 /// which may be coarse, what edges led round vertices close may be as wide as a triangle.
@@ -50,15 +49,12 @@ Result<bool> round_whole(RoundingJob& job) {
   }
   if (is_found) return true;
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<bool> crowded, crowded_vertices(job, snapped.mesh));
-  double reach = kFirstReach;
-  for (; !is_found && reach <= kModestReach; reach *= kReachGrowth) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, reach, kModestReach));
-  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, kFirstReach, kModestReach));
   if (!is_found) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kLargestReach));
   }
-  for (; !is_found && reach <= kLargestReach; reach *= kReachGrowth) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, reach, kLargestReach));
+  if (!is_found) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, 4 * kModestReach, kLargestReach));
   }
   return is_found ? Result<bool>(true) : round_to_coarser_grids(job);
 }

@@ -22,6 +22,8 @@ namespace {
 
 /// More crowded vertices are not made coplanar: that takes rationals, whose digits multiply where many facets are near.
 constexpr std::ptrdiff_t kMaxCrowded = 1000;
+/// How much wider the reach of coplanar facets gets from one attempt to the next.
+constexpr double kReachGrowth = 4;
 
 /// How often a mesh is only divided at its crossings, before features are joined.
 constexpr int kMaxDivisions = 4;
@@ -78,8 +80,10 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
   const double spacing = std::max(grid.spacing_up_to(job.size()), job.spacing());
   std::size_t most_crossings = SIZE_MAX;
   for (int turn = 0; turn < kMaxTurns; ++turn) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined,
-                               snap_features(candidate.mesh, grid, spacing, largest_reach, job.cancel(), job.folded()));
+    ALGEBRA3D_ASSIGN_OR_RETURN(
+        FeatureSnappedMesh joined,
+        snap_features(candidate.mesh, grid, spacing, {largest_reach, most_crossings}, job.cancel(), job.folded()));
+    if (joined.crossings_before > most_crossings) return false;
     candidate.mesh = std::move(joined.mesh);
     candidate.movement = candidate.movement + Movement(joined.largest_displacement, joined.largest_distance);
     candidate.reach = std::max(candidate.reach, joined.reach);
@@ -89,13 +93,27 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
       if (is_accepted) return true;
     }
     const bool grows = candidate.mesh.face_count() > 2 * max_faces(job.mesh());
-    if (!job.is_whole() || joined.crossings_before > most_crossings || grows) return false;
+    if (!job.is_whole() || grows) return false;
     most_crossings = joined.crossings_before / 2 + kToleratedCrossings;
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, candidate, grid));
     if (!is_divided) return false;
   }
   return false;
 }
+
+namespace {
+
+/// Joins features of the mesh whose facets were made coplanar within a reach in coordinate units.
+Result<bool> join_moved(RoundingJob& job, const MovedVertices& moved, double reach, double largest_reach) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(job.mesh(), moved, job.cancel()));
+  const double farthest = std::ranges::max(moved.movements);
+  RoundingCandidate coplanar{std::move(snapped.mesh), Movement(rounded_up(farthest + snapped.largest_detour)), reach,
+                             RoundingMethod::facets_made_coplanar};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, coplanar, job.grid()));
+  return is_divided ? join_features(job, std::move(coplanar), job.grid(), largest_reach) : Result<bool>(false);
+}
+
+}  // namespace
 
 Result<std::vector<bool>> crowded_vertices(const RoundingJob& job, const TriangleMesh& snapped) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(snapped, job.cancel()));
@@ -108,16 +126,18 @@ Result<std::vector<bool>> crowded_vertices(const RoundingJob& job, const Triangl
   return are_crowded;
 }
 
-Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, double reach, double largest_reach) {
+Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, double first_reach,
+                           double largest_reach) {
   if (std::ranges::count(crowded, true) > kMaxCrowded) return false;
-  const MovedVertices moved = snap_coplanar(job.mesh(), crowded, reach * job.spacing());
-  const double farthest = std::ranges::max(moved.movements);
-  if (farthest == 0) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(job.mesh(), moved, job.cancel()));
-  RoundingCandidate coplanar{std::move(snapped.mesh), Movement(rounded_up(farthest + snapped.largest_detour)),
-                             reach * job.spacing(), RoundingMethod::facets_made_coplanar};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, coplanar, job.grid()));
-  return is_divided ? join_features(job, std::move(coplanar), job.grid(), largest_reach) : Result<bool>(false);
+  std::vector<double> movements(job.mesh().vertex_count());  // of the reach before
+  for (double reach = first_reach; reach <= largest_reach; reach *= kReachGrowth) {
+    MovedVertices moved = snap_coplanar(job.mesh(), crowded, reach * job.spacing());
+    if (moved.movements == movements) continue;
+    movements = moved.movements;
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, join_moved(job, moved, reach * job.spacing(), largest_reach));
+    if (is_found) return true;
+  }
+  return false;
 }
 
 Result<bool> round_to_coarser_grids(RoundingJob& job) {

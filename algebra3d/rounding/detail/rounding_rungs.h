@@ -27,9 +27,11 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
 /// Which vertices of the mesh are corners of triangles that cross others after snap rounding.
 Result<std::vector<bool>> crowded_vertices(const RoundingJob& job, const TriangleMesh& snapped);
 
-/// Makes crowded facets exactly coplanar with others nearer than `reach`: facets that nearly lie upon each other and
-/// are large have no near features. Then joins features. False also if there are no such facets, or too many.
-Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, double reach, double largest_reach);
+/// Makes crowded facets exactly coplanar with others nearer than a reach, in spacings of the grid, at first
+/// `first_reach`, which grows from attempt to attempt: facets that nearly lie upon each other and are large have no
+/// near features. Then joins features. False also if there are no such facets, or too many.
+Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, double first_reach,
+                           double largest_reach);
 
 /// Rounds to grids that are up to 2^20 times as coarse, and joins features there within small reaches.
 Result<bool> round_to_coarser_grids(RoundingJob& job);

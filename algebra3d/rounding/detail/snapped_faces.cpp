@@ -238,38 +238,89 @@ SnappedFaces::Chain SnappedFaces::chain(const Corner& from, const Corner& to, co
   return chain;
 }
 
-// Halves the longest side, again and again.
-void SnappedFaces::triangulate(std::size_t given, const Chain& ab, const Chain& bc, const Chain& ca,
-                               std::vector<Face>& faces) {
-  if (ab.size() < std::max(bc.size(), ca.size())) return triangulate(given, bc, ca, ab, faces);
-  if (ab.size() == 2) {
-    faces.push_back(part_of(given, ab[0], bc[0], ca[0]));
-    return;
+/// The corners of a face and those through which its edges are led, in order, also as an outline.
+SnappedFaces::Chain SnappedFaces::outline(const Face& face, const FeatureJoins& joins,
+                                          std::vector<OutlineCorner>& outline) const {
+  Chain corners;
+  for (unsigned side = 0; side < 3; ++side) {
+    const Chain along = chain(corner(face, side), corner(face, (side + 1) % 3), joins);
+    for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+      const unsigned sides = (1U << side) | (i == 0 ? 1U << ((side + 2) % 3) : 0U);
+      outline.push_back({along[i].point, place(along[i].point), static_cast<std::uint8_t>(sides)});
+      corners.push_back(along[i]);
+    }
   }
-  const auto middle = ab.begin() + static_cast<std::ptrdiff_t>(ab.size() / 2);
-  triangulate(given, {ab.begin(), middle + 1}, {*middle, ca[0]}, ca, faces);
-  triangulate(given, {middle, ab.end()}, bc, {ca[0], *middle}, faces);
+  return corners;
+}
+
+/// The chords of an outline that are edges of faces already, or links of edges that are led; ascending by their points.
+std::vector<OutlineChord> SnappedFaces::edges_across(std::span<const OutlineCorner> outline, const FeatureJoins& joins,
+                                                     const std::vector<PointPair>& links) {
+  std::vector<std::pair<PointId, std::uint32_t>> positions;
+  for (std::uint32_t i = 0; i < outline.size(); ++i) positions.emplace_back(outline[i].point, i);
+  std::ranges::sort(positions);
+  std::vector<std::pair<PointPair, OutlineChord>> found;
+  const auto add = [&](std::uint32_t from, PointId to) {
+    const PointId point = outline[from].point;
+    if (to < point) return;  // found from there
+    for (auto at = std::ranges::lower_bound(positions, std::pair(to, 0U)); at != positions.end() && at->first == to;
+         ++at)
+      if ((outline[from].sides & outline[at->second].sides) == 0) found.push_back({{point, to}, {from, at->second}});
+  };
+  for (std::uint32_t i = 0; i < outline.size(); ++i) {
+    const PointId p = outline[i].point;
+    for (auto link = std::ranges::lower_bound(links, PointPair(p, PointId(0))); link != links.end() && link->first == p;
+         ++link)
+      add(i, link->second);
+    for (const std::size_t face : faces_at(p))
+      for (const PointId q : faces_[face].corners)
+        if (q != p && !joins.led.contains(ordered(p, q))) add(i, q);
+  }
+  std::ranges::sort(found);
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  std::vector<OutlineChord> chords;
+  for (const auto& [points, chord] : found) chords.push_back(chord);
+  return chords;
+}
+
+/// Divides a face with the points through which its edges are led.
+void SnappedFaces::divide_along_sides(std::size_t face, const FeatureJoins& joins, const std::vector<PointPair>& links,
+                                      std::vector<Face>& parts) {
+  std::vector<OutlineCorner> outline;
+  const Chain corners = this->outline(faces_[face], joins, outline);
+  const std::size_t given = faces_[face].given;
+  for (const Corner& corner : corners) ties_.unite(corner.point, faces_[given].corners[0]);  // even if no part is left
+  for (const auto& [a, b, c] : divided_outline(outline, edges_across(outline, joins, links)))
+    parts.push_back(part_of(given, corners[a], corners[b], corners[c]));
 }
 
 /// Leads edges, in all faces along them.
 Status SnappedFaces::lead(FeatureJoins& joins, const Monitor& monitor) {
+  for (auto& [edge, points] : joins.led) sort_along(edge, points);
+  std::erase_if(joins.led, [](const auto& led) { return led.second.empty() || led.first.first == led.first.second; });
   std::vector<std::size_t> changing;
-  for (auto& [edge, points] : joins.led) {
+  std::vector<PointPair> links;  // in both directions
+  for (const auto& [edge, points] : joins.led) {
     ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
-    sort_along(edge, points);
-    if (points.empty() || edge.first == edge.second) continue;
     const std::vector<std::size_t> along = faces_along(edge);
     changing.insert(changing.end(), along.begin(), along.end());
+    PointId from = edge.first;
+    const auto add_link = [&](PointId to) {
+      links.insert(links.end(), {{from, to}, {to, from}});
+      from = to;
+    };
+    for (const PointId point : points) add_link(point);
+    add_link(edge.second);
   }
+  std::ranges::sort(links);
   std::ranges::sort(changing);
   changing.erase(std::unique(changing.begin(), changing.end()), changing.end());
   std::vector<Face> parts;
-  for (const std::size_t f : changing) {
-    const Face& face = faces_[f];
-    const Corner a = corner(face, 0), b = corner(face, 1), c = corner(face, 2);
-    triangulate(face.given, chain(a, b, joins), chain(b, c, joins), chain(c, a, joins), parts);
+  for (const std::size_t face : changing) {
+    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    divide_along_sides(face, joins, links, parts);
   }
-  for (const std::size_t f : changing) take_away(f);
+  for (const std::size_t face : changing) take_away(face);
   for (const Face& part : parts) {
     ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     add(part);

@@ -17,6 +17,7 @@
 #include "algebra3d/exact/point_table.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/rounding/detail/divided_outline.h"
 #include "algebra3d/rounding/detail/moved_points.h"
 
 namespace algebra3d {
@@ -147,8 +148,11 @@ class SnappedFaces {
   Chain chain(const Corner& from, const Corner& to, const FeatureJoins& joins) const;
   Corner corner_on_edge(PointId point, const Corner& from, const Corner& to) const;
   Corner corner_in_face(PointId point, const Face& face) const;
-  static void triangulate(std::size_t given, const Chain& ab, const Chain& bc, const Chain& ca,
-                          std::vector<Face>& faces);
+  Chain outline(const Face& face, const FeatureJoins& joins, std::vector<OutlineCorner>& outline) const;
+  std::vector<OutlineChord> edges_across(std::span<const OutlineCorner> outline, const FeatureJoins& joins,
+                                         const std::vector<PointPair>& links);
+  void divide_along_sides(std::size_t face, const FeatureJoins& joins, const std::vector<PointPair>& links,
+                          std::vector<Face>& parts);
 
   Folded folded_;
   PointTable table_;

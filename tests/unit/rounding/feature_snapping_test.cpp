@@ -240,7 +240,7 @@ TEST(NearFeatures, a_face_without_area_has_its_longest_edge_led_through_its_corn
 
 TEST(FeatureSnapping, of_a_mesh_without_crossings_is_the_mesh) {
   const TriangleMesh sphere = geodesic_sphere(4);
-  const auto snapped = snap_features(sphere, CoordinateGrid::doubles(), 0x1p-52, 16, nullptr);
+  const auto snapped = snap_features(sphere, CoordinateGrid::doubles(), 0x1p-52, {16}, nullptr);
   ASSERT_TRUE(snapped.ok());
   EXPECT_EQ(triangles_of(snapped->mesh), triangles_of(sphere));
   EXPECT_EQ(snapped->largest_distance, 0);
@@ -249,7 +249,7 @@ TEST(FeatureSnapping, of_a_mesh_without_crossings_is_the_mesh) {
 
 TEST(FeatureSnapping, leaves_no_crossings_between_boxes_that_overlap_by_a_hair) {
   const TriangleMesh boxes = together(box({0, 0, 0}, {4, 4, 4}), box({4 - 0x1p-20, 1, 1}, {8, 3, 3}));
-  const auto snapped = snap_features(boxes, CoordinateGrid::multiples(0x1p-20), 0x1p-20, 16, nullptr);
+  const auto snapped = snap_features(boxes, CoordinateGrid::multiples(0x1p-20), 0x1p-20, {16}, nullptr);
   ASSERT_TRUE(snapped.ok());
   EXPECT_EQ(snapped->crossing_pairs, 0U);
   EXPECT_LE(snapped->largest_distance, 0x1p-18);
@@ -257,7 +257,7 @@ TEST(FeatureSnapping, leaves_no_crossings_between_boxes_that_overlap_by_a_hair) 
 
 TEST(FeatureSnapping, can_be_interrupted) {
   const std::atomic<bool> cancel = true;
-  const auto snapped = snap_features(geodesic_sphere(4), CoordinateGrid::doubles(), 0x1p-52, 16, &cancel);
+  const auto snapped = snap_features(geodesic_sphere(4), CoordinateGrid::doubles(), 0x1p-52, {16}, &cancel);
   ASSERT_FALSE(snapped.ok());
   EXPECT_EQ(snapped.error().code, ErrorCode::interrupted);
 }

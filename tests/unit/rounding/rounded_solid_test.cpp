@@ -221,6 +221,19 @@ TEST(RoundedSolid, of_nearly_coincident_spheres_is_found) {
   }
 }
 
+// Two shells thinner than a spacing, a billionth of a degree apart: facets nearly coincide in fours.
+TEST(RoundedSolid, of_nearly_coincident_thin_shells_is_found) {
+  SetOperations engine;
+  const AffineMap turn = *AffineMap::rotation(RationalVec3(Vec3{0.1, 0.2, 0.3}), RationalVec3(Vec3{1, 1, 2}), 1e-9);
+  const TriangleMesh thin = *rounded_solid(sphere_without_itself_turned(3, 1e-16), CoordinateGrid::doubles())->mesh;
+  const TriangleMesh turned = mapped(thin, [&](const Vec3& p) { return turn.apply_rounded(ExactPoint(p)); });
+  const TriangleMesh solid = engine.difference_of_both(thin, turned);
+  const auto rounded = rounded_solid(solid, CoordinateGrid::doubles());
+  ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
+  EXPECT_EQ(prove_volume(*rounded->mesh)->text(), "");
+  EXPECT_LE(rounded->largest_movement, 64 * 0x1p-53);
+}
+
 TEST(RoundedSolid, out_of_range_has_a_reason) {
   const auto rounded = rounded_solid(cube(0, 1e300), CoordinateGrid::floats());
   ASSERT_TRUE(rounded.ok());
