@@ -26,7 +26,7 @@ enum class FacetSides : std::uint8_t { both, left, right };
 
 /// True if the facet lies on that side.
 constexpr bool includes(FacetSides sides, Side side) {
-  return sides == FacetSides::both || (sides == FacetSides::left) == (side == Side::left);
+  return sides != (side == Side::left ? FacetSides::right : FacetSides::left);
 }
 /// The same sides for someone who walks the other way.
 constexpr FacetSides opposite(FacetSides sides) {
