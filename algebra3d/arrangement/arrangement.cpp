@@ -93,9 +93,8 @@ arrangement::Selection SolidArrangement::Parts::select(Rule rule) const {
 }
 
 arrangement::Selection SolidArrangement::Parts::faces(const FaceRule& rule) const {
-  return select([&](const WindingVector& front, const WindingVector& back) {
-    return front == back ? 0 : rule(front, back);
-  });
+  return select(
+      [&](const WindingVector& front, const WindingVector& back) { return front == back ? 0 : rule(front, back); });
 }
 
 arrangement::Selection SolidArrangement::Parts::solid(const KeepRule& rule) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <string>
 #include <vector>
@@ -30,7 +31,8 @@ constexpr bool includes(FacetSides sides, Side side) {
 }
 /// The same sides for someone who walks the other way.
 constexpr FacetSides opposite(FacetSides sides) {
-  return sides == FacetSides::both ? sides : sides == FacetSides::left ? FacetSides::right : FacetSides::left;
+  constexpr std::array<FacetSides, 3> kOpposites{FacetSides::both, FacetSides::right, FacetSides::left};
+  return kOpposites[static_cast<std::size_t>(sides)];
 }
 
 /// A segment and a facet that holds it. The sides are those for someone who walks from the segment's first end to the

@@ -25,7 +25,8 @@ SegmentId SegmentMaker::of_edge(InputEdgeId edge) {
   SegmentId& segment = of_edges_[edge.index()];
   if (segment.is_none()) {
     const InputHalfedgeId halfedge = Operands::halfedge(edge);
-    segment = between(node_at_origin(halfedge), node_at_origin(Operands::next(halfedge)));
+    const NodeId to = node_at_origin(Operands::next(halfedge)), from = node_at_origin(halfedge);
+    segment = between(from, to);
     complex_.segments[segment].edge = edge;
   }
   return segment;

@@ -95,8 +95,7 @@ void ChainFinder::collect_sides(std::span<const std::uint32_t> in_plane) {
       for (const Side side : kSides)
         if (includes(incident.sides(), side)) is_covered_[2 * place + static_cast<std::uint32_t>(side)] = true;
   }
-  std::ranges::sort(outgoing_,
-                    [](const OutgoingSubEdge& a, const OutgoingSubEdge& b) { return a.key() < b.key(); });
+  std::ranges::sort(outgoing_, [](const OutgoingSubEdge& a, const OutgoingSubEdge& b) { return a.key() < b.key(); });
 }
 
 /// All sub-edges of a plane that leave a node.
