@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -45,10 +44,13 @@ struct SolidArrangement::Parts {
   arrangement::WindingJumps jumps;
   arrangement::Classification fronts;
 
-  /// rule(front, back) as FaceRule; inlined, where a std::function would be called through.
-  template <typename Rule>
-  arrangement::Selection faces(Rule rule) const;
+  arrangement::Selection faces(const FaceRule& rule) const;
   arrangement::Selection solid(const KeepRule& rule) const;
+
+ private:
+  /// rule(front, back) as FaceRule, and 0 if both are the same; inlined, where a std::function would be called through.
+  template <typename Rule>
+  arrangement::Selection select(Rule rule) const;
 };
 
 SolidArrangement::SolidArrangement(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -77,11 +79,11 @@ Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operand
 }
 
 template <typename Rule>
-arrangement::Selection SolidArrangement::Parts::faces(Rule rule) const {
+arrangement::Selection SolidArrangement::Parts::select(Rule rule) const {
   using arrangement::PatchId, arrangement::SubEdgeSide;
   const auto of_side = [&](SubEdgeSide side) {
     const WindingVector jump = jumps[side], front = fronts.at_sides[side];
-    return jump == WindingVector() ? 0 : rule(front, front + jump);
+    return rule(front, front + jump);
   };
   const auto of_patch = [&](PatchId patch) {
     const std::size_t group = subdivision.operands.group(subdivision.patches[patch].operand);
@@ -90,15 +92,20 @@ arrangement::Selection SolidArrangement::Parts::faces(Rule rule) const {
   return arrangement::Selection::of(subdivision, of_side, of_patch);
 }
 
+arrangement::Selection SolidArrangement::Parts::faces(const FaceRule& rule) const {
+  return select(
+      [&](const WindingVector& front, const WindingVector& back) { return front == back ? 0 : rule(front, back); });
+}
+
 arrangement::Selection SolidArrangement::Parts::solid(const KeepRule& rule) const {
   RememberedRule keeps(rule);
-  return faces([&](const WindingVector& front, const WindingVector& back) {
+  return select([&](const WindingVector& front, const WindingVector& back) {
     return static_cast<int>(keeps(back)) - static_cast<int>(keeps(front));
   });
 }
 
 Result<TriangleMesh> SolidArrangement::faces(const FaceRule& rule) const {
-  return arrangement::build_result_mesh(parts_->subdivision, parts_->faces(std::cref(rule)));
+  return arrangement::build_result_mesh(parts_->subdivision, parts_->faces(rule));
 }
 
 Result<TriangleMesh> SolidArrangement::solid(const KeepRule& rule) const& {

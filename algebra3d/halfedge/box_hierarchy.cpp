@@ -193,7 +193,8 @@ BoxHierarchy::CrossLevel BoxHierarchy::cross_roots(const BoxHierarchy& other, co
     const bool opens_own = roots.own_level > roots.other_level;
     const Opened opened{opens_own, !opens_own};
     CrossLevel below = level_below(roots, opened);
-    for (const CrossLevel::Pair pair : roots.pairs) open(other, change, pair, opened, below);
+    LastOpened last;
+    for (const CrossLevel::Pair pair : roots.pairs) open(other, change, pair, opened, below, last);
     roots = std::move(below);
   }
   return roots;

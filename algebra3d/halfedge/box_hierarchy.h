@@ -232,9 +232,14 @@ class BoxHierarchy {
   }
   /// Pairs of nodes that meet, up to some dozens; together they contain all pairs of faces that meet.
   CrossLevel cross_roots(const BoxHierarchy& other, const FrameChange& change) const;
+  /// Boxes of the other hierarchy in the frame of this one, those of the pair before: the next one often has the same.
+  struct LastOpened {
+    std::uint32_t level = 0, begin = 0, end = 0;
+    std::array<Box, 2> boxes{};
+  };
   /// Adds to the level below a level the pairs that meet of those that a pair contains.
   void open(const BoxHierarchy& other, const FrameChange& change, CrossLevel::Pair pair, Opened opened,
-            CrossLevel& below) const;
+            CrossLevel& below, LastOpened& last) const;
   /// A leaf of another hierarchy, and the boxes of its faces, in the frame of this one.
   struct ChangedLeaf {
     std::uint32_t index = std::numeric_limits<std::uint32_t>::max();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "algebra3d/base/shrink.h"
 #include "algebra3d/halfedge/detail/manifold_linker.h"
@@ -45,13 +46,12 @@ HalfedgeMesh<Layout>::HalfedgeMesh(PointArray points, Layout layout, LargeVector
     assert(outgoing_.size() == points_.size());
     return;
   }
-  if (links == Links::none || links == Links::proposed) {
-    const auto given = links == Links::proposed ? GivenOpposites::some : GivenOpposites::none;
-    if (ManifoldLinker<Layout>(*this, given).link()) return;
-    outgoing_.clear();
-    links = Links::none;
-  }
-  MeshLinker<Layout>(*this, links).build();
+  std::vector<std::uint32_t> open_corners;
+  if (links == Links::all_but_between_open_vertices)
+    open_corners = mesh_linker::open_corners(origins_, outgoing_.size());
+  if (links != Links::some && ManifoldLinker<Layout>(*this, links, open_corners).link()) return;
+  if (links == Links::proposed) links = Links::none;
+  MeshLinker<Layout>(*this, links, std::move(open_corners)).build();
 }
 
 template <typename Layout>

@@ -18,12 +18,8 @@ namespace {
 using FreeSubEdges = std::function<void()>;
 
 /// The edges of regions, without pseudo-nodes.
-Result<std::vector<RegionEdge>> find_straight_edges(const Subdivision& subdivision, Selection& selection,
-                                                    const PatchCorners& patch_corners,
-                                                    const FreeSubEdges& free_sub_edges) {
-  std::vector<RegionEdge> edges = region_edges(subdivision, selection);
-  selection.sub_facets = {};
-  free_sub_edges();
+Result<std::vector<RegionEdge>> straight_edges(const Subdivision& subdivision, std::vector<RegionEdge> edges,
+                                               const PatchCorners& patch_corners) {
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the region edges", [&] { return audit(subdivision, edges); }));
   const std::vector<PseudoNode> pseudo_nodes = find_pseudo_nodes(subdivision, edges, patch_corners);
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the pseudo-nodes", [&] { return audit(subdivision, pseudo_nodes); }));
@@ -32,10 +28,10 @@ Result<std::vector<RegionEdge>> find_straight_edges(const Subdivision& subdivisi
   return edges;
 }
 
-Result<Regions> find_regions(const Subdivision& subdivision, Selection& selection, const PatchCorners& patch_corners,
-                             const FreeSubEdges& free_sub_edges) {
+Result<Regions> find_regions(const Subdivision& subdivision, std::vector<RegionEdge> edges,
+                             const PatchCorners& patch_corners) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<RegionEdge> straight,
-                             find_straight_edges(subdivision, selection, patch_corners, free_sub_edges));
+                             straight_edges(subdivision, std::move(edges), patch_corners));
   ALGEBRA3D_ASSIGN_OR_RETURN(Regions regions, triangulate_regions(subdivision, straight));
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the regions", [&] { return audit(subdivision, straight, regions); }));
   return regions;
@@ -43,14 +39,22 @@ Result<Regions> find_regions(const Subdivision& subdivision, Selection& selectio
 
 Result<UnlinkedMesh> build_unlinked_mesh(const Subdivision& subdivision, Selection selection,
                                          const FreeSubEdges& free_sub_edges) {
-  const PatchCorners patch_corners(subdivision, selection.patches);
+  std::vector<RegionEdge> edges;
+  std::optional<PatchCorners> patch_corners;
+  parallel_invoke(
+      subdivision.operands.face_count() >= kFacesWorthATask, [&] { edges = region_edges(subdivision, selection); },
+      [&] { patch_corners.emplace(subdivision, selection.patches); });
   // Regions mostly have fewer triangles than half of the sub-edges, one of which has two sides in each of its planes.
   const std::size_t region_triangles = subdivision.sub_edges.size() / 2;
 
   std::optional<ResultMesh> mesh;
   Result<Regions> regions = Regions();
-  const auto make_regions = [&] { regions = find_regions(subdivision, selection, patch_corners, free_sub_edges); };
-  const auto take_patches = [&] { mesh.emplace(subdivision, patch_corners, selection.patches, region_triangles); };
+  const auto make_regions = [&] {
+    selection.sub_facets = {};
+    free_sub_edges();
+    regions = find_regions(subdivision, std::move(edges), *patch_corners);
+  };
+  const auto take_patches = [&] { mesh.emplace(subdivision, *patch_corners, selection.patches, region_triangles); };
   // Without faces to be taken over, the memory of the sub-edges is free before the mesh needs some.
   const std::size_t faces_in_patches = subdivision.operands.face_count() - subdivision.facets.faces.size();
   parallel_invoke(faces_in_patches >= kFacesWorthATask, make_regions, take_patches);

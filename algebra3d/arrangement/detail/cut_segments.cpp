@@ -19,7 +19,7 @@ CutSegments::CutSegments(const SegmentComplex& complex) {
       if (cut->node != segment.from && cut->node != segment.to) nodes_.push_back(cut->node);
     nodes_.push_back(segment.to);
     slices_.push_back(Slice::from(first, nodes_));
-    if (slices_.back().size() > 2) sort_along(complex, slices_.back());
+    if (slices_.back().size() > 3) sort_along(complex, slices_.back());  // one cut is between the ends
   }
 }
 

@@ -5,6 +5,7 @@
 namespace algebra3d::arrangement {
 
 bool FacetBoundaries::has_origin(InputHalfedgeId halfedge) {
+  if (origins_.empty()) origins_.resize(operands_.halfedge_count());
   Known& known = origins_[halfedge];
   if (known == Known::nothing) known = finds_boundary_at_origin(halfedge) ? Known::boundary : Known::inside;
   return known == Known::boundary;

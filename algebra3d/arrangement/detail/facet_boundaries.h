@@ -7,8 +7,7 @@ namespace algebra3d::arrangement {
 /// Queries about the boundaries of facets: whether edges and vertices of faces are on them.
 class FacetBoundaries {
  public:
-  FacetBoundaries(const Operands& operands, const Facets& facets)
-      : operands_(operands), facets_(facets), origins_(operands.halfedge_count()) {}
+  FacetBoundaries(const Operands& operands, const Facets& facets) : operands_(operands), facets_(facets) {}
 
   /// True unless the faces on both sides of the edge are of one facet. The half-edge's face must be in a facet.
   bool has_edge(InputHalfedgeId halfedge) const { return facets_.is_boundary(operands_, halfedge); }
@@ -23,7 +22,7 @@ class FacetBoundaries {
 
   const Operands& operands_;
   const Facets& facets_;
-  IdVector<InputHalfedgeId, Known> origins_;
+  IdVector<InputHalfedgeId, Known> origins_;  // empty until one is asked for: solids in general position ask for none
 };
 
 }  // namespace algebra3d::arrangement

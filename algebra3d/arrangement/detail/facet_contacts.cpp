@@ -47,6 +47,9 @@ class FacetContactFinder {
   Status join_block();
   bool is_end(const Feature& feature, const EndInFace& end);
   bool is_real(const FaceContactEnd& end);
+  bool is_segment(const FaceContact& contact) {
+    return !contact.is_point() && is_real(contact.ends[0]) && is_real(contact.ends[1]);
+  }
   EdgeAndPlane crossing_of(const FaceContact& contact, const FaceContactEnd& end);
   NodeId node_of(const FaceContact& contact, const FaceContactEnd& end);
   void cut_edges(const FaceContactEnd& end, NodeId node);
@@ -138,6 +141,11 @@ void FacetContactFinder::cut_edges(const FaceContactEnd& end, NodeId node) {
 }
 
 Status FacetContactFinder::join_facets(std::span<const FaceContact> contacts) {
+  // Solids in general position have hardly any others: nothing is to be joined.
+  if (contacts.size() == 1 && is_segment(contacts[0])) {
+    add_segment({contacts.data(), 0}, {contacts.data(), 1});
+    return {};
+  }
   // Two faces at an artificial edge both report what lies along it; sorted, such reports are neighbours.
   distinct_.clear();
   for (const FaceContact& contact : contacts)

@@ -12,11 +12,96 @@
 namespace algebra3d::arrangement {
 namespace {
 
-/// Half-planes with jumps in radial order, space edge by space edge.
-struct RadialOrders {
-  std::vector<SubEdgeSide> half_planes;
-  std::vector<std::uint32_t> counts;  // of those round each space edge
+/// Two front windings whose difference is known: `b` is `a` plus `difference`.
+struct Relation {
+  FrontWindingId a, b;
+  WindingVector difference;
 };
+
+/// What some space edges tell of front windings.
+struct Relations {
+  std::vector<Relation> list;
+  /// The first half-plane with a jump at each space edge that is on no uncut edge: places for seeds.
+  std::vector<SubEdgeSide> places;
+};
+
+/// Finds the relations at some space edges: the geometry of linking, which is done in tasks.
+class RelationFinder {
+ public:
+  RelationFinder(const Subdivision& subdivision, const WindingJumps& jumps, const FrontWindingIds& ids)
+      : subdivision_(subdivision), jumps_(jumps), ids_(ids) {}
+
+  void add(IdRange<SubEdgeId> edge);
+  Relations take() { return std::move(found_); }
+
+ private:
+  void relate_at(const UncutEdge& uncut, IdRange<SubEdgeId> edge);
+  FrontWindingId relate_patches_at(const UncutEdge& uncut);
+  void relate_in_front_of_faces(SubEdgeId sub_edge, FrontWindingId patch);
+  void relate_round(IdRange<SubEdgeId> edge);
+
+  const Subdivision& subdivision_;
+  const WindingJumps& jumps_;
+  const FrontWindingIds& ids_;
+  Relations found_;
+  // Half-edges and half-planes of the edge at hand; members, so that their memory is used again.
+  std::vector<InputHalfedgeId> along_;
+  std::vector<SubEdgeSide> around_;
+};
+
+void RelationFinder::add(IdRange<SubEdgeId> edge) {
+  if (const UncutEdge* uncut = subdivision_.uncut_edges.find(subdivision_.sub_edges.ends[edge.front()]))
+    relate_at(*uncut, edge);
+  else
+    relate_round(edge);
+}
+
+/// No other operand is at an uncut edge, so the windings in front of all faces along each of its sub-edges are the
+/// same. What is between the faces is not looked at, for not all of them are in sub-facets.
+void RelationFinder::relate_at(const UncutEdge& uncut, IdRange<SubEdgeId> edge) {
+  const FrontWindingId patch = relate_patches_at(uncut);
+  for (const SubEdgeId s : edge) relate_in_front_of_faces(s, patch);
+}
+
+/// Gives the front winding of one of them.
+FrontWindingId RelationFinder::relate_patches_at(const UncutEdge& uncut) {
+  FrontWindingId first;
+  subdivision_.operands.halfedges_along(uncut.edge, along_);
+  for (const InputHalfedgeId h : along_) {
+    const PatchId patch = subdivision_.patches.of_face[Operands::face(h)];
+    if (patch.is_none()) continue;
+    const FrontWindingId front = ids_.of(patch);
+    if (first.is_none())
+      first = front;
+    else
+      found_.list.push_back({first, front, {}});
+  }
+  return first;
+}
+
+void RelationFinder::relate_in_front_of_faces(SubEdgeId sub_edge, FrontWindingId patch) {
+  for (const IncidentFacet& incident : subdivision_.sub_edges.incident_to(sub_edge))
+    for (const Side side : kSides) {
+      if (!includes(incident.sides(), side)) continue;
+      // In front of the face is in front of the plane, unless the face looks to the back of its plane.
+      const SubEdgeSide at(sub_edge, side);
+      const WindingVector excess = subdivision_.facets[incident.facet()].orientation > 0 ? WindingVector() : jumps_[at];
+      found_.list.push_back({patch, ids_.of(at), -excess});
+    }
+}
+
+void RelationFinder::relate_round(IdRange<SubEdgeId> edge) {
+  half_planes_with_jumps(jumps_, edge, around_);
+  if (around_.empty()) return;
+  found_.places.push_back(around_.front());
+  sort_around_space_edge(subdivision_, around_);
+  // The cell between the last one and the first one tells nothing new.
+  for (std::size_t i = 0; i + 1 < around_.size(); ++i) {
+    const SubEdgeSide h = around_[i], next = around_[i + 1];
+    // Both give the windings of the cell between the two: their front winding and the excess.
+    found_.list.push_back({ids_.of(h), ids_.of(next), excess_after(jumps_, h) - excess_before(jumps_, next)});
+  }
+}
 
 class Linker {
  public:
@@ -25,61 +110,40 @@ class Linker {
   Result<LinkedWindings> run();
 
  private:
-  void link_at_uncut_edges();
-  FrontWindingId link_patches_at(const UncutEdge& edge);
-  void link_in_front_of_faces(SubEdgeId sub_edge, FrontWindingId patch);
-  void link_round_space_edges();
-  RadialOrders radial_orders(IdRange<SubEdgeId> first_sub_edges) const;
-  void link_round(std::span<const SubEdgeSide> around);
+  void link_at_space_edges();
+  Relations relations_at(IdRange<SubEdgeId> first_sub_edges) const;
   void find_seeds();
   std::uint32_t count_operands(IdRange<SubEdgeId> edge);
-  bool is_on_uncut_edge(IdRange<SubEdgeId> edge) const {
-    return subdivision_.uncut_edges.space_edges.contains(subdivision_.sub_edges[edge.front()].ends);
-  }
 
   const Subdivision& subdivision_;
   const WindingJumps& jumps_;
   LinkedWindings result_{{}, WindingSets(0), {}};
-  // Half-edges of the uncut edge, and operands at the space edge, at hand; members, so that their memory is used again.
-  std::vector<InputHalfedgeId> along_edge_;
-  std::vector<OperandId> operands_at_edge_;
+  std::vector<SubEdgeSide> places_;          // for seeds, ascending
+  std::vector<OperandId> operands_at_edge_;  // at the space edge at hand; a member, so that its memory is used again
 };
 
-/// No other operand is at an uncut edge, so the windings in front of all faces along each of its sub-edges are the
-/// same. What is between the faces is not looked at, for not all of them are in sub-facets.
-void Linker::link_at_uncut_edges() {
-  for (const UncutEdge& edge : subdivision_.uncut_edges.edges) {
-    const FrontWindingId patch = link_patches_at(edge);
-    const auto nodes = subdivision_.uncut_edges.nodes_along(edge);
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-      for (const SubEdgeId s : subdivision_.sub_edges.along(SpaceEdge::of(nodes[i], nodes[i + 1])))
-        link_in_front_of_faces(s, patch);
-  }
+/// Of the space edges that begin with a sub-edge of the range.
+Relations Linker::relations_at(IdRange<SubEdgeId> first_sub_edges) const {
+  RelationFinder finder(subdivision_, jumps_, result_.ids);
+  subdivision_.sub_edges.for_each_space_edge(first_sub_edges, [&](IdRange<SubEdgeId> edge) { finder.add(edge); });
+  return finder.take();
 }
 
-/// Gives the front winding of one of them.
-FrontWindingId Linker::link_patches_at(const UncutEdge& edge) {
-  FrontWindingId first;
-  subdivision_.operands.halfedges_along(edge.edge, along_edge_);
-  for (const InputHalfedgeId h : along_edge_) {
-    const PatchId patch = subdivision_.patches.of_face[Operands::face(h)];
-    if (patch.is_none()) continue;
-    const FrontWindingId front = result_.ids.of(patch);
-    if (first.is_none()) first = front;
-    result_.sets.unite(first, front, {});
-  }
-  return first;
-}
-
-void Linker::link_in_front_of_faces(SubEdgeId sub_edge, FrontWindingId patch) {
-  for (const IncidentFacet& incident : subdivision_.sub_edges.incident_to(sub_edge))
-    for (const Side side : kSides) {
-      if (!includes(incident.sides(), side)) continue;
-      // In front of the face is in front of the plane, unless the face looks to the back of its plane.
-      const SubEdgeSide at(sub_edge, side);
-      const WindingVector excess = subdivision_.facets[incident.facet()].orientation > 0 ? WindingVector() : jumps_[at];
-      result_.sets.unite(patch, result_.ids.of(at), -excess);
+/// Block by block: the relations in parallel, which is most of the work, and then the sets.
+void Linker::link_at_space_edges() {
+  const std::size_t count = subdivision_.sub_edges.size();
+  for (std::size_t first = 0; first < count; first += kSubEdgesPerBlock) {
+    const auto found = parallel_collect(
+        std::min(kSubEdgesPerBlock, count - first), kSubEdgesPerTask, [&](std::size_t begin, std::size_t end) {
+          std::vector<Relations> relations;
+          relations.push_back(relations_at({SubEdgeId(first + begin), SubEdgeId(first + end)}));
+          return relations;
+        });
+    for (const auto& [list, places] : found) {
+      for (const auto& [a, b, difference] : list) result_.sets.unite(a, b, difference);
+      places_.insert(places_.end(), places.begin(), places.end());
     }
+  }
 }
 
 std::uint32_t Linker::count_operands(IdRange<SubEdgeId> edge) {
@@ -92,73 +156,33 @@ std::uint32_t Linker::count_operands(IdRange<SubEdgeId> edge) {
                                     operands_at_edge_.begin());
 }
 
-/// The radial orders round the space edges that begin with a sub-edge of the range.
-RadialOrders Linker::radial_orders(IdRange<SubEdgeId> first_sub_edges) const {
-  RadialOrders orders;
-  std::vector<SubEdgeSide> around;
-  subdivision_.sub_edges.for_each_space_edge(first_sub_edges, [&](IdRange<SubEdgeId> edge) {
-    if (is_on_uncut_edge(edge)) return;
-    half_planes_with_jumps(jumps_, edge, around);
-    if (around.empty()) return;
-    sort_around_space_edge(subdivision_, around);
-    orders.half_planes.insert(orders.half_planes.end(), around.begin(), around.end());
-    orders.counts.push_back(static_cast<std::uint32_t>(around.size()));
-  });
-  return orders;
-}
-
-/// Block by block: the geometry in parallel, which is most of the work, and then the sets.
-void Linker::link_round_space_edges() {
-  const std::size_t count = subdivision_.sub_edges.size();
-  for (std::size_t first = 0; first < count; first += kSubEdgesPerBlock) {
-    const auto found = parallel_collect(
-        std::min(kSubEdgesPerBlock, count - first), kSubEdgesPerTask, [&](std::size_t begin, std::size_t end) {
-          std::vector<RadialOrders> orders;
-          orders.push_back(radial_orders({SubEdgeId(first + begin), SubEdgeId(first + end)}));
-          return orders;
-        });
-    for (const RadialOrders& orders : found) {
-      auto around = orders.half_planes.begin();
-      for (const std::uint32_t size : orders.counts) {
-        link_round({around, around + size});
-        around += size;
-      }
-    }
-  }
-}
-
-void Linker::link_round(std::span<const SubEdgeSide> around) {
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    const SubEdgeSide h = around[i], next = around[i + 1 == around.size() ? 0 : i + 1];
-    // Both give the windings of the cell between the two: their front winding and the excess.
-    result_.sets.unite(result_.ids.of(h), result_.ids.of(next), excess_after(jumps_, h) - excess_before(jumps_, next));
-  }
-}
-
 void Linker::find_seeds() {
   constexpr std::uint32_t kNone = 0xFFFFFFFF;
   std::vector<SeedPlace>& seeds = result_.seeds;
   IdVector<FrontWindingId, std::uint32_t> seed_of_set(result_.ids.count(), kNone);
-  subdivision_.sub_edges.for_each_space_edge([&](IdRange<SubEdgeId> edge) {
-    const SubEdgeSide half_plane = first_with_jump(jumps_, edge);
-    if (half_plane.is_none() || is_on_uncut_edge(edge)) return;
+  std::size_t best_count = 0;  // sets with a seed at which all operands are
+  for (const SubEdgeSide half_plane : places_) {
+    if (best_count == result_.sets.set_count()) break;
     std::uint32_t& known = seed_of_set[result_.sets.find(result_.ids.of(half_plane)).set];
-    if (known != kNone && seeds[known].operand_count == subdivision_.operands.count()) return;
+    if (known != kNone && seeds[known].operand_count == subdivision_.operands.count()) continue;
+    const IdRange<SubEdgeId> edge = subdivision_.sub_edges.beside(half_plane.sub_edge());
     const SeedPlace place{edge, half_plane, count_operands(edge)};
     if (known == kNone) {
       known = static_cast<std::uint32_t>(seeds.size());
       seeds.push_back(place);
     } else if (place.operand_count > seeds[known].operand_count) {
       seeds[known] = place;
+    } else {
+      continue;
     }
-  });
+    best_count += place.operand_count == subdivision_.operands.count() ? 1 : 0;
+  }
 }
 
 Result<LinkedWindings> Linker::run() {
   ALGEBRA3D_ASSIGN_OR_RETURN(result_.ids, number_front_windings(subdivision_));
   result_.sets = WindingSets(result_.ids.count());
-  link_at_uncut_edges();
-  link_round_space_edges();
+  link_at_space_edges();
   find_seeds();
   return std::move(result_);
 }

@@ -55,13 +55,6 @@ void covered_half_planes(const SubEdges& sub_edges, IdRange<SubEdgeId> edge, std
       if (sub_edges.is_covered({s, side})) result.emplace_back(s, side);
 }
 
-SubEdgeSide first_with_jump(const WindingJumps& jumps, IdRange<SubEdgeId> edge) {
-  for (const SubEdgeId s : edge)
-    for (const Side side : kSides)
-      if (jumps[{s, side}] != WindingVector()) return {s, side};
-  return {};
-}
-
 void half_planes_with_jumps(const WindingJumps& jumps, IdRange<SubEdgeId> edge, std::vector<SubEdgeSide>& result) {
   result.clear();
   for (const SubEdgeId s : edge)

@@ -15,9 +15,6 @@ void covered_half_planes(const SubEdges& sub_edges, IdRange<SubEdgeId> edge, std
 /// The covered half-planes with a winding jump: windings behind them differ from those in front. Replaces `result`.
 void half_planes_with_jumps(const WindingJumps& jumps, IdRange<SubEdgeId> edge, std::vector<SubEdgeSide>& result);
 
-/// The first of these; none if there is none.
-SubEdgeSide first_with_jump(const WindingJumps& jumps, IdRange<SubEdgeId> edge);
-
 /// Sorts half-planes counter-clockwise, as seen by someone towards whom the edge runs from u to v (right-handed),
 /// beginning with the first. No two half-planes are the same. Turning that way, a left half-plane is followed by the
 /// cell in front of its plane, a right one by the cell behind.

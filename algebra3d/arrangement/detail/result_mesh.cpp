@@ -87,12 +87,14 @@ void ResultMesh::take_opposites(const TakenRun& run, FaceId first, std::size_t c
 void ResultMesh::add(const Region& region, std::span<const IndexTriangle> triangles) {
   LargeVector<std::uint32_t>& origins = mesh_.origins;
   const FaceId first(origins.size() / 3);
-  for (const IndexTriangle& corners : triangles) {
-    const std::size_t at = origins.size();
-    for (const std::uint32_t node : corners) origins.push_back(vertex_at(NodeId(node)).index());
-    if (region.key.is_flipped()) std::swap(origins[at + 1], origins[at + 2]);
-  }
+  std::size_t at = origins.size();
+  origins.resize(at + 3 * triangles.size());
   mesh_.opposites.resize(origins.size());
+  for (const IndexTriangle& corners : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) origins[at + i] = vertex_at(NodeId(corners[i])).index();
+    if (region.key.is_flipped()) std::swap(origins[at + 1], origins[at + 2]);
+    at += 3;
+  }
   if (region.has_exact_corner)
     planes_.add({first, FaceId(origins.size() / 3)}, region.key.plane(), region.key.is_flipped());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <string>
 #include <vector>
@@ -26,11 +27,12 @@ enum class FacetSides : std::uint8_t { both, left, right };
 
 /// True if the facet lies on that side.
 constexpr bool includes(FacetSides sides, Side side) {
-  return sides == FacetSides::both || (sides == FacetSides::left) == (side == Side::left);
+  return sides != (side == Side::left ? FacetSides::right : FacetSides::left);
 }
 /// The same sides for someone who walks the other way.
 constexpr FacetSides opposite(FacetSides sides) {
-  return sides == FacetSides::both ? sides : sides == FacetSides::left ? FacetSides::right : FacetSides::left;
+  constexpr std::array<FacetSides, 3> kOpposites{FacetSides::both, FacetSides::right, FacetSides::left};
+  return kOpposites[static_cast<std::size_t>(sides)];
 }
 
 /// A segment and a facet that holds it. The sides are those for someone who walks from the segment's first end to the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace algebra3d::arrangement {
 
@@ -22,13 +23,8 @@ SegmentId SegmentMaker::between(NodeId from, NodeId to) {
 }
 
 SegmentId SegmentMaker::of_edge(InputEdgeId edge) {
-  SegmentId& segment = of_edges_[edge.index()];
-  if (segment.is_none()) {
-    const InputHalfedgeId halfedge = Operands::halfedge(edge);
-    segment = between(node_at_origin(halfedge), node_at_origin(Operands::next(halfedge)));
-    complex_.segments[segment].edge = edge;
-  }
-  return segment;
+  CornerNodes nodes;
+  return of_edge_along(edge, Operands::halfedge(edge), nodes);
 }
 
 SegmentId SegmentMaker::of_contact(NodeId from, NodeId to, FacetId facet, FacetId other) {
@@ -43,10 +39,28 @@ SegmentId SegmentMaker::of_contact(NodeId from, NodeId to, FacetId facet, FacetI
   return id;
 }
 
-void SegmentMaker::add_boundary(FacetId facet, InputHalfedgeId halfedge) {
-  const SegmentId segment = of_edge(operands_.edge(halfedge));
+NodeId SegmentMaker::node_at(InputHalfedgeId corner, CornerNodes& nodes) {
+  NodeId& node = nodes[corner.index() % 3];
+  if (node.is_none()) node = node_at_origin(corner);
+  return node;
+}
+
+/// As of_edge, with a half-edge along it and what is known of the corners of its face.
+SegmentId SegmentMaker::of_edge_along(InputEdgeId edge, InputHalfedgeId halfedge, CornerNodes& nodes) {
+  SegmentId& segment = of_edges_[edge.index()];
+  if (!segment.is_none()) return segment;
+  InputHalfedgeId from = halfedge, to = Operands::next(halfedge);
+  if (operands_.origin(Operands::halfedge(edge)) != operands_.origin(halfedge)) std::swap(from, to);
+  const NodeId end = node_at(to, nodes), begin = node_at(from, nodes);
+  segment = between(begin, end);
+  complex_.segments[segment].edge = edge;
+  return segment;
+}
+
+void SegmentMaker::add_boundary(FacetId facet, InputHalfedgeId halfedge, CornerNodes& nodes) {
+  const SegmentId segment = of_edge_along(operands_.edge(halfedge), halfedge, nodes);
   // The facet lies to the left of its half-edge, seen from its own front.
-  const bool runs_along = node_at_origin(halfedge) == complex_.segments[segment].from;
+  const bool runs_along = node_at(halfedge, nodes) == complex_.segments[segment].from;
   const bool is_left = runs_along == (facets_[facet].orientation > 0);
   complex_.incidences.push_back({segment, facet, is_left ? FacetSides::left : FacetSides::right});
 }
@@ -78,7 +92,15 @@ void SegmentMaker::reserve(std::size_t contact_count) {
 }
 
 void SegmentMaker::add_boundaries() {
-  for_each_boundary([&](FacetId facet, InputHalfedgeId h) { add_boundary(facet, h); });
+  CornerNodes nodes;
+  InputFaceId of_nodes;
+  for_each_boundary([&](FacetId facet, InputHalfedgeId h) {
+    if (const InputFaceId face = Operands::face(h); face != of_nodes) {
+      nodes = {};
+      of_nodes = face;
+    }
+    add_boundary(facet, h, nodes);
+  });
 }
 
 }  // namespace algebra3d::arrangement

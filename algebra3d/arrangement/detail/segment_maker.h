@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "algebra3d/arrangement/detail/id_map.h"
 #include "algebra3d/arrangement/detail/segment_complex.h"
 
@@ -27,10 +29,15 @@ class SegmentMaker {
   void add_boundaries();
 
  private:
+  /// The nodes at the corners of a face, each none until it is asked for.
+  using CornerNodes = std::array<NodeId, 3>;
+
   SegmentId between(NodeId from, NodeId to);
   template <typename Visit>
   void for_each_boundary(const Visit& visit) const;
-  void add_boundary(FacetId facet, InputHalfedgeId halfedge);
+  NodeId node_at(InputHalfedgeId corner, CornerNodes& nodes);
+  SegmentId of_edge_along(InputEdgeId edge, InputHalfedgeId halfedge, CornerNodes& nodes);
+  void add_boundary(FacetId facet, InputHalfedgeId halfedge, CornerNodes& nodes);
 
   const Operands& operands_;
   const Facets& facets_;

@@ -39,10 +39,9 @@ class FacetSubEdges {
       const auto nodes = segments.nodes(segment);
       for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
         const NodeId from = nodes[i], to = nodes[i + 1];
-        if (from < to)
-          visit(from, {to, {facet, sides}});
-        else
-          visit(to, {from, {facet, opposite(sides)}});
+        // No branch: which way a piece runs is unpredictable.
+        const bool is_forward = from < to;
+        visit(std::min(from, to), {std::max(from, to), {facet, is_forward ? sides : opposite(sides)}});
       }
     }
   }

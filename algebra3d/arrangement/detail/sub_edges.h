@@ -89,6 +89,14 @@ struct SubEdges {
     const auto first = static_cast<std::size_t>(found.data() - ends.values().data());
     return {SubEdgeId(first), SubEdgeId(first + found.size())};
   }
+  /// The sub-edges along the same space edge as one of them.
+  IdRange<SubEdgeId> beside(SubEdgeId sub_edge) const {
+    SubEdgeId first = sub_edge, last(sub_edge.index() + 1);
+    while (first.index() > 0 && ends[SubEdgeId(first.index() - 1)] == ends[sub_edge])
+      first = SubEdgeId(first.index() - 1);
+    while (last < ends.next_id() && ends[last] == ends[sub_edge]) last = SubEdgeId(last.index() + 1);
+    return {first, last};
+  }
   /// Calls visit(sub_edges) for the sub-edges along each space edge.
   template <typename Visit>
   void for_each_space_edge(const Visit& visit) const {

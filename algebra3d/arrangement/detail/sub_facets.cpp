@@ -33,10 +33,15 @@ class AngularOrder {
   AngularOrder(const NodePool& nodes, Projection projection, NodeId centre)
       : nodes_(nodes), projection_(projection), centre_(centre) {}
 
-  bool operator()(const OutgoingSubEdge& a, const OutgoingSubEdge& b) const {
-    const bool a_later = is_later(a.target), b_later = is_later(b.target);
-    if (a_later != b_later) return a_later;
-    return orient2d(projection_, nodes_[centre_], nodes_[a.target], nodes_[b.target]) > 0;
+  /// Within half a turn the order is that of orientations; which half comes first is asked once for each sub-edge.
+  void sort(std::span<OutgoingSubEdge> around) const {
+    const auto second_half =
+        std::partition(around.begin(), around.end(), [&](const OutgoingSubEdge& s) { return is_later(s.target); });
+    const auto turns_left = [&](const OutgoingSubEdge& a, const OutgoingSubEdge& b) {
+      return orient2d(projection_, nodes_[centre_], nodes_[a.target], nodes_[b.target]) > 0;
+    };
+    std::sort(around.begin(), second_half, turns_left);
+    std::sort(second_half, around.end(), turns_left);
   }
 
  private:
@@ -90,13 +95,13 @@ void ChainFinder::collect_sides(std::span<const std::uint32_t> in_plane) {
       for (const Side side : kSides)
         if (includes(incident.sides(), side)) is_covered_[2 * place + static_cast<std::uint32_t>(side)] = true;
   }
-  std::ranges::sort(outgoing_, {}, &OutgoingSubEdge::key);
+  std::ranges::sort(outgoing_, [](const OutgoingSubEdge& a, const OutgoingSubEdge& b) { return a.key() < b.key(); });
 }
 
 /// All sub-edges of a plane that leave a node.
 Status ChainFinder::join_around(std::span<OutgoingSubEdge> around, Projection projection) {
   const NodePool& nodes = subdivision_.complex.nodes;
-  if (around.size() > 2) std::ranges::sort(around, AngularOrder(nodes, projection, around[0].origin));
+  if (around.size() > 2) AngularOrder(nodes, projection, around[0].origin).sort(around);
   for (std::size_t i = 0; i < around.size(); ++i) {
     const std::uint32_t left = around[i].left(), right = around[i + 1 == around.size() ? 0 : i + 1].right();
     if (is_covered_[left] != is_covered_[right]) {

@@ -119,11 +119,16 @@ PointArray TakenVertices::points() const {
 LargeVector<HalfedgeId> TakenVertices::outgoing(const TakenRuns& runs) const {
   LargeVector<HalfedgeId> result;
   result.resize(settled_count_);
-  for_each_vertex(operands_, [&](std::size_t, OperandId operand, InputVertexId vertex) {
+  std::vector<const TakenRun*> last_runs(block_count(operands_));  // neighbours are mostly in one run
+  for_each_vertex(operands_, [&](std::size_t block, OperandId operand, InputVertexId vertex) {
     const std::size_t number = numbers_[vertex].index();
     if (number >= settled_count_) return;
     const HalfedgeId halfedge = operands_.mesh(operand).outgoing(operands_.in_mesh(operand, vertex));
-    result[number] = runs.find(operands_.input(operand, TriangleMesh::face(halfedge)))->leaving(halfedge);
+    const FaceId face = TriangleMesh::face(halfedge);
+    const TakenRun*& run = last_runs[block];
+    if (run == nullptr || run->operand != operand || !run->contains(face))
+      run = runs.find(operands_.input(operand, face));
+    result[number] = run->leaving(halfedge);
   });
   return result;
 }

@@ -1,5 +1,6 @@
 #include "algebra3d/arrangement/detail/uncut_edges.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace algebra3d::arrangement {
@@ -11,7 +12,7 @@ SpaceEdgeSet::SpaceEdgeSet(std::span<const SpaceEdge> edges, std::size_t node_co
   // Counted, added up, and filled from behind, so that each begin ends where it has to be.
   for (const SpaceEdge& edge : edges) ++begins_[edge.u.index()];
   std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-  for (const SpaceEdge& edge : edges) ends_[--begins_[edge.u.index()]] = edge.v;
+  for (std::uint32_t i = 0; i < edges.size(); ++i) ends_[--begins_[edges[i].u.index()]] = {edges[i].v, i};
 }
 
 UncutEdges find_uncut_edges(const Operands& operands, const SegmentComplex& complex, const SubEdges& sub_edges,
@@ -29,7 +30,10 @@ UncutEdges find_uncut_edges(const Operands& operands, const SegmentComplex& comp
     const std::size_t first = result.nodes.size();
     result.nodes.insert(result.nodes.end(), nodes.begin(), nodes.end());
     result.edges.push_back({segment.edge, Slice::from(first, result.nodes)});
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) space_edges.push_back(SpaceEdge::of(nodes[i], nodes[i + 1]));
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+      space_edges.push_back(SpaceEdge::of(nodes[i], nodes[i + 1]));
+      result.edge_at.push_back(static_cast<std::uint32_t>(result.edges.size() - 1));
+    }
   }
   result.space_edges = SpaceEdgeSet(space_edges, complex.nodes.size());
   return result;

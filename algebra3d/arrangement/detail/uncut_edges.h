@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,23 +18,34 @@ struct UncutEdge {
   Slice nodes;  ///< of UncutEdges::nodes: those along the segment of the edge, in its direction
 };
 
-/// A set of space edges, which is asked for every space edge several times. Constant once it is made.
+/// A set of space edges, which is asked for every space edge several times, and where each stands in the list of which
+/// it was made. Constant once it is made.
 class SpaceEdgeSet {
  public:
   SpaceEdgeSet() = default;
+  static constexpr std::uint32_t kNowhere = 0xFFFFFFFF;
+
   /// `edges`: each once. Cost: linear in these and in the nodes.
   SpaceEdgeSet(std::span<const SpaceEdge> edges, std::size_t node_count);
 
-  /// Cost: that of the members with the same first node.
-  bool contains(const SpaceEdge& edge) const {
-    if (ends_.empty()) return false;
-    const std::uint32_t *const begin = &begins_[edge.u.index()], *const end = begin + 1;
-    return std::find(ends_.begin() + *begin, ends_.begin() + *end, edge.v) != ends_.begin() + *end;
+  bool contains(const SpaceEdge& edge) const { return position(edge) != kNowhere; }
+  /// The position of the edge in the list; kNowhere if it is not a member. Cost: that of the members with the same
+  /// first node.
+  std::uint32_t position(const SpaceEdge& edge) const {
+    if (ends_.empty()) return kNowhere;
+    for (std::uint32_t i = begins_[edge.u.index()]; i < begins_[edge.u.index() + std::size_t{1}]; ++i)
+      if (ends_[i].v == edge.v) return ends_[i].position;
+    return kNowhere;
   }
 
  private:
+  struct End {
+    NodeId v;
+    std::uint32_t position = 0;
+  };
+
   std::vector<std::uint32_t> begins_;  // of ends_: per first node, and where all end
-  std::vector<NodeId> ends_;           // the second nodes
+  std::vector<End> ends_;
 };
 
 /// All uncut edges.
@@ -43,7 +53,14 @@ struct UncutEdges {
   std::vector<UncutEdge> edges;  ///< in the order of their segments
   std::vector<NodeId> nodes;     ///< edge by edge
   SpaceEdgeSet space_edges;      ///< those along them: where patches end
+  /// The edge, by its number, along which each of `space_edges` lies.
+  std::vector<std::uint32_t> edge_at;
 
+  /// The uncut edge along which a space edge lies; null if there is none.
+  const UncutEdge* find(const SpaceEdge& edge) const {
+    const std::uint32_t position = space_edges.position(edge);
+    return position == SpaceEdgeSet::kNowhere ? nullptr : &edges[edge_at[position]];
+  }
   std::span<const NodeId> nodes_along(const UncutEdge& edge) const { return edge.nodes.of(nodes); }
 };
 

@@ -20,11 +20,13 @@ class WindingSets {
     WindingVector difference;
   };
 
-  explicit WindingSets(std::size_t count) : parent_(count), difference_(count), size_(count, 1) {
+  explicit WindingSets(std::size_t count) : parent_(count), difference_(count), size_(count, 1), set_count_(count) {
     for (const FrontWindingId member : parent_.ids()) parent_[member] = member;
   }
 
   IdRange<FrontWindingId> ids() const { return parent_.ids(); }
+  /// Number of the sets.
+  std::size_t set_count() const { return set_count_; }
 
   /// The set of a member and its place there.
   Position find(FrontWindingId member) {
@@ -61,11 +63,13 @@ class WindingSets {
     parent_[set] = parent;
     difference_[set] = difference;
     size_[parent] += size_[set];
+    --set_count_;
   }
 
   IdVector<FrontWindingId, FrontWindingId> parent_;
   IdVector<FrontWindingId, WindingVector> difference_;  // to the parent
   IdVector<FrontWindingId, std::uint32_t> size_;
+  std::size_t set_count_;
 };
 
 }  // namespace algebra3d::arrangement

@@ -41,7 +41,7 @@ class BoxHierarchy::ChangedLeaves {
 
 /// In the order of the search: children with high numbers first.
 inline void BoxHierarchy::open(const BoxHierarchy& other, const FrameChange& change, CrossLevel::Pair pair,
-                               Opened opened, CrossLevel& below) const {
+                               Opened opened, CrossLevel& below, LastOpened& last) const {
   const std::span<const Box> own_boxes(levels_[below.own_level].boxes);
   const std::span<const Box> other_boxes(other.levels_[below.other_level].boxes);
   const auto children = [](std::uint32_t node, bool is_opened, std::size_t count) {
@@ -50,11 +50,16 @@ inline void BoxHierarchy::open(const BoxHierarchy& other, const FrameChange& cha
   };
   const auto [own_begin, own_end] = children(pair.own, opened.own, own_boxes.size());
   const auto [other_begin, other_end] = children(pair.other, opened.other, other_boxes.size());
+  if (last.level != below.other_level || last.begin != other_begin || last.end != other_end) {
+    last = {below.other_level, other_begin, other_end, {}};
+    for (std::uint32_t j = other_begin; j < other_end; ++j)
+      last.boxes[j - other_begin] = changed(change, other_boxes[j]);
+  }
   // No branch: whether boxes meet is unpredictable.
   std::size_t size = below.pairs.size();
   below.pairs.resize(size + 4);
   for (std::uint32_t j = other_end; j-- > other_begin;) {
-    const Box box = changed(change, other_boxes[j]);
+    const Box& box = last.boxes[j - other_begin];
     for (std::uint32_t i = own_end; i-- > own_begin;) {
       below.pairs[size] = {i, j};
       size += static_cast<std::size_t>(own_boxes[i].meets(box));
@@ -100,6 +105,7 @@ void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Ap
   std::size_t number = roots.size();
   std::erase_if(roots, [&](const CrossLevel::Pair&) { return --number % share.count != share.index; });
   ChangedLeaves changed_leaves(other, change);
+  LastOpened last_opened;
   for (std::size_t depth = 0;;) {
     auto& [level, done] = depths[depth];
     if (done == level.pairs.size()) {
@@ -117,7 +123,7 @@ void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Ap
     for (const CrossLevel::Pair pair : pairs) {
       if (are_apart(Node{level.own_level, pair.own}, Node{level.other_level, pair.other})) continue;
       if (!are_leaves)
-        open(other, change, pair, opened_below(level), depths[depth + 1].level);
+        open(other, change, pair, opened_below(level), depths[depth + 1].level, last_opened);
       else if (!visit_cross_leaves(pair.own, changed_leaves.get(pair.other), other.leaf_faces(pair.other), visit))
         return;
     }

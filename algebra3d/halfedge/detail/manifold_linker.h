@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "algebra3d/base/scheduler.h"
@@ -12,33 +14,42 @@
 
 namespace algebra3d {
 
-/// Whether opposites of some half-edges are there; each half-edge is then linked or kUnlinkedHalfedge.
-enum class GivenOpposites : bool { none, some };
-
 /// Links a mesh in one pass over the faces, if everything is manifold: a half-edge waits in a list of its
 /// target for the opposite one. Where faces that are near each other have near numbers, the lists are short and in the
 /// cache, and nothing is sorted.
 template <typename Layout>
 class ManifoldLinker {
+  using Mesh = HalfedgeMesh<Layout>;
+  using Links = typename Mesh::Links;
+
  public:
-  ManifoldLinker(HalfedgeMesh<Layout>& mesh, GivenOpposites given) : mesh_(mesh), given_(given) {}
+  /// `given`: none, proposed (each half-edge is linked or kUnlinkedHalfedge), or all_but_between_open_vertices, with
+  /// the half-edges that leave such vertices, ascending.
+  ManifoldLinker(Mesh& mesh, Links given, std::span<const std::uint32_t> open_corners)
+      : mesh_(mesh), given_(given), settled_(mesh.outgoing_.size()), open_corners_(open_corners) {}
 
   /// Fills opposites and outgoing half-edges. False if an edge or a vertex is not manifold, or if a list gets long (at
-  /// the hub of a large fan whose triangles are in random order): then both are without meaning.
+  /// the hub of a large fan whose triangles are in random order): then what was not given is without meaning.
   bool link() {
     constexpr std::size_t kWorthAThread = 50000;
     bool matched = false;
+    mesh_.outgoing_.resize(mesh_.vertex_count());
     parallel_invoke(
-        mesh_.halfedge_count() > kWorthAThread, [&] { matched = match_halfedges(); }, [&] { choose_outgoing(); });
-    return matched && mark_boundary() && is_manifold();
+        corner_count() > kWorthAThread, [&] { matched = match_halfedges(); }, [&] { choose_outgoing(); });
+    if (matched && mark_boundary() && is_manifold()) return true;
+    mesh_.outgoing_.resize(settled_);
+    return false;
   }
 
  private:
-  using Mesh = HalfedgeMesh<Layout>;
   static constexpr std::uint32_t kNobody = HalfedgeId::kInvalidIndex;
   static constexpr std::size_t kLongestList = 64;
 
+  bool has_settled() const { return given_ == Links::all_but_between_open_vertices; }
+  /// Number of the half-edges that leave vertices which are not settled.
+  std::size_t corner_count() const { return has_settled() ? open_corners_.size() : mesh_.halfedge_count(); }
   bool match_halfedges();
+  bool match_between_open_vertices();
   LargeVector<std::uint32_t> unlinked() const;
   bool match(std::uint32_t h, std::uint32_t from, std::uint32_t to);
   void choose_outgoing();
@@ -48,14 +59,18 @@ class ManifoldLinker {
   std::size_t count_large_fan(VertexId v) const;
 
   HalfedgeMesh<Layout>& mesh_;
-  GivenOpposites given_;
-  LargeVector<std::uint32_t> waiting_;  // per vertex: a half-edge to it that waits; opposites have the rest
+  Links given_;
+  std::size_t settled_;  // number of the settled vertices: the first ones
+  std::span<const std::uint32_t> open_corners_;
+  // Per vertex that is not settled: a half-edge to it that waits; opposites have the rest.
+  LargeVector<std::uint32_t> waiting_;
 };
 
 template <typename Layout>
 bool ManifoldLinker<Layout>::match_halfedges() {
-  waiting_.assign(mesh_.vertex_count(), kNobody);
-  if (given_ == GivenOpposites::some)
+  waiting_.assign(mesh_.vertex_count() - settled_, kNobody);
+  if (has_settled()) return match_between_open_vertices();
+  if (given_ == Links::proposed)
     return std::ranges::all_of(
         unlinked(), [&](std::uint32_t h) { return match(h, mesh_.origins_[h], mesh_.target(HalfedgeId(h)).index()); });
   const std::size_t face_count = mesh_.face_count();
@@ -71,6 +86,14 @@ bool ManifoldLinker<Layout>::match_halfedges() {
 }
 
 template <typename Layout>
+bool ManifoldLinker<Layout>::match_between_open_vertices() {
+  return std::ranges::all_of(open_corners_, [&](std::uint32_t h) {
+    const std::uint32_t to = mesh_.target(HalfedgeId(h)).index();
+    return to < settled_ || match(h, mesh_.origins_[h], to);
+  });
+}
+
+template <typename Layout>
 LargeVector<std::uint32_t> ManifoldLinker<Layout>::unlinked() const {
   LargeVector<std::uint32_t> result(mesh_.halfedge_count());
   std::size_t count = 0;
@@ -82,18 +105,22 @@ LargeVector<std::uint32_t> ManifoldLinker<Layout>::unlinked() const {
   return result;
 }
 
-/// Gives each vertex the lowest half-edge that leaves it.
+/// Gives each vertex that is not settled the lowest half-edge that leaves it.
 template <typename Layout>
 void ManifoldLinker<Layout>::choose_outgoing() {
-  mesh_.outgoing_.assign(mesh_.vertex_count(), HalfedgeId());
-  for (std::size_t h = mesh_.halfedge_count(); h-- > 0;) mesh_.outgoing_[mesh_.origins_[h]] = HalfedgeId(h);
+  std::fill(mesh_.outgoing_.begin() + static_cast<std::ptrdiff_t>(settled_), mesh_.outgoing_.end(), HalfedgeId());
+  const auto choose = [&](std::size_t h) { mesh_.outgoing_[mesh_.origins_[h]] = HalfedgeId(h); };
+  if (has_settled())
+    std::for_each(open_corners_.rbegin(), open_corners_.rend(), choose);
+  else
+    for (std::size_t h = mesh_.halfedge_count(); h-- > 0;) choose(h);
 }
 
 /// Links `h` with a half-edge that waits for it, or lets it wait.
 template <typename Layout>
 bool ManifoldLinker<Layout>::match(std::uint32_t h, std::uint32_t from, std::uint32_t to) {
   if (from == to) return false;
-  std::uint32_t* place = &waiting_[from];
+  std::uint32_t* place = &waiting_[from - settled_];
   for (std::size_t length = 0; *place != kNobody; ++length) {
     const std::uint32_t other = *place;
     if (mesh_.origins_[other] == to) {
@@ -105,8 +132,8 @@ bool ManifoldLinker<Layout>::match(std::uint32_t h, std::uint32_t from, std::uin
     if (length == kLongestList) return false;
     place = &mesh_.opposites_[other];
   }
-  mesh_.opposites_[h] = waiting_[to];
-  waiting_[to] = h;
+  std::uint32_t& last = waiting_[to - settled_];
+  mesh_.opposites_[h] = std::exchange(last, h);
   return true;
 }
 
@@ -123,21 +150,23 @@ bool ManifoldLinker<Layout>::mark_boundary() {
   });
 }
 
-/// Whether the walks round the vertices meet all half-edges, and no vertex has two half-edges to the same one.
+/// Whether the walks round the vertices that are not settled meet all half-edges that leave these, and none has two
+/// half-edges to the same one.
 template <typename Layout>
 bool ManifoldLinker<Layout>::is_manifold() const {
   constexpr std::size_t kVerticesPerTask = 20000;
-  const std::size_t tasks = (mesh_.vertex_count() + kVerticesPerTask - 1) / kVerticesPerTask;
+  const std::size_t tasks = (mesh_.vertex_count() - settled_ + kVerticesPerTask - 1) / kVerticesPerTask;
   std::vector<std::size_t> met(tasks);
   parallel_for(tasks, 1, [&](std::size_t task) {
-    const std::size_t end = std::min(mesh_.vertex_count(), (task + 1) * kVerticesPerTask);
+    const std::size_t begin = settled_ + task * kVerticesPerTask;
+    const std::size_t end = std::min(mesh_.vertex_count(), begin + kVerticesPerTask);
     std::size_t count = 0;
-    for (std::size_t v = task * kVerticesPerTask; v < end; ++v) count += count_fan(VertexId(v));
+    for (std::size_t v = begin; v < end; ++v) count += count_fan(VertexId(v));
     met[task] = count;
   });
   std::size_t sum = 0;
   for (const std::size_t count : met) sum += count;
-  return sum == mesh_.halfedge_count();
+  return sum == corner_count();
 }
 
 /// The number of half-edges in the fan of `v`; 0 if two edges of the fan have the same other end.

@@ -50,6 +50,21 @@ inline void sort_entries(std::span<std::uint64_t> entries) {
   }
 }
 
+/// Half-edges that leave vertices which are not settled, ascending.
+inline std::vector<std::uint32_t> open_corners(std::span<const std::uint32_t> origins, std::size_t settled) {
+  constexpr std::size_t kHalfedgesPerTask = 50000;
+  return parallel_collect(origins.size(), kHalfedgesPerTask, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> result(end - begin);
+    std::size_t count = 0;
+    for (std::size_t h = begin; h < end; ++h) {  // without a branch that nobody could predict
+      result[count] = static_cast<std::uint32_t>(h);
+      count += origins[h] >= settled ? 1U : 0U;
+    }
+    result.resize(count);
+    return result;
+  });
+}
+
 }  // namespace mesh_linker
 
 /// Fills a mesh whose points and origins stand: opposites that are unlinked, outgoing half-edges, side tables. What is
@@ -74,9 +89,11 @@ struct MeshLinker {
   /// Half-edges that are found to have no opposite.
   std::vector<std::uint32_t> alone;
 
-  MeshLinker(Mesh& linked, Links links_known) : mesh(linked), links(links_known), settled(linked.outgoing_.size()) {
+  /// `open_corners`: as mesh_linker::open_corners gives them, for Links::all_but_between_open_vertices.
+  MeshLinker(Mesh& linked, Links links_known, std::vector<std::uint32_t> open_corners)
+      : mesh(linked), links(links_known), settled(linked.outgoing_.size()), corners(std::move(open_corners)) {
     if (links == Links::some) find_unlinked();
-    if (links == Links::all_but_between_open_vertices) find_open_corners();
+    if (links == Links::all_but_between_open_vertices) find_unlinked_between_open_vertices();
   }
 
   void build() {
@@ -94,7 +111,7 @@ struct MeshLinker {
   static bool same_direction(Entry a, Entry b) { return ((a ^ b) & 1) == 0; }
 
   void find_unlinked();
-  void find_open_corners();
+  void find_unlinked_between_open_vertices();
   template <typename Visit>
   void for_each_unlinked(Visit visit) const;
   template <typename Visit>
@@ -122,14 +139,7 @@ void MeshLinker<Layout>::find_unlinked() {
 }
 
 template <typename Layout>
-void MeshLinker<Layout>::find_open_corners() {
-  constexpr std::size_t kHalfedgesPerTask = 50000;
-  corners = parallel_collect(mesh.halfedge_count(), kHalfedgesPerTask, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint32_t> result;
-    for (std::size_t h = begin; h < end; ++h)
-      if (mesh.origins_[h] >= settled) result.push_back(static_cast<std::uint32_t>(h));
-    return result;
-  });
+void MeshLinker<Layout>::find_unlinked_between_open_vertices() {
   for (const std::uint32_t h : corners)
     if (mesh.target(HalfedgeId(h)).index() >= settled) unlinked.push_back(h);
 }

@@ -188,6 +188,36 @@ TEST(SpaceEdgeSet, has_its_edges_and_no_others) {
   for (const SpaceEdge& member : edges) EXPECT_TRUE(set.contains(member));
   for (const SpaceEdge& other : {edge(0, 2), edge(1, 3), edge(1, 2)}) EXPECT_FALSE(set.contains(other));
   EXPECT_FALSE(SpaceEdgeSet().contains(edge(0, 1)));
+  for (std::uint32_t i = 0; i < edges.size(); ++i) EXPECT_EQ(set.position(edges[i]), i);
+  EXPECT_EQ(set.position(edge(0, 2)), SpaceEdgeSet::kNowhere);
+}
+
+TEST(UncutEdges, are_found_by_the_space_edges_along_them) {
+  const stages::CrossingCubes cubes;
+  const Subdivision subdivision = cubes.subdivision();
+  const UncutEdges& uncut = subdivision.uncut_edges;
+  std::size_t found = 0;
+  for (const UncutEdge& edge : uncut.edges) {
+    const auto nodes = uncut.nodes_along(edge);
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i, ++found)
+      EXPECT_EQ(uncut.find(SpaceEdge::of(nodes[i], nodes[i + 1])), &edge);
+  }
+  EXPECT_EQ(found, uncut.edge_at.size());
+  // Three sides of each cube touch the other one: six edges are between these and the other three sides.
+  EXPECT_EQ(uncut.edges.size(), 12U);
+  for (const SpaceEdge& ends : subdivision.sub_edges.ends)
+    EXPECT_EQ(uncut.find(ends) != nullptr, uncut.space_edges.contains(ends));
+}
+
+TEST(WindingSets, are_counted) {
+  WindingSets sets(3);
+  EXPECT_EQ(sets.set_count(), 3U);
+  sets.unite(FrontWindingId(0), FrontWindingId(2), {1, 0});
+  EXPECT_EQ(sets.set_count(), 2U);
+  sets.unite(FrontWindingId(2), FrontWindingId(0), {-1, 0});
+  EXPECT_EQ(sets.set_count(), 2U);
+  sets.unite(FrontWindingId(1), FrontWindingId(0), {});
+  EXPECT_EQ(sets.set_count(), 1U);
 }
 
 TEST(Linking, gives_one_seed_for_each_set) {

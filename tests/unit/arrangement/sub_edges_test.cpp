@@ -119,6 +119,16 @@ TEST(SubEdges, of_boxes_that_overlap_in_a_plane) {
        "(3 1 2)-(3 3 2): B z=2 edge"});
 }
 
+TEST(SubEdges, beside_one_are_those_along_its_space_edge) {
+  const stages::CrossingCubes boxes;
+  const SubEdges sub_edges = boxes.subdivision().sub_edges;
+  for (const SubEdgeId s : sub_edges.ids()) {
+    const IdRange<SubEdgeId> beside = sub_edges.beside(s), along = sub_edges.along(sub_edges.ends[s]);
+    EXPECT_EQ(*beside.begin(), *along.begin());
+    EXPECT_EQ(*beside.end(), *along.end());
+  }
+}
+
 TEST(SubEdges, of_a_cavity_are_none) {
   expect_sub_edges(stages::Cavity(), {});
 }
