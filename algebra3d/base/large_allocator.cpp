@@ -1,6 +1,5 @@
 #include "algebra3d/base/large_allocator.h"
 
-#include <bit>
 #include <cstdint>
 #include <cstdlib>
 
@@ -18,16 +17,6 @@ bool is_large(std::size_t bytes) {
   return bytes >= 2 * kHugePage;
 }
 
-/// An eighth of the size more at most. glibc maps an array anew, page fault by page fault, if it is larger than all
-/// that were mapped and freed before, and later ones up to that size come from its heap. So of a chain of values that
-/// grow slowly only a few are larger, and what was added is never touched.
-std::size_t rounded_up(std::size_t bytes) {
-  constexpr std::size_t kLeastMapped = std::size_t{1} << 17;  // by default
-  if (bytes < kLeastMapped) return bytes;
-  const std::size_t unit = std::bit_floor(bytes) / 8;
-  return (bytes + unit - 1) / unit * unit;
-}
-
 // For the huge pages that lie in the memory. Where the system does not grant the wish, small pages serve as well.
 void advise([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes, [[maybe_unused]] bool wants_huge_pages) {
 #if defined(__linux__)
@@ -41,10 +30,8 @@ void advise([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes, [
 }  // namespace
 
 void* allocate_large(std::size_t bytes, std::size_t alignment) {
-  if (!is_large(bytes)) {
-    const std::size_t size = rounded_up(bytes);
-    return alignment <= kDefaultAlignment ? ::operator new(size) : ::operator new(size, std::align_val_t(alignment));
-  }
+  if (!is_large(bytes))
+    return alignment <= kDefaultAlignment ? ::operator new(bytes) : ::operator new(bytes, std::align_val_t(alignment));
   void* memory = std::aligned_alloc(kHugePage, (bytes + kHugePage - 1) / kHugePage * kHugePage);
   if (memory == nullptr) throw std::bad_alloc();
   prefer_huge_pages(memory, bytes);
