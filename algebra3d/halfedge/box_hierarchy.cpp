@@ -67,7 +67,6 @@ struct BoxHierarchy::LazySlabs {
   std::atomic<std::size_t> steps = 0;  // of searches without them
 };
 
-
 BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh) : BoxHierarchy(mesh, all_faces(mesh), 0, mesh.face_order()) {}
 
 BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin)
