@@ -44,8 +44,13 @@ ExactPoint intersect_line_plane(PointRef a, PointRef b, const TriangleRef& trian
 }
 
 ExactPoint intersect_planes(const IntegerPlane& p, const IntegerPlane& q, const IntegerPlane& r) {
+  return common_point(p, q, r).value();
+}
+
+std::optional<ExactPoint> common_point(const IntegerPlane& p, const IntegerPlane& q, const IntegerPlane& r) {
   thread_local HomogeneousPoint met;
   detail::join(met, p.coefficients(), q.coefficients(), r.coefficients());
+  if (sgn(met.w) == 0) return std::nullopt;
   return point_at(met);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "algebra3d/exact/integer_plane.h"
 
 namespace algebra3d {
@@ -12,5 +14,7 @@ ExactPoint intersect_line_plane(PointRef a, PointRef b, const TriangleRef& trian
 
 /// The common point of three planes. Their normals must be linearly independent. Exact.
 ExactPoint intersect_planes(const IntegerPlane& p, const IntegerPlane& q, const IntegerPlane& r);
+/// The same of any planes: nothing if their normals are linearly dependent.
+std::optional<ExactPoint> common_point(const IntegerPlane& p, const IntegerPlane& q, const IntegerPlane& r);
 
 }  // namespace algebra3d

@@ -67,13 +67,6 @@ struct BoxHierarchy::LazySlabs {
   std::atomic<std::size_t> steps = 0;  // of searches without them
 };
 
-void BoxHierarchy::Box::extend(const Box& other) {
-  for (std::size_t axis = 0; axis < 4; ++axis) {
-    min[axis] = std::min(min[axis], other.min[axis]);
-    max[axis] = std::max(max[axis], other.max[axis]);
-  }
-}
-
 BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh) : BoxHierarchy(mesh, all_faces(mesh), 0, mesh.face_order()) {}
 
 BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin)
@@ -90,17 +83,22 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   const bool has_few_faces = 3 * faces_.size() < points.size();
   LargeVector<Box> boxes_of_points(has_few_faces ? 0 : points.size());
   parallel_for(boxes_of_points.size(), kFacesPerTask, [&](std::size_t i) { boxes_of_points[i] = box_of_point(i); });
-  const auto box_of_corner = [&](std::uint32_t v) { return has_few_faces ? box_of_point(v) : boxes_of_points[v]; };
-  const auto box_of_face = [&](std::size_t i) {
-    const TriangleMesh::Triangle triangle = mesh.triangle(FaceId(faces_[i]));
-    Box box = box_of_corner(triangle[0]);
-    box.extend(box_of_corner(triangle[1]));
-    box.extend(box_of_corner(triangle[2]));
-    return box;
+  const auto fill = [&](const auto& box_of_corner) {
+    const auto box_of_face = [&](std::size_t i) {
+      const TriangleMesh::Triangle triangle = mesh.triangle(FaceId(faces_[i]));
+      Box box = box_of_corner(triangle[0]);
+      box.extend(box_of_corner(triangle[1]));
+      box.extend(box_of_corner(triangle[2]));
+      return box;
+    };
+    sort_faces(box_of_face, known);
+    face_boxes_.resize(faces_.size());
+    parallel_for(faces_.size(), kFacesPerTask, [&](std::size_t i) { face_boxes_[i] = box_of_face(i); });
   };
-  sort_faces(box_of_face, known);
-  face_boxes_.resize(faces_.size());
-  parallel_for(faces_.size(), kFacesPerTask, [&](std::size_t i) { face_boxes_[i] = box_of_face(i); });
+  if (has_few_faces)
+    fill(box_of_point);
+  else
+    fill([&](std::size_t v) -> const Box& { return boxes_of_points[v]; });
   build_levels();
 }
 

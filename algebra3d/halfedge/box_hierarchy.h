@@ -330,6 +330,18 @@ inline bool BoxHierarchy::Box::meets(const Box& other) const {
 #endif
 }
 
+inline void BoxHierarchy::Box::extend(const Box& other) {
+#ifdef __SSE2__
+  _mm_store_ps(min.data(), _mm_min_ps(_mm_load_ps(other.min.data()), _mm_load_ps(min.data())));
+  _mm_store_ps(max.data(), _mm_max_ps(_mm_load_ps(other.max.data()), _mm_load_ps(max.data())));
+#else
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    min[axis] = std::min(min[axis], other.min[axis]);
+    max[axis] = std::max(max[axis], other.max[axis]);
+  }
+#endif
+}
+
 inline BoxHierarchy::Place BoxHierarchy::place(Node node) const {
   // The largest change of a coordinate of this frame by rounding to float.
   constexpr double kRounding = 0x1p-4;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algebra3d/arrangement/detail/facet_slabs.h"
 #include "algebra3d/arrangement/detail/id_tree.h"
 #include "algebra3d/arrangement/detail/task_sizes.h"
 #include "algebra3d/base/scheduler.h"
@@ -27,6 +28,9 @@ class CandidateFinder {
 
  private:
   std::vector<FacePair> pair_two(OperandId a, OperandId b, BoxHierarchy::Share share) const;
+  FacetSlabs slabs_around(OperandId one, OperandId other) const {
+    return {operands_.mesh(one), operands_.hierarchy(one), operands_.mesh(other), operands_.hierarchy(other)};
+  }
   std::size_t share_count() const;
   void add(std::vector<FacePair> pairs);
   void pair_hierarchies();
@@ -45,14 +49,18 @@ class CandidateFinder {
 std::vector<FacePair> CandidateFinder::pair_two(OperandId a, OperandId b, BoxHierarchy::Share share) const {
   std::vector<FacePair> pairs;
   NodeGaps gaps(operands_.mesh(a), operands_.hierarchy(a), operands_.mesh(b), operands_.hierarchy(b));
+  FacetSlabs around_a = slabs_around(a, b), around_b = slabs_around(b, a);
   operands_.hierarchy(a).for_each_pair_with(
       operands_.hierarchy(b),
       [&](std::uint32_t f, std::uint32_t g) {
+        if (around_a.misses(g) || around_b.misses(f)) return true;
         gaps.note_visit();
         pairs.push_back({operands_.input(a, FaceId(f)), operands_.input(b, FaceId(g))});
         return pairs.size() <= max_pairs_;
       },
-      [&gaps](BoxHierarchy::Node m, BoxHierarchy::Node n) { return gaps.exceed(m, n, 0); },
+      [&](BoxHierarchy::Node m, BoxHierarchy::Node n) {
+        return around_a.miss(n) || around_b.miss(m) || gaps.exceed(m, n, 0);
+      },
       [&] { return !monitor_.is_cancelled(); }, share);
   return pairs;
 }

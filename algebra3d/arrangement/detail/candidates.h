@@ -20,7 +20,8 @@ struct FacePair {
 
 /// Output of stage 1: the pairs of faces that may touch.
 struct Candidates {
-  /// All pairs whose boxes meet, and perhaps some whose boxes nearly do, each once.
+  /// All pairs that touch and others whose boxes meet or nearly do, each once. Of long or slanted faces some whose
+  /// boxes meet are left out, since rounded numbers show that they are apart.
   std::vector<FacePair> pairs;
 };
 

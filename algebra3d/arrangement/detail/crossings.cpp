@@ -13,7 +13,20 @@ ExactPoint Crossings::meeting_point(const EdgeAndPlane& where) {
   const TriangleRef triangle = facets_.planes[where.plane].triangle();
   if (from.is_double() && to.is_double() && std::ranges::all_of(triangle, &PointRef::is_double))
     return intersect_line_plane(from, to, triangle);
-  return intersect_line_plane(from, to, complex_.coefficients.get(facets_, where.plane));
+  const IntegerPlane& plane = complex_.coefficients.get(facets_, where.plane);
+  if (std::optional<ExactPoint> point = point_by_planes(where.edge, plane)) return *std::move(point);
+  return intersect_line_plane(from, to, plane);
+}
+
+/// From the planes on both sides of the edge, if these are known: they are shorter than its ends, of which most would
+/// be a common divisor.
+std::optional<ExactPoint> Crossings::point_by_planes(InputEdgeId edge, const IntegerPlane& plane) const {
+  const InputHalfedgeId halfedge = Operands::halfedge(edge), opposite = operands_.opposite(halfedge);
+  if (opposite.is_none()) return std::nullopt;
+  const IntegerPlane* first = operands_.plane(Operands::face(halfedge));
+  const IntegerPlane* second = operands_.plane(Operands::face(opposite));
+  if (first == nullptr || second == nullptr) return std::nullopt;
+  return common_point(*first, *second, plane);
 }
 
 void Crossings::compute(std::span<const EdgeAndPlane> wanted) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,7 @@ class Crossings {
   using CrossingId = StrongId<struct CrossingTag>;
 
   ExactPoint meeting_point(const EdgeAndPlane& where);
+  std::optional<ExactPoint> point_by_planes(InputEdgeId edge, const IntegerPlane& plane) const;
   ExactPoint take_point(CrossingId crossing, const EdgeAndPlane& where);
   PointRef start(InputEdgeId edge) const { return operands_.point(Operands::halfedge(edge)); }
   PointRef end(InputEdgeId edge) const { return operands_.point(Operands::next(Operands::halfedge(edge))); }

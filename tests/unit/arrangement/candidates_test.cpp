@@ -75,6 +75,53 @@ TEST(Candidates, of_many_operands_are_those_of_each_two) {
   EXPECT_EQ(audit(operands, found), Lines());
 }
 
+/// A rod along (1, 1, 0) with |x - y| <= 1, in a grid of boxes of which some touch it in an edge; moved along x and y.
+stages::Boxes rod_in_a_grid(double shift, bool is_rod_first) {
+  solids::Maker grid;
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) {
+      const Vec3 low{shift + 3 * i, shift + 3 * j, 0};
+      const TriangleMesh box = solids::box(low, low + Vec3{2, 2, 3});
+      for (const auto& [a, b, c] : solids::triangles_of(box))
+        grid.triangle(box.points()[a].approx, box.points()[b].approx, box.points()[c].approx);
+    }
+  const double end = shift + 15;
+  const std::array<solids::Corner, 4> outline{{{shift, shift - 1}, {end, end - 1}, {end - 1, end}, {shift - 1, shift}}};
+  const TriangleMesh rod = solids::prism(outline, 1, 2);
+  return is_rod_first ? stages::Boxes(rod, grid.mesh()) : stages::Boxes(grid.mesh(), rod);
+}
+
+void expect_faces_that_touch(const stages::Boxes& boxes, OperandId rod, OperandId grid, bool are_others_left_out) {
+  const Operands& operands = boxes.operands();
+  const Candidates found = boxes.candidates();
+  std::size_t touching = 0, beyond = 0;
+  for (const InputFaceId f : operands.faces(rod))
+    for (const InputFaceId g : operands.faces(grid)) {
+      const TriangleRef corners = operands.corners(g);
+      const auto offset = [](const PointRef& p) { return p.approx.x - p.approx.y; };
+      const bool is_beyond = std::ranges::all_of(corners, [&](const PointRef& p) { return offset(p) > 1; }) ||
+                             std::ranges::all_of(corners, [&](const PointRef& p) { return offset(p) < -1; });
+      const bool is_found = std::ranges::count(found.pairs, FacePair{std::min(f, g), std::max(f, g)}) == 1;
+      const bool does_touch = intersect_triangles(operands.corners(f), corners) != Contact::none;
+      EXPECT_TRUE(is_found || !does_touch) << stages::text(operands, f) << " " << stages::text(operands, g);
+      EXPECT_FALSE(is_beyond && is_found && are_others_left_out)
+          << stages::text(operands, f) << " " << stages::text(operands, g);
+      touching += does_touch ? 1 : 0;
+      beyond += is_beyond ? 1 : 0;
+    }
+  EXPECT_GT(touching, 100U);
+  EXPECT_GT(beyond, 1000U);
+}
+
+TEST(Candidates, of_a_slanted_rod_are_the_faces_between_its_facets) {
+  const OperandId first(0), second(1);
+  expect_faces_that_touch(rod_in_a_grid(0, true), first, second, true);
+  expect_faces_that_touch(rod_in_a_grid(0, false), second, first, true);
+  expect_faces_that_touch(rod_in_a_grid(0x1p30, false), second, first, true);
+  // Where coordinates have no digits left to tell faces apart.
+  expect_faces_that_touch(rod_in_a_grid(0x1p51, false), second, first, false);
+}
+
 TEST(Candidates, beyond_the_limit_are_an_error) {
   const stages::CrossingCubes boxes;
   EXPECT_TRUE(find_candidates(boxes.operands(), {}, 24).ok());

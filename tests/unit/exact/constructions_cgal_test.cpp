@@ -140,6 +140,25 @@ TEST_P(Constructions, three_planes_meet_in_the_exact_point) {
   EXPECT_GT(count, 100);
 }
 
+TEST_P(Constructions, planes_through_one_line_have_no_common_point) {
+  Random random(7);
+  int count = 0;
+  for (int i = 0; i < 100; ++i) {
+    const auto p = make_points(GetParam(), random, 5);
+    const auto through = [&](std::size_t j) { return TriangleRef{p[0].ours, p[1].ours, p[j].ours}; };
+    const auto is_degenerate = [&](std::size_t j) {
+      return Plane(p[0].oracle, p[1].oracle, p[j].oracle).is_degenerate();
+    };
+    if (is_degenerate(2) || is_degenerate(3) || is_degenerate(4)) continue;
+    const IntegerPlane x = IntegerPlane::through(through(2)), y = IntegerPlane::through(through(3)),
+                       z = IntegerPlane::through(through(4));
+    ASSERT_FALSE(common_point(x, y, z));
+    ASSERT_FALSE(common_point(x, x.flipped(), z));
+    ++count;
+  }
+  EXPECT_GT(count, 50);
+}
+
 TEST_P(Constructions, homogeneous_coordinates_are_the_point) {
   Random random(4);
   detail::HomogeneousPoint buffer;
