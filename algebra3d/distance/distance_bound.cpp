@@ -1,6 +1,8 @@
 #include "algebra3d/distance/distance_bound.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "algebra3d/distance/detail/face_bounds.h"
@@ -21,6 +23,24 @@ Result<double> bounded_distance(const TriangleMesh& from, std::span<const Bounde
     enough = std::max(enough, std::min(upper, face.at_most));
   }
   return enough;
+}
+
+Result<double> bounded_distance(const TriangleMesh& from, double at_most, const DistanceOperand& to, double enough,
+                                const Monitor& monitor) {
+  if (at_most <= enough) return at_most;
+  std::vector<BoundedFace> faces;
+  faces.reserve(from.face_count());
+  for (std::size_t f = 0; f < from.face_count(); ++f) {
+    const Vec3 corner = from.corners(FaceId(f))[0].approx, margin{2 * at_most, 2 * at_most, 2 * at_most};
+    FaceId near;
+    to.hierarchy->for_each_meeting({corner - margin, corner + margin}, [&](std::uint32_t face) {
+      near = FaceId(face);
+      return false;
+    });
+    if (!near.is_valid()) return at_most;  // only if that is no bound
+    faces.push_back({FaceId(f), at_most, near});
+  }
+  return bounded_distance(from, faces, to, enough, monitor);
 }
 
 }  // namespace algebra3d

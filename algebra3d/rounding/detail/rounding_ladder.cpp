@@ -11,6 +11,8 @@ namespace {
 /// ways are tried, and at last.
 constexpr double kModestReach = 32;
 constexpr double kLargestReach = 0x1p20;
+/// Most features are joined within a small reach, so that what is left needs a wide one in few places only.
+constexpr JoiningReach kGrowingReach = {8, kLargestReach};
 
 /// The faces are kept if no vertices come together. Where they do, snap rounding is next; but on a grid of multiples,
 /// which may be coarse, what edges led round vertices close may be as wide as a triangle.
@@ -30,7 +32,7 @@ Result<bool> round_part(RoundingJob& job) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, job.accept(snapped));
   return is_found || !job.grid().is_floating() ? Result<bool>(is_found)
-                                               : join_features(job, snapped, job.grid(), kModestReach);
+                                               : join_features(job, snapped, job.grid(), {kModestReach, kModestReach});
 }
 
 // Where the grid may be coarse for the solid, dividing comes before joining; else it would only take time.
@@ -45,13 +47,13 @@ Result<bool> round_whole(RoundingJob& job) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings(job, moved));
   }
   if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kModestReach));
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kGrowingReach));
   }
   if (is_found) return true;
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<bool> crowded, crowded_vertices(job, snapped.mesh));
   ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, kFirstReach, kModestReach));
   if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kLargestReach));
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), {kLargestReach, kLargestReach}));
   }
   if (!is_found) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, 4 * kModestReach, kLargestReach));

@@ -4,10 +4,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "algebra3d/distance/distance_bound.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/rounding/detail/cell_cover.h"
 #include "algebra3d/rounding/detail/coplanar_snapping.h"
@@ -22,15 +26,21 @@ namespace {
 
 /// More crowded vertices are not made coplanar: that takes rationals, whose digits multiply where many facets are near.
 constexpr std::ptrdiff_t kMaxCrowded = 1000;
-/// How much wider the reach of coplanar facets gets from one attempt to the next.
+
+/// Sums of distances up to so many spacings need no better bound.
+constexpr double kNearlyNothing = 16;
+
+/// How much wider reaches get from one attempt to the next.
 constexpr double kReachGrowth = 4;
 
 /// How often a mesh is only divided at its crossings, before features are joined.
 constexpr int kMaxDivisions = 4;
 
 /// How often features are joined and cells selected in one rung; and how many crossings need not become fewer.
-constexpr int kMaxTurns = 6;
+constexpr int kMaxTurns = 10;
 constexpr std::size_t kToleratedCrossings = 20;
+/// So many crossings that do not become fewer are given a wider reach; with more, needles would pile up.
+constexpr std::size_t kFewCrossingsLeft = 100;
 
 /// How much coarser the grids get from one to the next, and the coarsest one, as powers of two; and the reach there, in
 /// spacings of the coarser grid.
@@ -58,6 +68,26 @@ Result<bool> divide(const RoundingJob& job, RoundingCandidate& candidate, const 
   return true;
 }
 
+/// Puts the joined mesh in place of the candidate's.
+void take(RoundingCandidate& candidate, FeatureSnappedMesh joined) {
+  candidate.mesh = std::move(joined.mesh);
+  candidate.movement = candidate.movement + Movement(joined.largest_displacement, joined.largest_distance);
+  candidate.reach = std::max(candidate.reach, joined.reach);
+  if (joined.reach > 0) candidate.method = std::max(candidate.method, RoundingMethod::features_joined);
+}
+
+/// Bounds the distance of the candidate, which is a sum over some turns, by that from the one with which these began.
+Status tighten_distance(RoundingCandidate& candidate, const RoundingCandidate& first, double enough,
+                        const std::atomic<bool>* cancel) {
+  const double at_most = candidate.movement.distance - first.movement.distance;
+  if (at_most <= enough) return {};
+  const BoxHierarchy hierarchy(first.mesh);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const double distance,
+                             bounded_distance(candidate.mesh, at_most, {&first.mesh, &hierarchy}, enough, cancel));
+  candidate.movement.distance = first.movement.distance + distance;
+  return {};
+}
+
 }  // namespace
 
 Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate) {
@@ -76,25 +106,35 @@ Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate) 
 }
 
 Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const CoordinateGrid& grid,
-                           double largest_reach) {
+                           const JoiningReach& reaches) {
   const double spacing = std::max(grid.spacing_up_to(job.size()), job.spacing());
+  const RoundingCandidate first = candidate;
   std::size_t most_crossings = SIZE_MAX;
+  double reach = reaches.first;
+  double farthest = 0;  // of one turn
   for (int turn = 0; turn < kMaxTurns; ++turn) {
     ALGEBRA3D_ASSIGN_OR_RETURN(
         FeatureSnappedMesh joined,
-        snap_features(candidate.mesh, grid, spacing, {largest_reach, most_crossings}, job.cancel(), job.folded()));
-    if (joined.crossings_before > most_crossings) return false;
-    candidate.mesh = std::move(joined.mesh);
-    candidate.movement = candidate.movement + Movement(joined.largest_displacement, joined.largest_distance);
-    candidate.reach = std::max(candidate.reach, joined.reach);
-    if (joined.reach > 0) candidate.method = std::max(candidate.method, RoundingMethod::features_joined);
-    if (joined.crossing_pairs == 0) {
+        snap_features(candidate.mesh, grid, spacing, {reach, most_crossings}, job.cancel(), job.folded()));
+    if (joined.crossings_before > most_crossings) {  // not joined
+      if (reach >= reaches.last || joined.crossings_before > kFewCrossingsLeft) return false;
+      reach = std::min(kReachGrowth * reach, reaches.last);
+      most_crossings = SIZE_MAX;
+      continue;
+    }
+    farthest = std::max(farthest, joined.largest_distance);
+    const std::size_t crossings_before = joined.crossings_before;
+    const bool is_simple = joined.crossing_pairs == 0;
+    take(candidate, std::move(joined));
+    if (is_simple) {
+      ALGEBRA3D_RETURN_IF_ERROR(
+          tighten_distance(candidate, first, std::max(farthest, kNearlyNothing * spacing), job.cancel()));
       ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_accepted, job.accept(candidate));
       if (is_accepted) return true;
     }
     const bool grows = candidate.mesh.face_count() > 2 * max_faces(job.mesh());
     if (!job.is_whole() || grows) return false;
-    most_crossings = joined.crossings_before / 2 + kToleratedCrossings;
+    most_crossings = crossings_before / 2 + kToleratedCrossings;
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, candidate, grid));
     if (!is_divided) return false;
   }
@@ -110,7 +150,8 @@ Result<bool> join_moved(RoundingJob& job, const MovedVertices& moved, double rea
   RoundingCandidate coplanar{std::move(snapped.mesh), Movement(rounded_up(farthest + snapped.largest_detour)), reach,
                              RoundingMethod::facets_made_coplanar};
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, coplanar, job.grid()));
-  return is_divided ? join_features(job, std::move(coplanar), job.grid(), largest_reach) : Result<bool>(false);
+  return is_divided ? join_features(job, std::move(coplanar), job.grid(), {largest_reach, largest_reach})
+                    : Result<bool>(false);
 }
 
 }  // namespace
@@ -151,7 +192,8 @@ Result<bool> round_to_coarser_grids(RoundingJob& job) {
     candidate.method = RoundingMethod::coarser_grid;
     ALGEBRA3D_ASSIGN_OR_RETURN(bool is_accepted, job.accept(candidate));
     if (!is_accepted) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(is_accepted, join_features(job, std::move(candidate), coarser, kReachOnCoarserGrids));
+      ALGEBRA3D_ASSIGN_OR_RETURN(
+          is_accepted, join_features(job, std::move(candidate), coarser, {kReachOnCoarserGrids, kReachOnCoarserGrids}));
     }
     if (is_accepted) return true;
   }

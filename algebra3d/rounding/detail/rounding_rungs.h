@@ -19,10 +19,16 @@ namespace algebra3d {
 /// where the grid is coarse for what is given; where long thin triangles cross, they multiply.
 Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate);
 
-/// Joins features that are nearly one, up to a reach in spacings of the grid, and divides at crossings, in turns, as
-/// long as no more than some half of the crossings are left. `grid`: that of the candidate, the job's or a coarser one.
+/// Within which reach features are joined, in spacings of the grid: at first, and where few crossings are left that do
+/// not become fewer.
+struct JoiningReach {
+  double first, last;
+};
+
+/// Joins features that are nearly one, and divides at crossings, in turns, as long as no more than some half of the
+/// crossings are left. `grid`: that of the candidate, the job's or a coarser one.
 Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const CoordinateGrid& grid,
-                           double largest_reach);
+                           const JoiningReach& reach);
 
 /// Which vertices of the mesh are corners of triangles that cross others after snap rounding.
 Result<std::vector<bool>> crowded_vertices(const RoundingJob& job, const TriangleMesh& snapped);
