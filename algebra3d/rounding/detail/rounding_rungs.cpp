@@ -171,14 +171,17 @@ Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, d
                            double largest_reach) {
   if (std::ranges::count(crowded, true) > kMaxCrowded) return false;
   std::vector<double> movements(job.mesh().vertex_count());  // of the reach before
-  for (double reach = first_reach; reach <= largest_reach; reach *= kReachGrowth) {
-    MovedVertices moved = snap_coplanar(job.mesh(), crowded, reach * job.spacing());
-    if (moved.movements == movements) continue;
-    movements = moved.movements;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, join_moved(job, moved, reach * job.spacing(), largest_reach));
-    if (is_found) return true;
+  double reach = first_reach;
+  bool is_found = false;
+  while (!is_found && reach <= largest_reach) {
+    const MovedVertices moved = snap_coplanar(job.mesh(), crowded, reach * job.spacing());
+    if (moved.movements != movements) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_moved(job, moved, reach * job.spacing(), largest_reach));
+      movements = moved.movements;
+    }
+    reach *= kReachGrowth;
   }
-  return false;
+  return is_found;
 }
 
 Result<bool> round_to_coarser_grids(RoundingJob& job) {

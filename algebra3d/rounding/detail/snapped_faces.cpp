@@ -279,6 +279,7 @@ std::vector<OutlineChord> SnappedFaces::edges_across(std::span<const OutlineCorn
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
   std::vector<OutlineChord> chords;
+  chords.reserve(found.size());
   for (const auto& [points, chord] : found) chords.push_back(chord);
   return chords;
 }
