@@ -18,7 +18,7 @@ struct Relation {
   WindingVector difference;
 };
 
-/// What some space edges tell of front windings.
+/// Relations of front windings, as some space edges tell them.
 struct Relations {
   std::vector<Relation> list;
   /// The first half-plane with a jump at each space edge that is on no uncut edge: places for seeds.
@@ -122,7 +122,7 @@ class Linker {
   std::vector<OperandId> operands_at_edge_;  // at the space edge at hand; a member, so that its memory is used again
 };
 
-/// Of the space edges that begin with a sub-edge of the range.
+/// The relations at the space edges that begin with a sub-edge of the range.
 Relations Linker::relations_at(IdRange<SubEdgeId> first_sub_edges) const {
   RelationFinder finder(subdivision_, jumps_, result_.ids);
   subdivision_.sub_edges.for_each_space_edge(first_sub_edges, [&](IdRange<SubEdgeId> edge) { finder.add(edge); });

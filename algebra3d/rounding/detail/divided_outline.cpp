@@ -44,7 +44,7 @@ class OutlineDivision {
   std::vector<IndexTriangle> triangles_;
 };
 
-// What has two corners only folds to nothing.
+// A polygon of two corners is left out: its two sides cancel.
 void OutlineDivision::add(Polygon polygon) {
   if (polygon.size() > 2) rest_.push_back(std::move(polygon));
 }

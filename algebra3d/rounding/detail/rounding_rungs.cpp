@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <set>
 #include <utility>
@@ -28,7 +26,7 @@ namespace {
 constexpr std::ptrdiff_t kMaxCrowded = 1000;
 
 /// Sums of distances up to so many spacings need no better bound.
-constexpr double kNearlyNothing = 16;
+constexpr double kSmallSumOfDistances = 16;
 
 /// How much wider reaches get from one attempt to the next.
 constexpr double kReachGrowth = 4;
@@ -128,7 +126,7 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
     take(candidate, std::move(joined));
     if (is_simple) {
       ALGEBRA3D_RETURN_IF_ERROR(
-          tighten_distance(candidate, first, std::max(farthest, kNearlyNothing * spacing), job.cancel()));
+          tighten_distance(candidate, first, std::max(farthest, kSmallSumOfDistances * spacing), job.cancel()));
       ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_accepted, job.accept(candidate));
       if (is_accepted) return true;
     }

@@ -19,8 +19,8 @@ namespace algebra3d {
 /// where the grid is coarse for what is given; where long thin triangles cross, they multiply.
 Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate);
 
-/// Within which reach features are joined, in spacings of the grid: at first, and where few crossings are left that do
-/// not become fewer.
+/// The reaches within which features are joined, in spacings of the grid: the first one, and the widest one, for few
+/// crossings that are left and do not become fewer.
 struct JoiningReach {
   double first, last;
 };

@@ -228,6 +228,19 @@ TEST(BoundedDistance, IsThatOffTheSet) {
   }
 }
 
+// The same where only one bound of all faces is known, and no face that is near.
+TEST(BoundedDistance, FindsNearFacesByItself) {
+  const TriangleSet plane = square(3, 5, 0.3);
+  for (const double height : {0x1p-53, 0x1p-50, 0x1p-20}) {
+    const TriangleSet off = lifted(square(1, 3, 0.7), height);
+    const double bound = *bounded_distance(off.mesh, 4 * height, plane.operand(), 0);
+    EXPECT_GE(bound, height);
+    EXPECT_LE(bound, height + 0x1p-56);
+    EXPECT_EQ(*bounded_distance(off.mesh, 4 * height, plane.operand(), 2 * height), 2 * height);
+    EXPECT_EQ(*bounded_distance(off.mesh, 4 * height, plane.operand(), 8 * height), 4 * height);
+  }
+}
+
 // Needles that end in one point, seen by needles that end some spacings of doubles beside it.
 TEST(BoundedDistance, BetweenFansOfNeedles) {
   const auto fan = [](int count, const Vec3& tip, double turn) {
