@@ -20,6 +20,7 @@
 #include "algebra3d/base/scheduler.h"
 #include "cgal_mesh.h"
 #include "models.h"
+#include "page_faults.h"
 #include "peak_memory.h"
 #include "shapes.h"
 
@@ -93,7 +94,9 @@ void unite_ours(benchmark::State& state, const Shape& first, const Shape& second
   memory.restart();
   std::size_t faces = combined(a, b, in_any).face_count();
   const double bytes = memory.bytes();
+  const double faults_before = page_faults();
   for (auto step : state) faces = combined(a, b, in_any).face_count();
+  state.counters["page_faults"] = benchmark::Counter(page_faults() - faults_before, benchmark::Counter::kAvgIterations);
   const auto triangles_in = static_cast<double>(a.mesh.face_count() + b.mesh.face_count());
   state.counters["triangles_in"] = triangles_in;
   state.counters["triangles_out"] = static_cast<double>(faces);

@@ -34,14 +34,15 @@ struct IntegerPlane::Form {
   bool may_equal(const Form& other) const;
 };
 
-IntegerPlane::SharedForm::SharedForm(const Form* form) : form_(form) {
-  if (form_ != nullptr) form_->owners.add();
+void add_owner(const IntegerPlane::Form& form) noexcept {
+  form.owners.add();
 }
 
-void IntegerPlane::SharedForm::release() noexcept {
-  if (!form_->owners.remove()) return;
-  form_->~Form();
-  ::operator delete(const_cast<Form*>(form_));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+void remove_owner(const IntegerPlane::Form& form) noexcept {
+  using Form = IntegerPlane::Form;
+  if (!form.owners.remove()) return;
+  form.~Form();
+  ::operator delete(const_cast<Form*>(&form));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
 }
 
 /// Number of limbs up to which the numbers keep common divisors: that of a plane through doubles.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "algebra3d/base/intrusive_pointer.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/exact/predicates.h"
 
@@ -48,32 +49,10 @@ class IntegerPlane {
 
  private:
   struct Form;
-  /// A reference-counted pointer to integers that copies and the flipped plane share; may be null.
-  class SharedForm {
-   public:
-    SharedForm() = default;
-    explicit SharedForm(const Form* form);
-    SharedForm(const SharedForm& other) : SharedForm(other.form_) {}
-    SharedForm(SharedForm&& other) noexcept : form_(std::exchange(other.form_, nullptr)) {}
-    SharedForm& operator=(const SharedForm& other) {
-      if (this != &other) *this = SharedForm(other);
-      return *this;
-    }
-    SharedForm& operator=(SharedForm&& other) noexcept {
-      std::swap(form_, other.form_);
-      return *this;
-    }
-    ~SharedForm() {
-      if (form_ != nullptr) release();
-    }
-
-    const Form* get() const { return form_; }
-
-   private:
-    void release() noexcept;
-
-    const Form* form_ = nullptr;
-  };
+  friend void add_owner(const Form& form) noexcept;
+  friend void remove_owner(const Form& form) noexcept;
+  /// Copies and the flipped plane share the integers.
+  using SharedForm = IntrusivePointer<const Form>;
 
   IntegerPlane(SharedForm form, bool is_flipped) : form_(std::move(form)), is_flipped_(is_flipped) {}
   int side_by_integers(const PointRef& point) const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/intrusive_pointer.h"
 #include "algebra3d/base/vec3.h"
 #include "algebra3d/exact/rational.h"
 
@@ -27,33 +28,10 @@ struct RationalVec3 {
 
 class ExactCoordinates;
 
-/// A reference-counted pointer to exact coordinates; may be null. Copying does not copy the coordinates.
-class SharedCoordinates {
- public:
-  SharedCoordinates() = default;
-  explicit SharedCoordinates(const ExactCoordinates* coordinates) : coordinates_(coordinates) { retain(); }
-  SharedCoordinates(const SharedCoordinates& other) : SharedCoordinates(other.coordinates_) {}
-  SharedCoordinates(SharedCoordinates&& other) noexcept : coordinates_(std::exchange(other.coordinates_, nullptr)) {}
-  SharedCoordinates& operator=(const SharedCoordinates& other) {
-    if (this != &other) *this = SharedCoordinates(other);
-    return *this;
-  }
-  SharedCoordinates& operator=(SharedCoordinates&& other) noexcept {
-    std::swap(coordinates_, other.coordinates_);
-    return *this;
-  }
-  ~SharedCoordinates() {
-    if (coordinates_ != nullptr) release();
-  }
-
-  const ExactCoordinates* get() const { return coordinates_; }
-
- private:
-  void retain() const;
-  void release() noexcept;
-
-  const ExactCoordinates* coordinates_ = nullptr;
-};
+void add_owner(const ExactCoordinates& coordinates) noexcept;
+void remove_owner(const ExactCoordinates& coordinates) noexcept;
+/// Copying does not copy the coordinates.
+using SharedCoordinates = IntrusivePointer<const ExactCoordinates>;
 
 /// A non-owning view of a point, the argument type of the predicates: three doubles and a pointer, passed by value.
 /// `approx` is the correctly rounded point; `exact` is null if that is the point itself.

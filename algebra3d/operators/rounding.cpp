@@ -94,7 +94,7 @@ Result<Maybe<T>> rounded_to_numbers(Context& context, const T& geometry, const s
   return Maybe<T>(Undefined{fmt::format(R"(expected "doubles" or "floats", found "{}")", numbers)});
 }
 
-/// Nearly always the image with each coordinate rounded is valid, and neither exact images nor a ladder are needed.
+/// If the image with each coordinate rounded is valid, neither exact images nor a ladder are needed.
 Result<Maybe<Volume3d>> rotated_and_rounded(Context& context, const Volume3d& solid, const Point3d& centre,
                                             const Vector3d& axis, double angle_degrees) {
   const auto map = AffineMap::rotation(centre.position.rational(), axis.components.rational(), angle_degrees);
@@ -164,9 +164,9 @@ void register_rounding(Registry& registry) {
       .doc = "rotate and roundCoordinates in one step: the rotated solid, with doubles as coordinates.",
       .detail = "rotate keeps fractions where the solid has some and the map is exact, and where rounding each "
                 "coordinate would break the solid. In a long chain of rotations and set operations fractions grow by "
-                "some 48 bits with each rotation; rotateRounded ends that. It costs less than the two: nearly always "
-                "that of rotate. A diagnostic says how far the boundary moved if more was needed than rounding each "
-                "coordinate. Undefined for a zero axis.",
+                "some 48 bits with each rotation; rotateRounded ends that. It costs about as much as the two. "
+                "A diagnostic says how far the boundary moved if more was needed than rounding each coordinate. "
+                "Undefined for a zero axis.",
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&rotated_and_rounded>("solid", "centre", "axis", "degrees")},

@@ -9,10 +9,6 @@
 #include <sstream>
 #include <thread>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 #include <fmt/format.h>
 
 #include "algebra3d/base/temporary_folder.h"
@@ -66,15 +62,6 @@ std::string url_of(const std::string& address, int port) {
   return fmt::format("http://{}:{}/", host.find(':') == std::string::npos ? host : "[" + host + "]", port);
 }
 
-/// Large arrays get memory of their own, which is given back with them. glibc stops that after the first large one is
-/// freed, and arrays of later statements would leave gigabytes behind in the arenas of the threads.
-void give_back_large_arrays() {
-#ifdef __GLIBC__
-  constexpr int kLarge = 1 << 20;
-  ::mallopt(M_MMAP_THRESHOLD, kLarge);
-#endif
-}
-
 // As many descriptors as the process may have: a session takes three of them, and a connection one.
 ListenerLimits limits_of_connections(const ServerLimits& limits) {
   constexpr std::size_t kMostUnanswered = 1024;
@@ -93,7 +80,6 @@ ListenerLimits limits_of_connections(const ServerLimits& limits) {
 Status serve(const ServerOptions& options, const algebra3d::Registry& registry, const std::atomic<bool>& stop,
              const std::function<void(const std::string&)>& ready,
              const std::function<void(const std::string&)>& note) {
-  give_back_large_arrays();
   const ServerLimits limits;
   ALGEBRA3D_ASSIGN_OR_RETURN(std::string token, token_of(options));
   if (!is_loopback(options.listen) && token.empty())

@@ -101,14 +101,14 @@ bool operator==(const ExactCoordinates& a, const ExactCoordinates& b) {
   return true;
 }
 
-void SharedCoordinates::retain() const {
-  if (coordinates_ != nullptr) coordinates_->owners_.add();
+void add_owner(const ExactCoordinates& coordinates) noexcept {
+  coordinates.owners_.add();
 }
 
-void SharedCoordinates::release() noexcept {
-  if (coordinates_ == nullptr || !coordinates_->owners_.remove()) return;
-  coordinates_->~ExactCoordinates();
-  ::operator delete(const_cast<ExactCoordinates*>(coordinates_));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+void remove_owner(const ExactCoordinates& coordinates) noexcept {
+  if (!coordinates.owners_.remove()) return;
+  coordinates.~ExactCoordinates();
+  ::operator delete(const_cast<ExactCoordinates*>(&coordinates));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
 }
 
 }  // namespace algebra3d

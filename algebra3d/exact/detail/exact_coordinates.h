@@ -42,7 +42,8 @@ class ExactCoordinates {
   friend bool operator==(const ExactCoordinates& a, const ExactCoordinates& b);
 
  private:
-  friend class SharedCoordinates;
+  friend void add_owner(const ExactCoordinates& coordinates) noexcept;
+  friend void remove_owner(const ExactCoordinates& coordinates) noexcept;
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   double compute_rest(std::size_t axis, double rounded) const;
   ExactCoordinates(const detail::HomogeneousPoint& numbers, const std::array<std::int8_t, 3>& beyond);

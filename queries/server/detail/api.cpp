@@ -1,5 +1,9 @@
 #include "queries/server/detail/api.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -88,6 +92,13 @@ std::optional<Refusal> refuse_parameters(const HttpRequest& request, const Route
 
 constexpr std::string_view kApi = "/api/";
 
+// What statements and results have freed stays with the process otherwise: up to the whole heap of each thread.
+void give_back_freed_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 }  // namespace
 
 Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, const ServerLimits& limits,
@@ -106,6 +117,7 @@ Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, cons
 void Api::tend() {
   results_.drop_what_is_old();
   log_keeper_.tend();
+  if (running_.list().empty() && has_answered_.exchange(false)) give_back_freed_memory();
 }
 
 void Api::close() {
@@ -147,6 +159,7 @@ std::span<const Route> Api::routes() {
 }
 
 HttpAnswer Api::answer(const HttpRequest& request) noexcept {
+  has_answered_ = true;
   try {
     return answer_checked(request);
   } catch (const std::bad_alloc&) {

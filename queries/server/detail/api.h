@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -51,7 +52,8 @@ class Api {
 
   /// Answers any request; never throws.
   HttpAnswer answer(const HttpRequest& request) noexcept;
-  /// To be called about every second: drops results that nobody uses, and keeps the log of the database short.
+  /// To be called about every second: drops results that nobody uses, keeps the log of the database short, and while no
+  /// statement runs, gives freed memory back to the system.
   void tend();
   /// Ends all statements and drops all results.
   void close();
@@ -104,6 +106,7 @@ class Api {
   Uploads uploads_;
   const algebra3d::WorkingFolder folder_;
   RunningStatements running_;
+  std::atomic<bool> has_answered_ = false;  // since freed memory was last given back
   KeptResults results_;
   LogKeeper log_keeper_;
   SessionPool sessions_;  // its work uses all of the above
