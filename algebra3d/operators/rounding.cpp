@@ -94,14 +94,17 @@ Result<Maybe<T>> rounded_to_numbers(Context& context, const T& geometry, const s
   return Maybe<T>(Undefined{fmt::format(R"(expected "doubles" or "floats", found "{}")", numbers)});
 }
 
-/// If the image with each coordinate rounded is valid, neither exact images nor a ladder are needed.
+/// Of a solid of doubles the image with each coordinate rounded is nearly always valid, so that neither an exact image
+/// nor a ladder is needed. With fractions it hardly ever is.
 Result<Maybe<Volume3d>> rotated_and_rounded(Context& context, const Volume3d& solid, const Point3d& centre,
                                             const Vector3d& axis, double angle_degrees) {
   const auto map = AffineMap::rotation(centre.position.rational(), axis.components.rational(), angle_degrees);
   if (!map) return Maybe<Volume3d>(Undefined{"the axis is the zero vector"});
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto rounded, rounded_image_of(context, *map, solid));
-  if (!rounded) return Maybe<Volume3d>(Undefined{rounded.reason()});
-  if (*rounded) return Maybe<Volume3d>(**std::move(rounded));
+  if (solid.mesh().points().exact_count() == 0) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(auto rounded, rounded_image_of(context, *map, solid));
+    if (!rounded) return Maybe<Volume3d>(Undefined{rounded.reason()});
+    if (*rounded) return Maybe<Volume3d>(**std::move(rounded));
+  }
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto exact, exact_image_of(context, *map, solid));
   if (!exact) return Maybe<Volume3d>(Undefined{exact.reason()});
   return rounded_to(context, *exact, CoordinateGrid::doubles(), "rotateRounded");
