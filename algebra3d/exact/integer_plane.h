@@ -51,7 +51,7 @@ class IntegerPlane {
   struct Form;
   friend void add_owner(const Form& form) noexcept;
   friend void remove_owner(const Form& form) noexcept;
-  /// Copies and the flipped plane share the integers.
+  /// An owner of the integers, or null; copies and the flipped plane share them.
   using SharedForm = IntrusivePointer<const Form>;
 
   IntegerPlane(SharedForm form, bool is_flipped) : form_(std::move(form)), is_flipped_(is_flipped) {}

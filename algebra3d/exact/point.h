@@ -30,7 +30,7 @@ class ExactCoordinates;
 
 void add_owner(const ExactCoordinates& coordinates) noexcept;
 void remove_owner(const ExactCoordinates& coordinates) noexcept;
-/// Copying does not copy the coordinates.
+/// An owner of exact coordinates, or null; copies share them.
 using SharedCoordinates = IntrusivePointer<const ExactCoordinates>;
 
 /// A non-owning view of a point, the argument type of the predicates: three doubles and a pointer, passed by value.

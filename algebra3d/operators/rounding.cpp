@@ -94,8 +94,8 @@ Result<Maybe<T>> rounded_to_numbers(Context& context, const T& geometry, const s
   return Maybe<T>(Undefined{fmt::format(R"(expected "doubles" or "floats", found "{}")", numbers)});
 }
 
-/// Of a solid of doubles the image with each coordinate rounded is nearly always valid, so that neither an exact image
-/// nor a ladder is needed. With fractions it hardly ever is.
+/// The first attempt, the image with each coordinate rounded, is for solids of doubles: it is nearly always valid, and
+/// then neither an exact image nor the ladder of roundings is needed. With fractions it hardly ever is.
 Result<Maybe<Volume3d>> rotated_and_rounded(Context& context, const Volume3d& solid, const Point3d& centre,
                                             const Vector3d& axis, double angle_degrees) {
   const auto map = AffineMap::rotation(centre.position.rational(), axis.components.rational(), angle_degrees);

@@ -92,7 +92,8 @@ std::optional<Refusal> refuse_parameters(const HttpRequest& request, const Route
 
 constexpr std::string_view kApi = "/api/";
 
-// What statements and results have freed stays with the process otherwise: up to the whole heap of each thread.
+// Memory that statements and results have freed goes back to the system. Otherwise it stays with the process, up to the
+// whole heap of each thread.
 void give_back_freed_memory() {
 #ifdef __GLIBC__
   malloc_trim(0);
