@@ -16,6 +16,8 @@ const char* name_of(RoundingMethod method) {
       return "features joined";
     case RoundingMethod::facets_made_coplanar:
       return "facets made coplanar";
+    case RoundingMethod::faces_thickened:
+      return "faces thickened and features joined";
     case RoundingMethod::coarser_grid:
       return "rounded to a coarser grid";
     case RoundingMethod::cover_of_cubes:

@@ -12,6 +12,7 @@ enum class RoundingMethod : std::uint8_t {
   crossings_divided,     ///< the same, and triangles divided where they crossed
   features_joined,       ///< features of crossing triangles that are nearly one joined
   facets_made_coplanar,  ///< facets that nearly lie upon each other made coplanar, then features joined
+  faces_thickened,       ///< prisms over the faces added, with corners on a coarser grid
   coarser_grid,          ///< all of this on a grid up to 2^20 times as coarse
   cover_of_cubes,        ///< cubes that meet the solid in place of it; cannot fail
   faces_of_cubes,        ///< squares between cubes in place of a surface; cannot fail

@@ -48,8 +48,9 @@ RoundingJob::RoundingJob(const TriangleMesh& mesh, double size, const Coordinate
       cancel_(cancel),
       vertices_(rounded_vertices(mesh, grid)) {}
 
-std::size_t max_divided_pairs(const TriangleMesh& mesh) {
-  return 100 * mesh.face_count() + 100'000;
+/// The limit: if a rounding has folded the mesh, all pairs may touch; that is hopeless.
+Result<std::optional<TriangleMesh>> RoundingJob::divided(const TriangleMesh& mesh) const {
+  return divided(mesh, 100 * mesh.face_count() + 100'000);
 }
 
 }  // namespace algebra3d

@@ -78,11 +78,15 @@ class RoundingJob {
 
   /// True unless the rest of a solid is passed on as it is.
   virtual bool is_whole() const { return true; }
+  /// True if the mesh bounds a solid.
+  virtual bool is_solid() const = 0;
   /// The rule for triangles with the same corners.
   virtual Folded folded() const = 0;
-  /// A candidate's mesh divided where it crosses itself; of a solid the cells that are inside. Nothing if that is too
-  /// much. Errors: interrupted.
-  virtual Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const = 0;
+  /// A candidate's mesh divided where it crosses itself; of a solid the cells that are inside. Nothing if more pairs of
+  /// triangles may touch. Errors: interrupted.
+  virtual Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh, std::size_t max_pairs) const = 0;
+  /// The same with the usual limit.
+  Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const;
   /// Proves the candidate; true if it is valid, and the result from now on.
   virtual Result<bool> accept(const RoundingCandidate& candidate) = 0;
   /// The same for the mesh with its vertices moved and its faces as they were. False also if two vertices come to one
@@ -100,9 +104,5 @@ class RoundingJob {
   const std::atomic<bool>* cancel_;
   RoundedVertices vertices_;
 };
-
-/// A limit of the pairs of triangles that may touch where a mesh is divided. If a rounding has folded them, all may do
-/// so; that is hopeless.
-std::size_t max_divided_pairs(const TriangleMesh& mesh);
 
 }  // namespace algebra3d

@@ -70,9 +70,9 @@ SolidRounding::SolidRounding(const TriangleMesh& solid, const SolidPart& part, c
   if (vertices().are_finite) find_places_that_stay();
 }
 
-Result<std::optional<TriangleMesh>> SolidRounding::divided(const TriangleMesh& mesh) const {
+Result<std::optional<TriangleMesh>> SolidRounding::divided(const TriangleMesh& mesh, std::size_t max_pairs) const {
   const auto is_inside = [](int winding) { return winding > 0; };
-  auto cells = solid_by_winding(mesh, is_inside, cancel(), {Closure::together, max_divided_pairs(mesh)});
+  auto cells = solid_by_winding(mesh, is_inside, cancel(), {Closure::together, max_pairs});
   if (!cells.ok() && cells.error().code == ErrorCode::limit_exceeded) return std::optional<TriangleMesh>();
   if (!cells.ok()) return std::move(cells).error();
   return std::optional(*std::move(cells));

@@ -21,9 +21,11 @@ class SolidRounding : public RoundingJob {
                 const std::atomic<bool>* cancel);
 
   bool is_whole() const override { return part_.is_whole(); }
+  bool is_solid() const override { return true; }
   Folded folded() const override { return Folded::vanishes; }
   /// The cells with a positive winding number.
-  Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const override;
+  Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh, std::size_t max_pairs) const override;
+  using RoundingJob::divided;
   /// First the candidate's simplified form is tried. An empty one is refused if a wider reach than
   /// the first one was needed, or if a cell of the grid is found within the solid.
   Result<bool> accept(const RoundingCandidate& candidate) override;

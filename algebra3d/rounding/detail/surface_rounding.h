@@ -17,9 +17,11 @@ class SurfaceRounding : public RoundingJob {
   /// The surface must outlive this.
   SurfaceRounding(const TriangleMesh& surface, const CoordinateGrid& grid, const std::atomic<bool>* cancel);
 
+  bool is_solid() const override { return false; }
   Folded folded() const override { return Folded::stays; }
   /// All pieces, each once.
-  Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const override;
+  Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh, std::size_t max_pairs) const override;
+  using RoundingJob::divided;
   /// An empty candidate is refused if a wider reach than the first one was needed.
   Result<bool> accept(const RoundingCandidate& candidate) override;
   Result<bool> accept_moved() override;
