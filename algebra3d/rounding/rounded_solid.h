@@ -39,15 +39,16 @@ struct RoundedSolid {
 ///  1. The solid is snap rounded (snap_rounding.h).
 ///  2. On a grid of multiples: a few times the mesh is divided at its crossings, the cells with a positive winding
 ///     number are kept, and their new corners rounded.
-///  3. Features of crossing triangles that are nearly one are joined (feature_snapping.h), within up to 128 spacings,
-///     in turns with the selection of cells as in 2, as long as fewer crossings are left, and some half of them if they
-///     are many.
+///  3. Features of crossing triangles that are nearly one are joined (feature_snapping.h), within up to 32 spacings,
+///  and
+///     where few crossings are left within up to 2^20, in turns with the selection of cells as in 2, as long as no more
+///     than some half of the crossings are left.
 ///  4. Facets that nearly lie upon each other are made coplanar (coplanar_snapping.h), then 3.
-///  5. Prisms are added over the faces of crowded shells, with corners on lattices of 2^4 to 2^18 spacings, then 3
+///  5. 3 and 4 with reaches of up to 2^20 spacings.
+///  6. Prisms are added over the faces of crowded shells, with corners on lattices of 2^4 to 2^18 spacings, then 3
 ///     (thickening.h).
-///  6. 3 and 4 with reaches of up to 2^20 spacings.
 ///  7. 1 and 3 on grids of multiples of up to 2^20 spacings.
-///  8. 5 on coarser lattices, as long as a thousand cells fit into the solid.
+///  8. 6 on coarser lattices, as long as a thousand cells fit into the solid.
 ///  9. The cubes of a lattice that meet the solid replace it (cell_cover.h). This cannot fail.
 /// A simpler form of each result is proved first: without corners of facets with moved corners that lie on the
 /// surface or on an edge of it anyway, up to two spacings (vertex_removal.h); on a grid of multiples only if that is

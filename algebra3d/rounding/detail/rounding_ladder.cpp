@@ -12,11 +12,9 @@ namespace {
 /// ways are tried, and at last.
 constexpr double kModestReach = 32;
 constexpr double kLargestReach = 0x1p20;
-/// Most features are joined within a small reach, so that what is left needs a wide one in few places only; how wide
-/// before other ways are tried, and at last.
-constexpr JoiningReach kGrowingReach = {8, 128};
-constexpr JoiningReach kFarGrowingReach = {8, kLargestReach};
-/// On which lattices faces are thickened: before reaches of up to 2^20 spacings, and at last.
+/// Most features are joined within a small reach, so that what is left needs a wide one in few places only.
+constexpr JoiningReach kGrowingReach = {8, kLargestReach};
+/// On which lattices faces are thickened: before coarser grids, and at last.
 constexpr ThickeningSteps kNearThickening = {4, 18, 2};
 constexpr ThickeningSteps kFarThickening = {20, 60, 4};
 
@@ -28,18 +26,6 @@ Result<bool> move_vertices(RoundingJob& job) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate moved,
                              with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
   return job.accept(moved);
-}
-
-/// Reaches and grids of up to 2^20 spacings.
-Result<bool> round_far(RoundingJob& job, const RoundingCandidate& snapped, const std::vector<bool>& crowded) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, join_features(job, snapped, job.grid(), kFarGrowingReach));
-  if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), {kLargestReach, kLargestReach}));
-  }
-  if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, 4 * kModestReach, kLargestReach));
-  }
-  return is_found ? Result<bool>(true) : round_to_coarser_grids(job);
 }
 
 }  // namespace
@@ -70,12 +56,17 @@ Result<bool> round_whole(RoundingJob& job) {
   if (is_found) return true;
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<bool> crowded, crowded_vertices(job, snapped.mesh));
   ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, kFirstReach, kModestReach));
-  if (is_found) return true;
-  if (job.is_solid()) {
+  if (!is_found) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), {kLargestReach, kLargestReach}));
+  }
+  if (!is_found) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, 4 * kModestReach, kLargestReach));
+  }
+  if (!is_found && job.is_solid()) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, thicken_faces(job, crowded, kNearThickening));
   }
   if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, round_far(job, snapped, crowded));
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, round_to_coarser_grids(job));
   }
   return is_found || !job.is_solid() ? Result<bool>(is_found) : thicken_faces(job, crowded, kFarThickening);
 }

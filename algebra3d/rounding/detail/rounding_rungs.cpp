@@ -34,8 +34,8 @@ constexpr double kReachGrowth = 4;
 /// How often a mesh is only divided at its crossings, before features are joined.
 constexpr int kMaxDivisions = 4;
 
-/// How often features are joined and cells selected in one rung; and up to how many crossings need not be halved.
-constexpr int kMaxTurns = 16;
+/// How often features are joined and cells selected in one rung; and how many crossings need not become fewer.
+constexpr int kMaxTurns = 10;
 constexpr std::size_t kToleratedCrossings = 20;
 /// So many crossings that do not become fewer are given a wider reach; with more, needles would pile up.
 constexpr std::size_t kFewCrossingsLeft = 100;
@@ -130,10 +130,10 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
       ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_accepted, job.accept(candidate));
       if (is_accepted) return true;
     }
-    const bool grows = candidate.mesh.face_count() > 2 * max_faces(first.mesh);
+    const bool grows = candidate.mesh.face_count() > 2 * std::max(max_faces(job.mesh()), max_faces(first.mesh));
     if (!job.is_whole() || grows) return false;
-    const std::size_t fewer = crossings_before - std::min<std::size_t>(crossings_before, 1);
-    most_crossings = std::min(crossings_before / 2 + kToleratedCrossings, fewer);
+    most_crossings = crossings_before / 2 + kToleratedCrossings;
+    if (reaches.must_fall) most_crossings = std::min(most_crossings, std::max<std::size_t>(crossings_before, 1) - 1);
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, candidate, grid));
     if (!is_divided) return false;
   }

@@ -23,10 +23,11 @@ Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate);
 /// crossings that are left and do not become fewer.
 struct JoiningReach {
   double first, last;
+  bool must_fall = false;  ///< crossings must become fewer from turn to turn, however few are left
 };
 
-/// Joins features that are nearly one, and divides at crossings, in turns, as long as fewer crossings are left, and
-/// some half of them if they are many. `grid`: that of the candidate, the job's or a coarser one.
+/// Joins features that are nearly one, and divides at crossings, in turns, as long as no more than some half of the
+/// crossings are left. `grid`: that of the candidate, the job's or a coarser one.
 Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const CoordinateGrid& grid,
                            const JoiningReach& reach);
 

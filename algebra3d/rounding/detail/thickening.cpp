@@ -109,8 +109,9 @@ Result<bool> thicken_faces(RoundingJob& job, const std::vector<bool>& crowded, c
     ALGEBRA3D_ASSIGN_OR_RETURN(bool is_accepted, job.accept(*candidate));
     if (!is_accepted) {
       ALGEBRA3D_ASSIGN_OR_RETURN(
-          is_accepted, join_features(job, *std::move(candidate), job.grid(),
-                                     {kFirstJoiningReach, std::max(kFirstJoiningReach, kLastJoiningReach * cells)}));
+          is_accepted,
+          join_features(job, *std::move(candidate), job.grid(),
+                        {kFirstJoiningReach, std::max(kFirstJoiningReach, kLastJoiningReach * cells), true}));
     }
     if (is_accepted) return true;
   }
