@@ -40,8 +40,7 @@ struct RoundedSolid {
 ///  2. On a grid of multiples: a few times the mesh is divided at its crossings, the cells with a positive winding
 ///     number are kept, and their new corners rounded.
 ///  3. Features of crossing triangles that are nearly one are joined (feature_snapping.h), within up to 32 spacings,
-///  and
-///     where few crossings are left within up to 2^20, in turns with the selection of cells as in 2, as long as no more
+///     or up to 2^20 where few crossings are left, in turns with the selection of cells as in 2, as long as no more
 ///     than some half of the crossings are left.
 ///  4. Facets that nearly lie upon each other are made coplanar (coplanar_snapping.h), then 3.
 ///  5. 3 and 4 with reaches of up to 2^20 spacings.

@@ -20,7 +20,7 @@ namespace algebra3d {
 Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate);
 
 /// The reaches within which features are joined, in spacings of the grid: the first one, and the widest one, for few
-/// crossings that are left and do not become fewer.
+/// crossings that are left and do not become fewer; and when they grow.
 struct JoiningReach {
   double first, last;
   bool must_fall = false;  ///< crossings must become fewer from turn to turn, however few are left
