@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "algebra3d/exact/predicates.h"
 
@@ -10,6 +11,10 @@ namespace algebra3d {
 namespace {
 
 using Corners = std::array<PointId, 3>;
+
+/// Bounds the relative error of a product of three vectors, and what error of a place is small.
+constexpr long double kProductError = 0x1p-60L;
+constexpr long double kSmallPart = 0x1p-4L;
 
 bool contains(const Corners& corners, PointId p) {
   return std::ranges::find(corners, p) != corners.end();
@@ -36,6 +41,7 @@ class PairJoins {
   WideVec3 place(PointId p) const { return faces_.place(p); }
   bool lead(PointId a, PointId b, PointId through);
   bool join_edges(PointId a, PointId b, PointId c, PointId d);
+  std::optional<WideVec3> crossing(PointId from, PointId to, const Corners& corners) const;
   PointId new_vertex(const WideVec3& place);
 
   SnappedFaces& faces_;
@@ -124,18 +130,35 @@ bool PairJoins::divide_at_vertex(std::size_t face, const Corners& vertices_of) {
   return false;
 }
 
+/// Where an edge that meets a triangle in a point pierces it: within a small part of the reach, since the triangle
+/// would be led to any other place. Nothing if an end of the edge lies in the triangle's plane.
+std::optional<WideVec3> PairJoins::crossing(PointId from, PointId to, const Corners& corners) const {
+  const WideVec3 direction = place(to) - place(from), back = place(corners[0]) - place(from);
+  const WideVec3 ab = place(corners[1]) - place(corners[0]), ac = place(corners[2]) - place(corners[0]);
+  const WideVec3 normal = cross(ab, ac);
+  const long double way = length(direction), steepness = dot(direction, normal), share = dot(back, normal) / steepness;
+  const long double error = kProductError * length(ab) * length(ac) * (length(back) + way) * way;
+  if (error < kSmallPart * reach_ * std::abs(steepness))
+    return share > 0 && share < 1 ? std::optional(place(from) + share * direction) : std::nullopt;
+  // The triangle is a needle, or nearly parallel to the edge.
+  const auto exactly = [&](PointId p) { return faces_.point(p).rational(); };
+  const RationalVec3 start = exactly(from), line = exactly(to) - start, corner = exactly(corners[0]);
+  const RationalVec3 exact_normal = cross(exactly(corners[1]) - corner, exactly(corners[2]) - corner);
+  const Rational height = dot(corner - start, exact_normal), whole = dot(line, exact_normal);
+  if (height.sign() == 0 || height == whole) return std::nullopt;
+  return WideVec3(ExactPoint(start + (height / whole) * line).approx());
+}
+
 bool PairJoins::divide_where_pierced(std::size_t face, const Corners& edges_of) {
   const Corners corners = faces_.corners(face);
-  const WideVec3 a = place(corners[0]), normal = cross(place(corners[1]) - a, place(corners[2]) - a);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [from, to] = edge(edges_of, i);
     if (contains(corners, from) || contains(corners, to)) continue;
     if (intersect_segment_triangle(faces_.point(from), faces_.point(to), faces_.triangle(face)) != Contact::point)
       continue;
-    const WideVec3 direction = place(to) - place(from);
-    const long double share = dot(a - place(from), normal) / dot(direction, normal);
-    if (!(share > 0 && share < 1)) continue;
-    const PointId v = new_vertex(place(from) + share * direction);
+    const auto where = crossing(from, to, corners);
+    if (!where) continue;
+    const PointId v = new_vertex(*where);
     const bool leads = lead(from, to, v);
     if (!contains(corners, v)) joins_.divided.emplace(face, v);
     if (leads || !contains(corners, v)) return true;

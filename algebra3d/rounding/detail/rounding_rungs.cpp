@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "algebra3d/distance/covering_bound.h"
 #include "algebra3d/distance/distance_bound.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/circulators.h"
@@ -27,6 +28,9 @@ constexpr std::ptrdiff_t kMaxCrowded = 1000;
 
 /// Sums of distances up to so many spacings need no better bound.
 constexpr double kSmallSumOfDistances = 16;
+
+/// How many pieces such a bound may take, a microsecond or two each.
+constexpr std::size_t kMaxPieces = 1'000'000;
 
 /// How much wider reaches get from one attempt to the next.
 constexpr double kReachGrowth = 4;
@@ -75,13 +79,22 @@ void take(RoundingCandidate& candidate, FeatureSnappedMesh joined) {
 }
 
 /// Bounds the distance of the candidate, which is a sum over some turns, by that from the one with which these began.
-Status tighten_distance(RoundingCandidate& candidate, const RoundingCandidate& first, double enough,
+/// `small`: distances up to that need no better bound. `farthest`: the largest distance of one turn.
+Status tighten_distance(RoundingCandidate& candidate, const RoundingCandidate& first, double small, double farthest,
                         const std::atomic<bool>* cancel) {
-  const double at_most = candidate.movement.distance - first.movement.distance;
-  if (at_most <= enough) return {};
+  double distance = candidate.movement.distance - first.movement.distance;
+  if (distance <= small) return {};
   const BoxHierarchy hierarchy(first.mesh);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const double distance,
-                             bounded_distance(candidate.mesh, at_most, {&first.mesh, &hierarchy}, enough, cancel));
+  const DistanceOperand from_first{&first.mesh, &hierarchy};
+  if (distance > farthest) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(
+        distance, bounded_distance(candidate.mesh, distance, from_first, std::max(small, farthest), cancel));
+  }
+  if (distance > small) {  // near needles that bound, and that of one turn, may be far too large
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<double> covering,
+                               covering_bound(candidate.mesh, from_first, small / 4, kMaxPieces, cancel));
+    distance = std::min(distance, covering.value_or(distance));
+  }
   candidate.movement.distance = first.movement.distance + distance;
   return {};
 }
@@ -126,7 +139,7 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
     take(candidate, std::move(joined));
     if (is_simple) {
       ALGEBRA3D_RETURN_IF_ERROR(
-          tighten_distance(candidate, first, std::max(farthest, kSmallSumOfDistances * spacing), job.cancel()));
+          tighten_distance(candidate, first, kSmallSumOfDistances * spacing, farthest, job.cancel()));
       ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_accepted, job.accept(candidate));
       if (is_accepted) return true;
     }

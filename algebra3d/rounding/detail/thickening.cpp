@@ -8,12 +8,17 @@
 #include <utility>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/distance/covering_bound.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/topology.h"
+#include "algebra3d/rounding/detail/paired_faces.h"
 #include "algebra3d/rounding/detail/rounded_vertices.h"
 #include "algebra3d/rounding/detail/rounding_rungs.h"
 #include "algebra3d/rounding/detail/snap_rounding.h"
 #include "algebra3d/rounding/detail/thickened_faces.h"
+#include "algebra3d/rounding/detail/triangle_stars.h"
+#include "algebra3d/rounding/detail/vertex_removal.h"
 
 namespace algebra3d {
 namespace {
@@ -21,6 +26,13 @@ namespace {
 /// How high the prisms are, in cells. With a half or a whole cell, faces of neighbouring prisms would lie upon each
 /// other in part.
 constexpr double kHeight = 0.75;
+/// Within how many cells of the surface corners are removed from the shells, and from what prisms were added to.
+constexpr double kShellTolerance = 1;
+constexpr double kThickTolerance = 0.3;
+/// How many cells a candidate may be away from the given boundary.
+constexpr double kMostCellsAway = 64;
+/// How many pieces a bound of a distance may take, a microsecond or two each.
+constexpr std::size_t kMaxPiecesOfThick = 2'000'000;
 /// How many cells must fit into the longest side of the solid.
 constexpr double kFewestCells = 1024;
 /// How many pairs of triangles may touch, some microseconds each; prisms that nearly coincide have many.
@@ -60,37 +72,65 @@ TriangleMesh together(const TriangleMesh& a, const TriangleMesh& b) {
   return {PointArray(std::move(points)), triangles};
 }
 
+/// The mesh without corners within a distance of its surface, those of needles and folds included.
+Result<TriangleMesh> simplified(const TriangleMesh& mesh, double tolerance, const Monitor& monitor) {
+  const TriangleMesh paired = with_paired_faces(mesh);
+  TriangleStars stars(paired);
+  const std::vector<bool> may_go(paired.vertex_count(), true);
+  ALGEBRA3D_RETURN_IF_ERROR(remove_superfluous_vertices(stars, may_go, tolerance, monitor, ThinTriangles::allowed));
+  return stars.mesh();
+}
+
 /// Makes candidates for one job.
 class Thickening {
  public:
   Thickening(RoundingJob& job, const std::vector<bool>& crowded)
-      : job_(job), shells_(divided_shells(with_its_faces(job.mesh(), job.vertices()).mesh, crowded)) {}
+      : job_(job),
+        rounded_(with_its_faces(job.mesh(), job.vertices()).mesh),
+        hierarchy_(rounded_),
+        box_(Box3::around(rounded_.points().approx())),
+        shells_(divided_shells(rounded_, crowded)) {}
 
   /// True if enough cells fit into the solid, and a few beside it into the range of the grid.
   bool has_room_for(double cell) const {
-    const Box3 box = Box3::around(job_.vertices().points.approx());
-    const Vec3 size = box.max - box.min;
-    const bool is_in_range = std::isfinite(job_.grid().nearest(job_.size() + 4 * cell));
+    const Vec3 size = box_.max - box_.min;
+    const bool is_in_range = std::isfinite(job_.grid().nearest(job_.size() + kMostCellsAway * cell));
     return is_in_range && std::max({size.x, size.y, size.z}) >= kFewestCells * cell;
   }
-  /// Nothing if that is too much work.
+  /// Nothing if that is too much work, or too far away.
   Result<std::optional<RoundingCandidate>> candidate(double cell) const;
 
  private:
+  Result<std::optional<TriangleMesh>> thick_mesh(double cell) const;
+
   RoundingJob& job_;
+  TriangleMesh rounded_;  // each vertex by itself, whatever then crosses
+  BoxHierarchy hierarchy_;
+  Box3 box_;
   Shells shells_;
 };
 
+/// The shells with prisms over their faces, divided exactly where these cross.
+Result<std::optional<TriangleMesh>> Thickening::thick_mesh(double cell) const {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh simple,
+                             simplified(shells_.crowded, kShellTolerance * cell, job_.cancel()));
+  const RoundedVertices on_lattice = rounded_vertices(simple, CoordinateGrid::multiples(cell));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SnappedMesh moved, moved_mesh(simple, on_lattice.points, job_.cancel()));
+  return job_.divided(together(thickened_faces(moved.mesh, {cell, kHeight * cell}), shells_.others), kMaxPairs);
+}
+
 Result<std::optional<RoundingCandidate>> Thickening::candidate(double cell) const {
-  const RoundedVertices on_lattice = rounded_vertices(shells_.crowded, CoordinateGrid::multiples(cell));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SnappedMesh moved, moved_mesh(shells_.crowded, on_lattice.points, job_.cancel()));
-  const TriangleMesh thick = together(thickened_faces(moved.mesh, {cell, kHeight * cell}), shells_.others);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<TriangleMesh> divided, job_.divided(thick, kMaxPairs));
-  if (!divided) return std::optional<RoundingCandidate>();
-  const RoundedVertices vertices = rounded_vertices(*divided, job_.grid());
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate result, snap_rounded(*divided, vertices, job_.cancel()));
-  const double to_lattice = job_.vertices().largest_movement + on_lattice.largest_movement + kHeight * cell;
-  result.movement = result.movement + Movement(rounded_up(to_lattice));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<TriangleMesh> thick, thick_mesh(cell));
+  if (!thick) return std::optional<RoundingCandidate>();
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate result,
+                             snap_rounded(*thick, rounded_vertices(*thick, job_.grid()), job_.cancel()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(result.mesh, simplified(result.mesh, kThickTolerance * cell, job_.cancel()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(
+      const std::optional<double> distance,
+      covering_bound(result.mesh, {&rounded_, &hierarchy_}, cell, kMaxPiecesOfThick, job_.cancel()));
+  if (!distance || *distance > kMostCellsAway * cell) return std::optional<RoundingCandidate>();
+  const double in_all = job_.vertices().largest_movement + *distance;
+  result.movement = Movement(rounded_up(in_all + length(box_.max - box_.min)), rounded_up(in_all));
   result.reach = cell;
   result.method = RoundingMethod::faces_thickened;
   return std::optional(std::move(result));

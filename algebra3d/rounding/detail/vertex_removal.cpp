@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/base/wide_vec3.h"
+#include "algebra3d/rounding/detail/thin_fan.h"
 #include "algebra3d/rounding/detail/vertex_fan.h"
 
 namespace algebra3d {
@@ -25,8 +27,8 @@ using Ring = std::vector<std::uint32_t>;
 /// The mesh while vertices are merged with neighbours. Concurrent calls of the const functions are safe.
 class VertexRemoval {
  public:
-  VertexRemoval(TriangleStars& stars, double tolerance)
-      : stars_(stars), tolerance_(tolerance), changed_in_(stars.original().vertex_count()) {}
+  VertexRemoval(TriangleStars& stars, double tolerance, ThinTriangles thin)
+      : stars_(stars), tolerance_(tolerance), thin_(thin), changed_in_(stars.original().vertex_count()) {}
 
   /// How a vertex goes: it becomes one with the vertex at the place `target` of its ring.
   struct Merger {
@@ -57,21 +59,31 @@ class VertexRemoval {
   bool follows_surface(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
   long double least_height(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
 
+  /// A neighbour, given by its place in the ring, with which the vertex may be merged as far as the triangles around it
+  /// tell, and the least height of those that replace them.
+  struct Target {
+    double height;
+    std::size_t place;
+  };
+  std::vector<Target> thick_targets(VertexFan& fan) const;
+  std::vector<Target> all_targets(const VertexFan& fan) const;
+
   TriangleStars& stars_;
   double tolerance_;
+  ThinTriangles thin_;
   std::uint32_t pass_ = 0;
   std::vector<std::uint32_t> changed_;     // in this pass
   std::vector<std::uint32_t> changed_in_;  // per vertex: the pass in which its triangles have changed last
 };
 
-/// The distance of two segments ab and cd that are no points. Source: [ericson2005], 5.1.9.
+/// The distance of two segments ab and cd. Source: [ericson2005], 5.1.9.
 long double segment_distance(const WideVec3& a, const WideVec3& b, const WideVec3& c, const WideVec3& d) {
   const WideVec3 ab = b - a, cd = d - c, ca = a - c;
   const long double ab2 = dot(ab, ab), cd2 = dot(cd, cd), both = dot(ab, cd), along = dot(ab, ca), across = dot(cd, ca);
   const long double spread = ab2 * cd2 - both * both;
   long double s = spread > 0 ? std::clamp((both * across - along * cd2) / spread, 0.0L, 1.0L) : 0;
-  const long double t = std::clamp((both * s + across) / cd2, 0.0L, 1.0L);
-  s = std::clamp((both * t - along) / ab2, 0.0L, 1.0L);
+  const long double t = cd2 > 0 ? std::clamp((both * s + across) / cd2, 0.0L, 1.0L) : 0;
+  s = ab2 > 0 ? std::clamp((both * t - along) / ab2, 0.0L, 1.0L) : 0;
   return length((a + s * ab) - (c + t * cd));
 }
 
@@ -141,21 +153,35 @@ void VertexRemoval::merge(std::uint32_t vertex, const Merger& merger) {
   }
 }
 
+std::vector<VertexRemoval::Target> VertexRemoval::thick_targets(VertexFan& fan) const {
+  std::vector<Target> targets;
+  fan.measure(stars_, tolerance_);
+  for (std::size_t place = 0; place < fan.ring().size(); ++place) {
+    if (fan.bends(place)) continue;
+    std::optional<double> height = fan.least_height(place);
+    if (!height) height = static_cast<double>(least_height(fan.vertex(), fan.ring(), place));
+    if (*height > 2 * tolerance_) targets.push_back({*height, place});
+  }
+  return targets;
+}
+
+std::vector<VertexRemoval::Target> VertexRemoval::all_targets(const VertexFan& fan) const {
+  std::vector<Target> targets;
+  const ThinFan thin(stars_, fan, tolerance_);
+  for (std::size_t place = 0; place < fan.ring().size(); ++place)
+    if (const auto height = thin.least_height(place)) targets.push_back({static_cast<double>(*height), place});
+  return targets;
+}
+
 /// With that of the ring for which the least height is largest, the first one of several.
 std::optional<VertexRemoval::Merger> VertexRemoval::merger(std::uint32_t vertex, VertexFan& fan) const {
   if (!fan.surround(stars_, vertex, kMaxNeighbours)) return std::nullopt;
   const Ring& ring = fan.ring();
-  fan.measure(stars_, tolerance_);
-  std::vector<std::pair<double, std::size_t>> heights;  // with the other sign
-  for (std::size_t target = 0; target < ring.size(); ++target) {
-    if (fan.bends(target)) continue;
-    std::optional<double> height = fan.least_height(target);
-    if (!height) height = static_cast<double>(least_height(vertex, ring, target));
-    if (*height > 2 * tolerance_) heights.emplace_back(-*height, target);
-  }
-  std::ranges::sort(heights);
-  for (const auto& [height, target] : heights)
-    if (keeps_manifold(ring, target) && follows_surface(vertex, ring, target)) return Merger{ring, target};
+  std::vector<Target> targets = thin_ == ThinTriangles::refused ? thick_targets(fan) : all_targets(fan);
+  std::ranges::stable_sort(targets, std::ranges::greater(), &Target::height);
+  for (const Target& target : targets)
+    if (keeps_manifold(ring, target.place) && follows_surface(vertex, ring, target.place))
+      return Merger{ring, target.place};
   return std::nullopt;
 }
 
@@ -186,8 +212,8 @@ std::vector<Candidate> candidates(const VertexRemoval& removal, const std::vecto
 // Most vertices must stay. Which may go is told in parallel for all that something has changed near, and told again
 // only where a vertex that has gone since then was near.
 Result<bool> remove_superfluous_vertices(TriangleStars& stars, const std::vector<bool>& may_go, double tolerance,
-                                         const Monitor& monitor) {
-  VertexRemoval removal(stars, tolerance);
+                                         const Monitor& monitor, ThinTriangles thin) {
+  VertexRemoval removal(stars, tolerance, thin);
   const TriangleMesh& mesh = stars.original();
   std::vector<bool> is_in_play(may_go);
   std::vector<std::uint32_t> in_question;

@@ -10,6 +10,7 @@
 #include "algebra3d/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
+#include "unit/rounding/distances.h"
 
 namespace algebra3d::solids {
 namespace {
@@ -89,6 +90,24 @@ TEST(VertexRemoval, does_not_close_a_tunnel) {
   EXPECT_EQ(prove_volume(coarse)->text(), "");
   EXPECT_EQ(exact_volume_of(coarse), exact_volume_of(frame));
   EXPECT_EQ(coarse.face_count(), 32U);  // as many as a frame needs: 16 corners, genus 1
+}
+
+TEST(VertexRemoval, removes_vertices_of_folds_where_thin_triangles_are_allowed) {
+  // A plate with a rough top is thinner than the tolerance.
+  Chance chance(1);
+  const TriangleMesh plate = mapped(divided(divided(box({0, 0, 0}, {4, 4, 4}))), [&](const Vec3& p) {
+    return Vec3{p.x, p.y, 1e-7 * p.z * (1 + chance.unit() / 2)};
+  });
+  TriangleStars stars(plate);
+  const auto has_changed = remove_superfluous_vertices(stars, all_of(plate), 1e-5, {}, ThinTriangles::allowed);
+  ASSERT_TRUE(has_changed.ok() && *has_changed);
+  const TriangleMesh coarse = stars.mesh();
+  EXPECT_LE(coarse.face_count(), 16U);
+  EXPECT_GE(coarse.face_count(), 4U);
+  EXPECT_LT(coarse.face_count(), without_superfluous(plate, all_of(plate), 1e-5).face_count());
+  EXPECT_EQ(Box3::around(coarse.points().approx()).max.x, 4);
+  expect_near(coarse, plate, 2e-5);
+  expect_near(plate, coarse, 2e-5);
 }
 
 TEST(VertexRemoval, can_be_interrupted) {
