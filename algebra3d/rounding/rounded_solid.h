@@ -45,7 +45,7 @@ struct RoundedSolid {
 ///  4. Facets that nearly lie upon each other are made coplanar (coplanar_snapping.h), then 3.
 ///  5. 3 and 4 with reaches of up to 2^20 spacings.
 ///  6. Prisms are added over the faces of crowded shells, with corners on lattices of 2^4 to 2^18 spacings, then 3
-///     (thickening.h).
+///     (thickening.h). Before 5 if most vertices are corners of triangles that cross.
 ///  7. 1 and 3 on grids of multiples of up to 2^20 spacings.
 ///  8. 6 on coarser lattices, as long as a thousand cells fit into the solid.
 ///  9. The cubes of a lattice that meet the solid replace it (cell_cover.h). This cannot fail.

@@ -13,8 +13,8 @@ namespace {
 using Corners = std::array<PointId, 3>;
 
 /// Bounds the relative error of a product of three vectors, and what error of a place is small.
-constexpr long double kProductError = 0x1p-60L;
-constexpr long double kSmallPart = 0x1p-4L;
+constexpr long double kTripleProductError = 0x1p-60L;
+constexpr long double kPlaceTolerance = 0x1p-4L;
 
 bool contains(const Corners& corners, PointId p) {
   return std::ranges::find(corners, p) != corners.end();
@@ -137,8 +137,8 @@ std::optional<WideVec3> PairJoins::crossing(PointId from, PointId to, const Corn
   const WideVec3 ab = place(corners[1]) - place(corners[0]), ac = place(corners[2]) - place(corners[0]);
   const WideVec3 normal = cross(ab, ac);
   const long double way = length(direction), steepness = dot(direction, normal), share = dot(back, normal) / steepness;
-  const long double error = kProductError * length(ab) * length(ac) * (length(back) + way) * way;
-  if (error < kSmallPart * reach_ * std::abs(steepness))
+  const long double error = kTripleProductError * length(ab) * length(ac) * (length(back) + way) * way;
+  if (error < kPlaceTolerance * reach_ * std::abs(steepness))
     return share > 0 && share < 1 ? std::optional(place(from) + share * direction) : std::nullopt;
   // The triangle is a needle, or nearly parallel to the edge.
   const auto exactly = [&](PointId p) { return faces_.point(p).rational(); };

@@ -28,8 +28,8 @@ class FaceLinks {
 
   /// Links two faces along an edge, given by half-edges that run along it in both directions.
   void link(HalfedgeId one, HalfedgeId other) {
-    sets_.unite(one.index(), mesh_.next(other).index());
-    sets_.unite(mesh_.next(one).index(), other.index());
+    sets_.unite(one.index(), TriangleMesh::next(other).index());
+    sets_.unite(TriangleMesh::next(one).index(), other.index());
   }
   void link_most_alike(std::span<const HalfedgeId> edge);
   TriangleMesh mesh();
@@ -47,7 +47,7 @@ void FaceLinks::link_most_alike(std::span<const HalfedgeId> edge) {
   std::vector<Side> forth, back;
   for (const HalfedgeId h : edge) {
     const bool runs_forth = mesh_.origin(h) == mesh_.origin(edge.front());
-    (runs_forth ? forth : back).push_back({h, normal_of(mesh_, mesh_.face(h))});
+    (runs_forth ? forth : back).push_back({h, normal_of(mesh_, TriangleMesh::face(h))});
   }
   while (!forth.empty() && !back.empty()) {
     auto best = std::pair(forth.begin(), back.begin());
@@ -66,8 +66,8 @@ TriangleMesh FaceLinks::mesh() {
   std::vector<TriangleMesh::Triangle> triangles(mesh_.face_count());
   for (const FaceId face : faces(mesh_)) {
     const TriangleMesh::Triangle corners = mesh_.triangle(face);
-    HalfedgeId h = mesh_.halfedge(face);
-    for (std::size_t i = 0; i < 3; ++i, h = mesh_.next(h)) {
+    HalfedgeId h = TriangleMesh::halfedge(face);
+    for (std::size_t i = 0; i < 3; ++i, h = TriangleMesh::next(h)) {
       std::uint32_t& vertex = vertex_of[sets_.find(h.index())];
       if (vertex == kNone) {
         vertex = static_cast<std::uint32_t>(points.size());
