@@ -15,6 +15,7 @@
 #include "algebra3d/rounding/detail/near_features.h"
 #include "algebra3d/rounding/detail/snapped_faces.h"
 #include "unit/arrangement/random_solids.h"
+#include "unit/rounding/distances.h"
 
 namespace algebra3d::solids {
 namespace {
@@ -189,9 +190,9 @@ struct PairOfFaces {
   static PointArray points_of(const std::array<Vec3, 6>& places) {
     return PointArray(std::vector<Vec3>(places.begin(), places.end()));
   }
-  FeatureJoins joins(double reach) {
+  FeatureJoins joins(double reach, const CoordinateGrid& grid = CoordinateGrid::multiples(0.125)) {
     FeatureJoins result;
-    join_near_features(faces, 0, 1, reach, CoordinateGrid::multiples(0.125), result);
+    join_near_features(faces, 0, 1, reach, grid, result);
     return result;
   }
 
@@ -229,6 +230,27 @@ TEST(NearFeatures, a_face_is_divided_at_a_near_vertex_and_where_it_is_pierced) {
   EXPECT_EQ(pierced.faces.point(PointId(6)).approx, (Vec3{2, 2, 0}));
   EXPECT_EQ(joins.divided.at(0), PointId(6));
   EXPECT_TRUE(joins.led.at({PointId(3), PointId(4)}) == std::vector{PointId(6)});
+}
+
+TEST(NearFeatures, a_needle_is_divided_where_it_is_pierced_and_nowhere_else) {
+  // Edges that go along needles, nearly in their planes: long doubles do not tell the normal of these well enough.
+  Chance chance(1);
+  const auto random = [&] { return Vec3{chance.unit(), chance.unit(), chance.unit()}; };
+  std::size_t pierced = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec3 a = random(), along = random(), across = 0x1p-46 * random();
+    const Vec3 inside = a + 0.5 * along + 0.25 * across;
+    const Vec3 direction = 0.25 * along + 1e-3 * 0x1p46 * across + 1e-8 * random();
+    const std::array<Vec3, 6> places{
+        a, a + along, a + 0.5 * along + across, inside + direction, inside - direction, random()};
+    PairOfFaces pair(places);
+    const FeatureJoins joins = pair.joins(0x1p-56, CoordinateGrid::doubles());
+    if (joins.divided.count(0) == 0 || joins.divided.at(0) < PointId(6)) continue;
+    ++pierced;
+    const Vec3 place = pair.faces.point(joins.divided.at(0)).approx;
+    EXPECT_LE(distance_to_segment(wide(place), wide(a), wide(a + along)), 0x1p-44);
+  }
+  EXPECT_GE(pierced, 100);
 }
 
 TEST(NearFeatures, a_face_without_area_has_its_longest_edge_led_through_its_corner) {
