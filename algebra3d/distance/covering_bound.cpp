@@ -18,7 +18,7 @@ namespace {
 using distances::TriangleFrame;
 using Polygon = TriangleFrame::Polygon;
 
-/// Pieces that lie so many times farther than their middle go to another triangle.
+/// How far a piece reaches beyond a triangle, as a multiple of the distance of its middle.
 constexpr long double kMargin = 1.25L;
 /// Corners of pieces are rounded, and so are the distances.
 constexpr double kRounding = 0x1p-58;
@@ -50,7 +50,7 @@ class Target {
   std::vector<TriangleFrame> triangles_;  // per face
 };
 
-/// Of triangles that are near enough the largest one, so that pieces are large, else the nearest one.
+/// The largest of the triangles that are near enough, so that pieces are large, or the nearest one if none is.
 Target::Neighbour Target::neighbour(const WideVec3& point) const {
   const TriangleFrame* best = nullptr;
   long double least = 0;
@@ -113,7 +113,8 @@ Result<std::optional<double>> covering_bound(const TriangleMesh& from, const Dis
   if (pieces > max_pieces) return std::optional<double>();
   const Box3 box = unite(Box3::around(from.points().approx()), to.hierarchy->bounds());
   const double largest = std::max({-box.min.x, -box.min.y, -box.min.z, box.max.x, box.max.y, box.max.z});
-  return std::optional(static_cast<double>(std::ranges::max(farthest)) + kRounding * largest);
+  const auto bound = static_cast<double>(std::ranges::max(farthest) + kRounding * largest);
+  return std::optional(std::nextafter(bound, Box3::kInfinity));
 }
 
 }  // namespace algebra3d

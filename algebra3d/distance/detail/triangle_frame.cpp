@@ -9,7 +9,7 @@
 namespace algebra3d::distances {
 namespace {
 
-/// What is so many margins out is cut off; what reaches only that far is not.
+/// The distance up to which a polygon is left whole, in margins; one that reaches farther is cut at one margin.
 constexpr long double kSlack = 1.5L;
 
 /// The vector with length 1; zero stays.

@@ -29,7 +29,7 @@ constexpr std::ptrdiff_t kMaxCrowded = 1000;
 /// Sums of distances up to so many spacings need no better bound.
 constexpr double kSmallSumOfDistances = 16;
 
-/// How many pieces such a bound may take, a microsecond or two each.
+/// How many pieces a bound by pieces of triangles may take, a microsecond or two each.
 constexpr std::size_t kMaxPieces = 1'000'000;
 
 /// How much wider reaches get from one attempt to the next.
