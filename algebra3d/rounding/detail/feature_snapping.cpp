@@ -36,6 +36,10 @@ constexpr std::size_t kFewCrossings = 20;
 constexpr std::size_t kManyCrossings = 100;
 constexpr std::size_t kMostCrossingsPerFace = 3;
 
+/// With so many times the crossings at first, and so many more, joining makes more of them than it takes away.
+constexpr std::size_t kMostGrowth = 2;
+constexpr std::size_t kManyMoreCrossings = 1000;
+
 /// How a cluster gets on.
 struct Progress {
   int rounds = 0, last_gain = 0;
@@ -232,9 +236,9 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
   for (;; ++rounds_) {
     ALGEBRA3D_ASSIGN_OR_RETURN(Faults faults, find_faults(search));
     if (rounds_ == 0) crossings_before = faults.pairs.size();
-    if (crossings_before > limits_.most_crossings)
-      return FeatureSnappedMesh{
-          .mesh = faces_.mesh(), .crossings_before = crossings_before, .crossing_pairs = crossings_before};
+    const bool is_hopeless = faults.pairs.size() > kMostGrowth * crossings_before + kManyMoreCrossings;
+    if (is_hopeless || crossings_before > limits_.most_crossings)
+      return FeatureSnappedMesh{.crossings_before = crossings_before, .crossing_pairs = crossings_before};
     tie_clusters(faults.pairs);
     note_progress(faults);
     Left left = leave_hopeless_clusters(faults);

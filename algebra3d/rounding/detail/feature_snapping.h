@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
@@ -11,9 +12,9 @@
 
 namespace algebra3d {
 
-/// The result of feature snapping.
+/// The result of feature snapping: no mesh if that was given up.
 struct FeatureSnappedMesh {
-  TriangleMesh mesh;
+  std::optional<TriangleMesh> mesh = {};
   double largest_displacement = 0;   ///< no corner is farther from the point of the given mesh that it stands for
   double largest_distance = 0;       ///< no point of the mesh is farther from the given one
   double reach = 0;                  ///< the largest one within which features were joined; 0 if nothing crossed
@@ -24,13 +25,13 @@ struct FeatureSnappedMesh {
 /// The limits of feature snapping.
 struct SnappingLimits {
   double largest_reach = 0;               ///< in spacings
-  std::size_t most_crossings = SIZE_MAX;  ///< a mesh with more crossings is left as it is
+  std::size_t most_crossings = SIZE_MAX;  ///< a mesh with more crossings is given up
 };
 
 /// Feature snapping: joins features of crossing faces of a mesh (near_features.h) in rounds, until no faces cross. The
 /// reach is two spacings at first. A cluster (snapped_faces.h) that goes on crossing is restored, and begins again with
-/// twice the reach, and new vertices on a grid twice as coarse, as long as the reach is at most the largest one. A
-/// closed mesh stays closed. Vertices of the result are given ones or lie on the grid; it may have edges with more than
+/// twice the reach, and new vertices on a grid twice as coarse, as long as the reach is at most the largest one. What has too many
+/// crossings, or gets more and more of them, is given up. A closed mesh stays closed. Vertices of the result are given ones or lie on the grid; it may have edges with more than
 /// two faces, and places with other winding numbers than 0 and 1. Domain: all coordinates are doubles. Exactness: what
 /// crosses is decided exactly, what is near is not. Deterministic. Errors: interrupted. Cost: a few times that of
 /// finding all crossings.

@@ -48,6 +48,13 @@ RoundingJob::RoundingJob(const TriangleMesh& mesh, double size, const Coordinate
       cancel_(cancel),
       vertices_(rounded_vertices(mesh, grid)) {}
 
+Result<bool> RoundingJob::accept(const RoundingCandidate& candidate) {
+  if (candidate.movement.distance >= accepted_distance_) return false;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, prove(candidate));
+  if (is_valid) accepted_distance_ = candidate.movement.distance;
+  return is_valid;
+}
+
 /// The limit: if a rounding has folded the mesh, all pairs may touch; that is hopeless.
 Result<std::optional<TriangleMesh>> RoundingJob::divided(const TriangleMesh& mesh) const {
   return divided(mesh, 100 * mesh.face_count() + 100'000);

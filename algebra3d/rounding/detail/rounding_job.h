@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -87,13 +88,17 @@ class RoundingJob {
   virtual Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh, std::size_t max_pairs) const = 0;
   /// The same with the usual limit.
   Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const;
-  /// Proves the candidate; true if it is valid, and the result from now on.
-  virtual Result<bool> accept(const RoundingCandidate& candidate) = 0;
+  /// Proves the candidate if it is nearer than the result so far; true if it is valid, and the result from now on.
+  Result<bool> accept(const RoundingCandidate& candidate);
+  /// How far the result so far is from what is given at most; infinite as long as there is none.
+  double accepted_distance() const { return accepted_distance_; }
   /// The same for the mesh with its vertices moved and its faces as they were. False also if two vertices come to one
   /// place, or if a vertex comes to lie inside an edge or face.
   virtual Result<bool> accept_moved() = 0;
 
  protected:
+  /// Proves the candidate; true if it is valid, and the result from now on.
+  virtual Result<bool> prove(const RoundingCandidate& candidate) = 0;
   /// The mesh must outlive this. `size`: the largest coordinate of what is given, of which the mesh may be a part.
   RoundingJob(const TriangleMesh& mesh, double size, const CoordinateGrid& grid, const std::atomic<bool>* cancel);
 
@@ -103,6 +108,7 @@ class RoundingJob {
   double size_, spacing_;
   const std::atomic<bool>* cancel_;
   RoundedVertices vertices_;
+  double accepted_distance_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace algebra3d

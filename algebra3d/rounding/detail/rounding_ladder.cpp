@@ -14,8 +14,11 @@ namespace {
 /// ways are tried, and at last.
 constexpr double kModestReach = 32;
 constexpr double kLargestReach = 0x1p20;
+/// A result no farther away, in spacings, is not looked for any nearer.
+constexpr double kNearEnough = 64;
 /// Most features are joined within a small reach, so that what is left needs a wide one in few places only.
 constexpr JoiningReach kGrowingReach = {8, kLargestReach};
+constexpr JoiningReach kWideReach = {kLargestReach, kLargestReach};
 /// On which lattices faces are thickened: before coarser grids, and at last.
 constexpr ThickeningSteps kNearThickening = {4, 18, 2};
 constexpr ThickeningSteps kFarThickening = {20, 60, 4};
@@ -28,6 +31,11 @@ Result<bool> move_vertices(RoundingJob& job) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate moved,
                              with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
   return job.accept(moved);
+}
+
+/// True if a candidate was accepted, and no nearer one needs to be looked for.
+bool is_near_enough(const RoundingJob& job) {
+  return job.accepted_distance() <= kNearEnough * job.spacing();
 }
 
 /// Only solids have faces that can be thickened.
@@ -47,8 +55,8 @@ Result<bool> round_part(RoundingJob& job) {
 }
 
 // Where the grid may be coarse for the solid, dividing comes before joining; else it would only take time. Where most
-// vertices are crowded, joining within wide reaches makes more triangles cross than before; where few are, it is nearer
-// than thickened faces, and has fewer triangles.
+// vertices are crowded, joining within wide reaches makes more triangles cross than before; where few are, it may be
+// nearer than thickened faces, and has fewer triangles.
 Result<bool> round_whole(RoundingJob& job) {
   ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, move_vertices(job));
   if (is_found) return true;
@@ -59,25 +67,25 @@ Result<bool> round_whole(RoundingJob& job) {
                                with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings(job, moved));
   }
-  if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kGrowingReach));
-  }
   if (is_found) return true;
+  ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kGrowingReach));
+  if (is_near_enough(job)) return true;
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<bool> crowded, crowded_vertices(job, snapped.mesh));
-  ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, kFirstReach, kModestReach));
-  if (is_found) return true;
-  const bool is_crowded = 2 * std::ranges::count(crowded, true) > std::ssize(crowded);
-  if (is_crowded) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, thicken(job, crowded, kNearThickening));
-  }
   if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), {kLargestReach, kLargestReach}));
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, kFirstReach, kModestReach));
+  }
+  const bool is_crowded = 2 * std::ranges::count(crowded, true) > std::ssize(crowded);
+  if (!is_found && !is_crowded) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kWideReach));
+  }
+  if (is_near_enough(job)) return true;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_thickened, thicken(job, crowded, kNearThickening));
+  if (is_found || is_thickened) return true;
+  if (is_crowded) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kWideReach));
   }
   if (!is_found) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, 4 * kModestReach, kLargestReach));
-  }
-  if (!is_found && !is_crowded) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, thicken(job, crowded, kNearThickening));
   }
   if (!is_found) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, round_to_coarser_grids(job));

@@ -72,7 +72,7 @@ Result<bool> divide(const RoundingJob& job, RoundingCandidate& candidate, const 
 
 /// Puts the joined mesh in place of the candidate's.
 void take(RoundingCandidate& candidate, FeatureSnappedMesh joined) {
-  candidate.mesh = std::move(joined.mesh);
+  candidate.mesh = *std::move(joined.mesh);
   candidate.movement = candidate.movement + Movement(joined.largest_displacement, joined.largest_distance);
   candidate.reach = std::max(candidate.reach, joined.reach);
   if (joined.reach > 0) candidate.method = std::max(candidate.method, RoundingMethod::features_joined);
@@ -127,7 +127,7 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
     ALGEBRA3D_ASSIGN_OR_RETURN(
         FeatureSnappedMesh joined,
         snap_features(candidate.mesh, grid, spacing, {reach, most_crossings}, job.cancel(), job.folded()));
-    if (joined.crossings_before > most_crossings) {  // not joined
+    if (!joined.mesh) {
       if (reach >= reaches.last || joined.crossings_before > kFewCrossingsLeft) return false;
       reach = std::min(kReachGrowth * reach, reaches.last);
       most_crossings = SIZE_MAX;

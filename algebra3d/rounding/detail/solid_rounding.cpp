@@ -156,7 +156,7 @@ Result<std::optional<RoundingCandidate>> SolidRounding::simplified(const Roundin
       RoundingCandidate{stars.mesh(), movement, candidate.reach, candidate.method, still_kept(candidate, stars)});
 }
 
-Result<bool> SolidRounding::accept(const RoundingCandidate& candidate) {
+Result<bool> SolidRounding::prove(const RoundingCandidate& candidate) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<RoundingCandidate> simpler, simplified(candidate));
   if (simpler) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(*simpler));

@@ -28,7 +28,7 @@ class SolidRounding : public RoundingJob {
   using RoundingJob::divided;
   /// First the candidate's simplified form is tried. An empty one is refused if a wider reach than
   /// the first one was needed, or if a cell of the grid is found within the solid.
-  Result<bool> accept(const RoundingCandidate& candidate) override;
+  Result<bool> prove(const RoundingCandidate& candidate) override;
   /// If the part can be simplified, only its simplified form is tried.
   Result<bool> accept_moved() override;
 

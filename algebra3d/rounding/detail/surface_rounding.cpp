@@ -25,11 +25,11 @@ Result<std::optional<TriangleMesh>> SurfaceRounding::divided(const TriangleMesh&
 
 Result<bool> SurfaceRounding::accept_moved() {
   if (!are_apart(vertices())) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept(with_its_faces(mesh(), vertices())));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, prove(with_its_faces(mesh(), vertices())));
   return is_valid && result_.contact_vertices == 0;
 }
 
-Result<bool> SurfaceRounding::accept(const RoundingCandidate& candidate) {
+Result<bool> SurfaceRounding::prove(const RoundingCandidate& candidate) {
   if (candidate.mesh.is_empty() && candidate.reach > kFirstReach * spacing()) return false;
   const ProofOptions options{
       .thoroughness = Thoroughness::first_defect, .cancel = cancel(), .known = candidate.kept_faces()};

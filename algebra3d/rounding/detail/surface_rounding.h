@@ -23,7 +23,7 @@ class SurfaceRounding : public RoundingJob {
   Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh, std::size_t max_pairs) const override;
   using RoundingJob::divided;
   /// An empty candidate is refused if a wider reach than the first one was needed.
-  Result<bool> accept(const RoundingCandidate& candidate) override;
+  Result<bool> prove(const RoundingCandidate& candidate) override;
   Result<bool> accept_moved() override;
 
   /// The last accepted candidate; nothing is known of the vertices that moved.

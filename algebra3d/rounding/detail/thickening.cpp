@@ -142,10 +142,10 @@ Result<bool> thicken_faces(RoundingJob& job, const std::vector<bool>& crowded, c
   if (std::ranges::none_of(crowded, [](bool is_crowded) { return is_crowded; })) return false;
   const Thickening thickening(job, crowded);
   for (int exponent = steps.first; exponent <= steps.last; exponent += steps.step) {
-    const double cells = std::ldexp(1.0, exponent);
-    if (!thickening.has_room_for(cells * job.spacing())) return false;
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<RoundingCandidate> candidate, thickening.candidate(cells * job.spacing()));
-    if (!candidate) continue;
+    const double cells = std::ldexp(1.0, exponent), cell = cells * job.spacing();
+    if (!thickening.has_room_for(cell) || cell >= job.accepted_distance()) return false;
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<RoundingCandidate> candidate, thickening.candidate(cell));
+    if (!candidate || candidate->movement.distance >= job.accepted_distance()) continue;
     ALGEBRA3D_ASSIGN_OR_RETURN(bool is_accepted, job.accept(*candidate));
     if (!is_accepted) {
       ALGEBRA3D_ASSIGN_OR_RETURN(
