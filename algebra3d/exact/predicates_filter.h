@@ -87,15 +87,21 @@ inline double largest(const Vec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// The filter of orient3d for points given by their nearest doubles. A difference has an error of at most four
-/// roundings of the largest coordinate m, d = 2^-51 m; so with differences up to A, B, C, the error of each product of
-/// three is less than (A + d)(B + d)(C + d) - ABC, and six of them have fewer than 40 roundings of ABC.
+/// A bound of the error of a determinant of three differences of points that are given by their nearest doubles. A
+/// difference has an error of at most four roundings of the largest coordinate m, `off` = 2^-51 m; so with differences
+/// up to A, B, C, the error of each product of three is less than (A + off)(B + off)(C + off) - ABC, and six of them
+/// have fewer than 40 roundings of ABC. `a`, `b` and `c`: A + off, B + off, C + off. Infinite if the determinant, or a
+/// part of it, may overflow: these are at most 6abc and 2bc.
+inline double error_of_rounded_volume(double a, double b, double c, double off) {
+  const double bc = b * c;
+  return 7 * off * (a * (b + c) + bc) + 0x1p-50 * (a * (8 * bc)) + kUnderflowError;
+}
+
+/// The filter of orient3d for points given by their nearest doubles.
 inline int filter_rounded_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double off = 0x1p-51 * std::max({largest(a), largest(b), largest(c), largest(d)});
-  const double size_u = largest(u) + off, size_v = largest(v) + off, size_w = largest(w) + off;
-  const double vw = size_v * size_w;
-  const double error = 7 * off * (size_u * (size_v + size_w) + vw) + 0x1p-47 * size_u * vw + kUnderflowError;
+  const double error = error_of_rounded_volume(largest(u) + off, largest(v) + off, largest(w) + off, off);
   const double determinant = dot(u, cross(v, w));
   if (determinant > error) return 1;
   if (determinant < -error) return -1;
@@ -122,7 +128,8 @@ inline int filter_rounded_orient2d(Projection plane, const Vec3& a, const Vec3& 
   const Vec3 u = b - a, v = c - a;
   const double off = 0x1p-51 * std::max({size(a), size(b), size(c)});
   const double size_u = size(u) + off, size_v = size(v) + off;
-  const double error = 3 * off * (size_u + size_v) + 0x1p-50 * size_u * size_v + kUnderflowError;
+  // Where the determinant may overflow, twice a product does, and makes the bound infinite.
+  const double error = 3 * off * (size_u + size_v) + 0x1p-51 * (2 * size_u * size_v) + kUnderflowError;
   const double determinant = u[i] * v[j] - u[j] * v[i];
   if (determinant > error) return 1;
   if (determinant < -error) return -1;

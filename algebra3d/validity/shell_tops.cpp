@@ -56,10 +56,9 @@ struct EstimatedSum {
     const double largest = std::max({detail::largest(a.approx), detail::largest(b.approx), detail::largest(c.approx),
                                      detail::largest(origin.approx)});
     const double off = are_doubles ? 0 : 0x1p-51 * largest;
-    const double size_u = detail::largest(u) + off, size_v = detail::largest(v) + off,
-                 size_w = detail::largest(w) + off;
-    const double vw = size_v * size_w, determinant = dot(u, cross(v, w));
-    error += 7 * off * (size_u * (size_v + size_w) + vw) + 0x1p-47 * size_u * vw + detail::kUnderflowError;
+    const double determinant = dot(u, cross(v, w));
+    error += detail::error_of_rounded_volume(detail::largest(u) + off, detail::largest(v) + off,
+                                             detail::largest(w) + off, off);
     value += determinant;
     size += std::abs(determinant);
     ++count;

@@ -48,9 +48,7 @@ class HullPlane {
   }
   static double error_of_rounded(const Vec3& u, const Vec3& v, const CoordinateBounds& bounds) {
     const double off = bounds.rounding;
-    const double size_u = largest(u) + off, size_v = largest(v) + off, size_w = largest(bounds.extent) + off;
-    const double vw = size_v * size_w;
-    return 7 * off * (size_u * (size_v + size_w) + vw) + 0x1p-47 * size_u * vw + kUnderflowError;
+    return error_of_rounded_volume(largest(u) + off, largest(v) + off, largest(bounds.extent) + off, off);
   }
 
   Vec3 base_, normal_;

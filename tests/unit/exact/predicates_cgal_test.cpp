@@ -99,6 +99,24 @@ TEST(orient3d, a_subnormal_coordinate_counts_beside_a_huge_one) {
   }
 }
 
+// Where a part of a determinant is beyond the largest double and the whole is not, or has the other sign.
+TEST(orient3d, determinants_of_fractions_at_the_end_of_the_range_are_decided) {
+  Random random(4);
+  const auto number = [&](double scale) { return Number{scale * real(random), 3}; };
+  const auto point = [&](double scale) { return TestPoint(number(scale), number(scale), number(scale)); };
+  for (const int exponent : {338, 339, 340, 341, 342, 343, 509, 510, 511, 512, 1000, 1022})
+    for (int i = 0; i < 2000; ++i) {
+      const double scale = std::ldexp(1.0, exponent);
+      const TestPoint a = point(scale), b = point(scale), c = point(scale), d = point(scale);
+      ASSERT_EQ(orient3d(a.ours, b.ours, c.ours, d.ours),
+                sign_of(CGAL::orientation(a.oracle, b.oracle, c.oracle, d.oracle)))
+          << exponent;
+      for (const auto plane : {Projection::yz, Projection::zx, Projection::xy})
+        ASSERT_EQ(orient2d(plane, a.ours, b.ours, c.ours), oracle_orient2d(plane, a.oracle, b.oracle, c.oracle))
+            << exponent;
+    }
+}
+
 // ---- common parts
 
 struct ContactOf {
