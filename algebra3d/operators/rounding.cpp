@@ -1,6 +1,5 @@
 // roundCoordinates, rotateRounded.
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -8,7 +7,6 @@
 
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/constructions/value_images.h"
-#include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/detail/sample_values.h"
 #include "algebra3d/registry/operator.h"
@@ -36,7 +34,10 @@ std::string rounding_note(const Rounded& rounded, std::size_t vertex_count) {
   std::string text =
       fmt::format("{} of {} vertices moved, and what is left of the boundary by at most {}; method: {}",
                   rounded.moved_vertices, vertex_count, real_text(rounded.largest_movement), name_of(rounded.method));
-  if (rounded.reach > 0) text += fmt::format(" that were up to {} apart", real_text(rounded.reach));
+  if (rounded.method == RoundingMethod::coarser_grid)
+    text += fmt::format(", where features up to {} apart became one", real_text(rounded.reach));
+  else if (rounded.reach > 0)
+    text += fmt::format(" that were up to {} apart", real_text(rounded.reach));
   if (rounded.contact_vertices > 0)
     text += fmt::format(
         "; {} inside edges or faces of others",
@@ -49,18 +50,10 @@ std::string shells_note(const RoundedSolid& rounded) {
   return fmt::format("; {} of {} shells are left", rounded.shells_after, rounded.shells_before);
 }
 
-/// Why there is no rounding: the reason with the largest coordinate, and where the numbers end.
-Undefined no_rounding(const char* reason, const TriangleMesh& mesh, const CoordinateGrid& grid) {
-  const bool has_doubles = std::isfinite(grid.nearest(std::numeric_limits<double>::max()));
-  return Undefined{fmt::format(
-      "{}: {} is the largest one, and the numbers end at {}", reason, real_text(largest_coordinate(mesh)),
-      real_text(has_doubles ? std::numeric_limits<double>::max() : double{std::numeric_limits<float>::max()}))};
-}
-
 Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, const CoordinateGrid& grid,
                                    const char* name = "roundCoordinates") {
   ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.cancel));
-  if (!rounded.mesh) return Maybe<Volume3d>(no_rounding(rounded.reason, solid.mesh(), grid));
+  if (!rounded.mesh) return Maybe<Volume3d>(Undefined{std::move(rounded.reason)});
   if (rounded.moved_vertices == 0) return Maybe<Volume3d>(solid);
   const std::string note = rounding_note(rounded, solid.mesh().vertex_count()) + shells_note(rounded);
   context.diagnostics.report(fmt::format("{}: {}", name, note));
@@ -69,7 +62,7 @@ Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, cons
 
 Result<Maybe<Surface3d>> rounded_to(Context& context, const Surface3d& surface, const CoordinateGrid& grid) {
   ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSurface rounded, rounded_surface(surface.mesh(), grid, context.cancel));
-  if (!rounded.mesh) return Maybe<Surface3d>(no_rounding(rounded.reason, surface.mesh(), grid));
+  if (!rounded.mesh) return Maybe<Surface3d>(Undefined{std::move(rounded.reason)});
   if (rounded.moved_vertices == 0) return Maybe<Surface3d>(surface);
   context.diagnostics.report("roundCoordinates: " + rounding_note(rounded, surface.mesh().vertex_count()));
   return Maybe<Surface3d>(Surface3d::trusted(*std::move(rounded.mesh)));

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "algebra3d/base/number_text.h"
+
 namespace algebra3d {
 
 double CoordinateGrid::spacing_up_to(double size) const {
@@ -34,6 +38,25 @@ double CoordinateGrid::nearest(double coordinate) const {
       return std::abs(multiple) < kFarOut ? std::round(multiple) * step_ : coordinate;
     }
   }
+}
+
+double CoordinateGrid::largest() const {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  switch (kind_) {
+    case Kind::doubles:
+      return kLargest;
+    case Kind::floats:
+      return double{std::numeric_limits<float>::max()};
+    default: {
+      const double number = nearest(kLargest);  // the next multiple below, if that is too large
+      return std::isfinite(number) ? number : (std::round(kLargest / step_) - 1) * step_;
+    }
+  }
+}
+
+std::string out_of_range_text(double largest_coordinate, const CoordinateGrid& grid) {
+  return fmt::format("a coordinate is out of range: {} is the largest one, and the numbers end at {}",
+                     real_text(largest_coordinate), real_text(grid.largest()));
 }
 
 }  // namespace algebra3d

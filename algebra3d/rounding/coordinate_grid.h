@@ -1,11 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace algebra3d {
-
-/// Why nothing is rounded to a grid: a coordinate, or the next number of the grid, is beyond its largest number.
-inline constexpr const char* kOutOfRange = "a coordinate is out of range";
 
 /// A grid of doubles to which coordinates are rounded.
 class CoordinateGrid {
@@ -25,6 +23,9 @@ class CoordinateGrid {
   /// The largest distance of neighbouring grid numbers from -size to size; size >= 0.
   double spacing_up_to(double size) const;
 
+  /// The largest number of the grid.
+  double largest() const;
+
  private:
   enum class Kind : std::uint8_t { doubles, floats, multiples };
   CoordinateGrid(Kind kind, double step) : kind_(kind), step_(step) {}
@@ -32,5 +33,9 @@ class CoordinateGrid {
   Kind kind_;
   double step_;
 };
+
+/// Why nothing is rounded to a grid: the largest coordinate, or the next number of the grid, is beyond its largest
+/// number.
+std::string out_of_range_text(double largest_coordinate, const CoordinateGrid& grid);
 
 }  // namespace algebra3d

@@ -20,7 +20,7 @@ namespace {
 Result<RoundedSolid> covered(SolidRounding& job) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<RoundingCandidate> cover,
                              cover_of_cubes(job.mesh(), job.grid(), cell_budget(job.mesh()), job.cancel()));
-  if (!cover) return RoundedSolid{std::nullopt, kOutOfRange};
+  if (!cover) return RoundedSolid{std::nullopt, out_of_range_text(job.size(), job.grid())};
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, job.accept(*cover));
   if (!is_valid) return Error(ErrorCode::internal, "a cover of cubes is not valid");
   return job.result();
@@ -30,7 +30,7 @@ Result<RoundedSolid> covered(SolidRounding& job) {
 Result<RoundedSolid> climbed(const TriangleMesh& solid, const SolidPart& part, const CoordinateGrid& grid,
                              const std::atomic<bool>* cancel) {
   SolidRounding job(solid, part, grid, cancel);
-  if (!job.vertices().are_finite) return RoundedSolid{std::nullopt, kOutOfRange};
+  if (!job.vertices().are_finite) return RoundedSolid{std::nullopt, out_of_range_text(job.size(), grid)};
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, part.is_whole() ? round_whole(job) : round_part(job));
   if (is_found) return job.result();
   if (!part.is_whole()) return climbed(solid, SolidPart(solid), grid, cancel);

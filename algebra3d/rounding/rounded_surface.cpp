@@ -28,13 +28,13 @@ Result<bool> cover(SurfaceRounding& job) {
 Result<RoundedSurface> rounded_surface(const TriangleMesh& surface, const CoordinateGrid& grid,
                                        const std::atomic<bool>* cancel) {
   SurfaceRounding job(surface, grid, cancel);
-  if (!job.vertices().are_finite) return RoundedSurface{std::nullopt, kOutOfRange};
+  if (!job.vertices().are_finite) return RoundedSurface{std::nullopt, out_of_range_text(job.size(), grid)};
   if (job.vertices().moved == 0) return RoundedSurface{surface};
   ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, round_whole(job));
   if (!is_found) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, cover(job));
   }
-  if (!is_found) return RoundedSurface{std::nullopt, kOutOfRange};
+  if (!is_found) return RoundedSurface{std::nullopt, out_of_range_text(job.size(), grid)};
   RoundedSurface rounded = job.result();
   rounded.moved_vertices = job.vertices().moved;
   return rounded;

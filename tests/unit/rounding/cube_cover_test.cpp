@@ -68,6 +68,13 @@ TEST(CubeCover, works_at_the_ends_of_the_range) {
     EXPECT_EQ(prove_volume((*cover)->mesh)->text(), "");
     EXPECT_TRUE(SetOperations().subtract(solid, (*cover)->mesh).is_empty());
   }
+  // Here determinants of the points from which upward rays start reach the end of the range.
+  const Vec3 size = std::ldexp(1.0, 341) * Vec3{3, 4, 5};
+  const TriangleMesh solid = mapped(geodesic_sphere(2), [&](const Vec3& p) {
+    return Vec3{size.x * p.x, size.y * p.y, size.z * p.z};
+  });
+  const auto cover = cover_of_cubes(solid, CoordinateGrid::multiples(std::ldexp(0.03, 341)), 100 * kBudget, nullptr);
+  EXPECT_EQ(prove_volume((*cover)->mesh)->text(), "");
   const double beyond = 2 * static_cast<double>(std::numeric_limits<float>::max());
   EXPECT_FALSE(*cover_of_cubes(box({0, 0, 0}, {beyond, 1, 1}), CoordinateGrid::floats(), kBudget, nullptr));
 }

@@ -235,10 +235,15 @@ TEST(RoundedSolid, of_nearly_coincident_thin_shells_is_found) {
 }
 
 TEST(RoundedSolid, out_of_range_has_a_reason) {
-  const auto rounded = rounded_solid(cube(0, 1e300), CoordinateGrid::floats());
-  ASSERT_TRUE(rounded.ok());
-  EXPECT_FALSE(rounded->mesh);
-  EXPECT_STREQ(rounded->reason, "a coordinate is out of range");
+  const auto reason = [](double size, const CoordinateGrid& grid) {
+    const auto rounded = rounded_solid(cube(0, size), grid);
+    EXPECT_TRUE(rounded.ok() && !rounded->mesh);
+    return rounded->reason;
+  };
+  EXPECT_EQ(reason(1e300, CoordinateGrid::floats()),
+            "a coordinate is out of range: 1e+300 is the largest one, and the numbers end at 3.4028234663852886e+38");
+  EXPECT_EQ(reason(1.7e308, CoordinateGrid::multiples(1e308)),
+            "a coordinate is out of range: 1.7e+308 is the largest one, and the numbers end at 1e+308");
 }
 
 TEST(CoordinateGrid, keeps_its_own_numbers) {
