@@ -12,6 +12,7 @@
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/rounding/coordinate_grid.h"
+#include "algebra3d/rounding/rounded_image.h"
 #include "algebra3d/rounding/rounded_solid.h"
 #include "algebra3d/rounding/rounded_surface.h"
 #include "algebra3d/types/scalars.h"
@@ -19,6 +20,8 @@
 
 namespace algebra3d {
 namespace {
+
+constexpr const char* kRotateRounded = "rotateRounded";
 
 std::string nothing_left(const RoundedSolid& /*rounded*/) {
   return "nothing is left: no cube of the grid was found within it";
@@ -50,14 +53,19 @@ std::string shells_note(const RoundedSolid& rounded) {
   return fmt::format("; {} of {} shells are left", rounded.shells_after, rounded.shells_before);
 }
 
+/// The value of a rounding by the operator, of which a diagnostic tells.
+Volume3d reported(Context& context, RoundedSolid rounded, std::size_t vertex_count, const char* name) {
+  const std::string note = rounding_note(rounded, vertex_count) + shells_note(rounded);
+  context.diagnostics.report(fmt::format("{}: {}", name, note));
+  return Volume3d::trusted(*std::move(rounded.mesh));
+}
+
 Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, const CoordinateGrid& grid,
                                    const char* name = "roundCoordinates") {
   ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.cancel));
   if (!rounded.mesh) return Maybe<Volume3d>(Undefined{std::move(rounded.reason)});
   if (rounded.moved_vertices == 0) return Maybe<Volume3d>(solid);
-  const std::string note = rounding_note(rounded, solid.mesh().vertex_count()) + shells_note(rounded);
-  context.diagnostics.report(fmt::format("{}: {}", name, note));
-  return Maybe<Volume3d>(Volume3d::trusted(*std::move(rounded.mesh)));
+  return Maybe<Volume3d>(reported(context, std::move(rounded), solid.mesh().vertex_count(), name));
 }
 
 Result<Maybe<Surface3d>> rounded_to(Context& context, const Surface3d& surface, const CoordinateGrid& grid) {
@@ -87,8 +95,9 @@ Result<Maybe<T>> rounded_to_numbers(Context& context, const T& geometry, const s
   return Maybe<T>(Undefined{fmt::format(R"(expected "doubles" or "floats", found "{}")", numbers)});
 }
 
-/// The first attempt, the image with each coordinate rounded, is for solids of doubles: it is nearly always valid, and
-/// then neither an exact image nor the ladder of roundings is needed. With fractions it hardly ever is.
+/// Of a solid of doubles the image with each coordinate rounded is nearly always valid, and so is a simpler form of it
+/// of a solid with fractions; then neither an exact image nor the ladder of roundings is needed. Where the map is as
+/// exact as the coordinates, most vertices of the image are doubles, and only what is near the others is rounded.
 Result<Maybe<Volume3d>> rotated_and_rounded(Context& context, const Volume3d& solid, const Point3d& centre,
                                             const Vector3d& axis, double angle_degrees) {
   const auto map = AffineMap::rotation(centre.position.rational(), axis.components.rational(), angle_degrees);
@@ -97,10 +106,14 @@ Result<Maybe<Volume3d>> rotated_and_rounded(Context& context, const Volume3d& so
     ALGEBRA3D_ASSIGN_OR_RETURN(auto rounded, rounded_image_of(context, *map, solid));
     if (!rounded) return Maybe<Volume3d>(Undefined{rounded.reason()});
     if (*rounded) return Maybe<Volume3d>(**std::move(rounded));
+  } else if (!map->has_dyadic_matrix()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<RoundedSolid> rounded, rounded_image(*map, solid.mesh(), context.cancel));
+    if (rounded)
+      return Maybe<Volume3d>(reported(context, *std::move(rounded), solid.mesh().vertex_count(), kRotateRounded));
   }
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto exact, exact_image_of(context, *map, solid));
   if (!exact) return Maybe<Volume3d>(Undefined{exact.reason()});
-  return rounded_to(context, *exact, CoordinateGrid::doubles(), "rotateRounded");
+  return rounded_to(context, *exact, CoordinateGrid::doubles(), kRotateRounded);
 }
 
 }  // namespace
@@ -113,26 +126,24 @@ void register_rounding(Registry& registry) {
              "multiples of a grid width.",
       .detail =
           "A string names the numbers: doubles, which are also taken without it, or floats. A diagnostic gives the "
-          "number of moved vertices, the largest distance by which the boundary moved, and the method. The distance is "
-          "one-sided: no point of the result is farther from the given boundary. It says nothing of what vanished: "
+          "number of moved vertices, the largest distance by which the boundary moved, and the method. The distance "
+          "is one-sided: no point of the result is farther from the given boundary. It says nothing of what vanished: "
           "walls and fins thinner than the grid go, and slots narrower than it close, however long they are "
           "(hausdorffDistance tells both sides). The result is always a valid surface or solid. The first of these "
           "methods that gives one is taken: vertices moved; edges led round vertices; divided where triangles crossed "
           "(where a grid width is given); features joined, that is, vertices and edges of crossing triangles that are "
           "nearly one; facets made coplanar; faces of a solid thickened by prisms on a coarser grid; rounded to a "
-          "coarser grid; cover of cubes (faces of cubes for a surface), which cannot fail. From thickened faces on "
-          "they are needed only where shells a few numbers thick are combined with copies of themselves again and "
-          "again. "
-          "Vertices that lie inside edges or faces of others are counted. A solid vanishes altogether only if no cube "
-          "of the grid is found within it; "
-          "slanted ones may be thicker than the grid and have none, up to 3.5 times. A value whose coordinates are on "
-          "the grid is "
+          "coarser grid; cover of cubes (faces of cubes for a surface), which cannot fail. If joined features or "
+          "coplanar facets move by more than 64 spacings of the numbers, faces are thickened, too, and the nearer "
+          "result is taken. From thickened faces on they are needed only where shells a few numbers thick are "
+          "combined with copies of themselves again and again. Vertices that lie inside edges or faces of others are "
+          "counted. A solid vanishes altogether only if no cube of the grid is found within it; slanted ones may be "
+          "thicker than the grid and have none, up to 3.5 times. A value whose coordinates are on the grid is "
           "unchanged. Of a solid only the facets with corners that move are changed and proved again, so the cost "
-          "follows the length of the seams. Corners of a solid that rounding made "
-          "superfluous are removed, but not where the numbers are farther apart than 1/256 of the longest side of its "
-          "box: there triangles multiply in a long chain of rounded set operations. Undefined if a coordinate would be "
-          "out of range, and "
-          "for other strings.",
+          "follows the length of the seams. Corners of a solid that rounding made superfluous are removed, but not "
+          "where the numbers are farther apart than 1/256 of the longest side of its box: there triangles multiply in "
+          "a long chain of rounded set operations. Undefined if a coordinate would be out of range, and for other "
+          "strings.",
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&rounded_to_doubles<Volume3d>>("solid"),
@@ -161,11 +172,12 @@ void register_rounding(Registry& registry) {
       .name = "rotateRounded",
       .syntax = "_ rotateRounded[_, _, _]",
       .doc = "rotate and roundCoordinates in one step: the rotated solid, with doubles as coordinates.",
-      .detail = "rotate keeps fractions where the solid has some and the map is exact, and where rounding each "
-                "coordinate would break the solid. In a long chain of rotations and set operations fractions grow by "
-                "some 48 bits with each rotation; rotateRounded ends that. It costs about as much as the two. "
-                "A diagnostic says how far the boundary moved if more was needed than rounding each coordinate. "
-                "Undefined for a zero axis.",
+      .detail =
+          "rotate keeps fractions where the solid has some and the map is exact, and where rounding each coordinate "
+          "would break the solid. In a long chain of rotations and set operations fractions grow by some 48 bits with "
+          "each rotation; rotateRounded ends that. It costs a third to three quarters of the two where a solid has "
+          "fractions, and as much as rotate where it has none. A diagnostic says how far the boundary moved if more "
+          "was done than rounding each coordinate. Undefined for a zero axis.",
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&rotated_and_rounded>("solid", "centre", "axis", "degrees")},

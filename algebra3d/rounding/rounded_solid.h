@@ -16,7 +16,7 @@ namespace algebra3d {
 struct RoundedSolid {
   /// A valid volume with all coordinates on the grid.
   std::optional<TriangleMesh> mesh;
-  std::string reason = {};        ///< why there is none
+  std::string reason = {};         ///< why there is none
   std::size_t moved_vertices = 0;  ///< of the given ones
   /// In coordinate units: no point of the new boundary is farther from the given one. What vanished is not in it.
   double largest_movement = 0;
@@ -35,7 +35,8 @@ struct RoundedSolid {
 /// Rounds the vertices of a solid to a grid, and proves the result (docs/set-operations.md, "Rounding of solids").
 /// Parts thinner than the grid vanish. Only faces near vertices that move are changed and proved; if that fails, or if
 /// these are more than half of all faces, the whole solid is rounded. A ladder of methods: the first proved result is
-/// taken. At first vertices are moved and no more: faces stay as they are if no two vertices come to one place, and
+/// taken, unless it is one of 3 to 5 and moves by more than 64 spacings: then 6 is tried, too, and the nearer one taken. At
+/// first vertices are moved and no more: faces stay as they are if no two vertices come to one place, and
 /// none to lie inside an edge or face; on a grid of multiples also where they do.
 ///  1. The solid is snap rounded (snap_rounding.h).
 ///  2. On a grid of multiples: a few times the mesh is divided at its crossings, the cells with a positive winding
@@ -46,7 +47,7 @@ struct RoundedSolid {
 ///  4. Facets that nearly lie upon each other are made coplanar (coplanar_snapping.h), then 3.
 ///  5. 3 and 4 with reaches of up to 2^20 spacings.
 ///  6. Prisms are added over the faces of crowded shells, with corners on lattices of 2^4 to 2^18 spacings, then 3
-///     (thickening.h). Before 5 if most vertices are corners of triangles that cross.
+///     (thickening.h). Before 5 if most vertices are corners of triangles that cross, and before the wide reaches of 4.
 ///  7. 1 and 3 on grids of multiples of up to 2^20 spacings.
 ///  8. 6 on coarser lattices, as long as a thousand cells fit into the solid.
 ///  9. The cubes of a lattice that meet the solid replace it (cell_cover.h). This cannot fail.

@@ -16,7 +16,7 @@ namespace algebra3d {
 struct RoundedSurface {
   /// A valid surface with all coordinates on the grid.
   std::optional<TriangleMesh> mesh;
-  std::string reason = {};        ///< why there is none
+  std::string reason = {};         ///< why there is none
   std::size_t moved_vertices = 0;  ///< of the given ones
   /// In coordinate units: no point of the result is farther from the given surface. What vanished is not in it.
   double largest_movement = 0;

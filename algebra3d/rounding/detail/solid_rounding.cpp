@@ -8,7 +8,6 @@
 
 #include "algebra3d/arrangement/operand.h"
 #include "algebra3d/autorefinement/winding_selection.h"
-#include "algebra3d/base/box3.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/halfedge/circulators.h"
@@ -16,28 +15,11 @@
 #include "algebra3d/rounding/detail/bodies_apart.h"
 #include "algebra3d/rounding/detail/cell_cover.h"
 #include "algebra3d/rounding/detail/met_cells.h"
-#include "algebra3d/rounding/detail/needle_flips.h"
+#include "algebra3d/rounding/detail/simpler_form.h"
 #include "algebra3d/rounding/detail/triangle_stars.h"
-#include "algebra3d/rounding/detail/vertex_removal.h"
 
 namespace algebra3d {
 namespace {
-
-/// Vertices no farther from the surface than so many spacings are superfluous. With one, a chain of 2000 turned
-/// intersections has twice as many triangles as it needs, with two a third more.
-constexpr double kSuperfluous = 2;
-/// The same on a grid of multiples, which was asked for and may be seen.
-constexpr double kSuperfluousOnMultiples = 1;
-/// How many spacings long the box of the solid must be. On a coarser grid a spacing may be half of a part of the solid.
-constexpr double kFineGrid = 256;
-
-/// The longest side of the box around a mesh.
-double extent_of(const TriangleMesh& mesh) {
-  const Box3 box = Box3::around(mesh.points().approx());
-  if (box.is_empty()) return 0;
-  const Vec3 size = box.max - box.min;
-  return std::max({size.x, size.y, size.z});
-}
 
 /// Before a solid may vanish, a cell within it is looked for in so many of its bodies, the largest ones, among so many
 /// cells at the boundary of each.
@@ -136,21 +118,17 @@ Result<bool> SolidRounding::accept_in_place_of(const SolidPart& part, const Tria
   return true;
 }
 
-/// Without corners of facets with moved corners that lie on the surface or on an edge anyway, up to a spacing or two of
-/// the grid: rounding left them there, now or earlier; and without needles of that kind. Nothing if it has none of
-/// both. On a grid that is coarse for the solid all stay.
+/// Nothing if it is as simple as that. Vertices of which no facet has a moved corner stay.
 Result<std::optional<RoundingCandidate>> SolidRounding::simplified(const RoundingCandidate& candidate) const {
-  if (extent_of(solid_) < kFineGrid * spacing()) return std::optional<RoundingCandidate>();
-  const double tolerance = (grid().is_floating() ? kSuperfluous : kSuperfluousOnMultiples) * spacing();
+  const double tolerance = superfluous_within(solid_, grid(), spacing());
+  if (tolerance == 0) return std::optional<RoundingCandidate>();
   std::vector<bool> may_change;
   may_change.reserve(candidate.mesh.vertex_count());
   for (const Vec3& place : candidate.mesh.points().approx())
     may_change.push_back(places_that_stay_.find(place) == kNone);
   TriangleStars stars(candidate.mesh);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_smaller,
-                             remove_superfluous_vertices(stars, may_change, tolerance, cancel()));
-  const bool is_flipped = flip_needles(stars, may_change, tolerance);
-  if (!is_smaller && !is_flipped) return std::optional<RoundingCandidate>();
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_simpler, make_simpler(stars, may_change, tolerance, cancel()));
+  if (!is_simpler) return std::optional<RoundingCandidate>();
   const Movement movement = candidate.movement + Movement(rounded_up(2 * tolerance));
   return std::optional(
       RoundingCandidate{stars.mesh(), movement, candidate.reach, candidate.method, still_kept(candidate, stars)});

@@ -142,7 +142,8 @@ TEST(RoundedSurface, thinner_than_the_grid_vanishes_and_out_of_range_has_a_reaso
   const TriangleMesh needle = sheets({{0.1, 0, 0}, {0.2, 0, 0}, {0.1, 9, 0}});
   EXPECT_TRUE(rounded_surface(needle, CoordinateGrid::multiples(1))->mesh->is_empty());
   const TriangleMesh far = sheets({{0, 0, 0}, {1e300, 0, 0}, {0, 1, 0}});
-  EXPECT_TRUE(rounded_surface(far, CoordinateGrid::floats())->reason.ends_with("the numbers end at 3.4028234663852886e+38"));
+  EXPECT_TRUE(
+      rounded_surface(far, CoordinateGrid::floats())->reason.ends_with("the numbers end at 3.4028234663852886e+38"));
 }
 
 }  // namespace
