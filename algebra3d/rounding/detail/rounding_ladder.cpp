@@ -43,32 +43,10 @@ Result<bool> thicken(RoundingJob& job, const std::vector<bool>& crowded, const T
   return job.is_solid() ? thicken_faces(job, crowded, steps) : Result<bool>(false);
 }
 
-}  // namespace
-
-Result<bool> round_part(RoundingJob& job) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_moved, move_vertices(job));
-  if (is_moved) return true;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, job.accept(snapped));
-  return is_found || !job.grid().is_floating() ? Result<bool>(is_found)
-                                               : join_features(job, snapped, job.grid(), {kModestReach, kModestReach});
-}
-
-// Where the grid may be coarse for the solid, dividing comes before joining; else it would only take time. Where most
-// vertices are crowded, joining within wide reaches makes more triangles cross than before; where few are, it may be
-// nearer than thickened faces, and has fewer triangles.
-Result<bool> round_whole(RoundingJob& job) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, move_vertices(job));
-  if (is_found) return true;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
-  ALGEBRA3D_ASSIGN_OR_RETURN(is_found, job.accept(snapped));
-  if (!is_found && !job.grid().is_floating()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate moved,
-                               with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings(job, moved));
-  }
-  if (is_found) return true;
-  ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kGrowingReach));
+/// The rungs above snap rounding and dividing. Where most vertices are crowded, joining within wide reaches makes more
+/// triangles cross than before; where few are, it may be nearer than thickened faces, and has fewer triangles.
+Result<bool> join_or_thicken(RoundingJob& job, const RoundingCandidate& snapped) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, join_features(job, snapped, job.grid(), kGrowingReach));
   if (is_near_enough(job)) return true;
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<bool> crowded, crowded_vertices(job, snapped.mesh));
   if (!is_found) {
@@ -91,6 +69,31 @@ Result<bool> round_whole(RoundingJob& job) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, round_to_coarser_grids(job));
   }
   return is_found ? Result<bool>(true) : thicken(job, crowded, kFarThickening);
+}
+
+}  // namespace
+
+Result<bool> round_part(RoundingJob& job) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_moved, move_vertices(job));
+  if (is_moved) return true;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, job.accept(snapped));
+  return is_found || !job.grid().is_floating() ? Result<bool>(is_found)
+                                               : join_features(job, snapped, job.grid(), {kModestReach, kModestReach});
+}
+
+// Where the grid may be coarse for the solid, dividing comes before joining; else it would only take time.
+Result<bool> round_whole(RoundingJob& job) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, move_vertices(job));
+  if (is_found) return true;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(is_found, job.accept(snapped));
+  if (!is_found && !job.grid().is_floating()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate moved,
+                               with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings(job, moved));
+  }
+  return is_found ? Result<bool>(true) : join_or_thicken(job, snapped);
 }
 
 }  // namespace algebra3d
