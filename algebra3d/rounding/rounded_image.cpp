@@ -19,11 +19,11 @@ namespace {
 
 /// The vertices of the image, rounded.
 RoundedVertices image_vertices(const AffineMap& map, const PointArray& points) {
-  constexpr std::size_t kVerticesPerTask = 1000;
+  constexpr std::size_t kImagesPerTask = 1000;
   RoundedVertices result;
   std::vector<Vec3> places(points.size());
   result.movements.resize(points.size());
-  parallel_for(points.size(), kVerticesPerTask, [&](std::size_t i) {
+  parallel_for(points.size(), kImagesPerTask, [&](std::size_t i) {
     places[i] = map.apply_rounded(points[i]);
     if (!is_finite(places[i]) || map.image_is_double(points[i], places[i])) return;
     const double spacing = CoordinateGrid::doubles().spacing_up_to(detail::largest(places[i]));

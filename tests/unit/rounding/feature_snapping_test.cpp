@@ -264,7 +264,7 @@ TEST(FeatureSnapping, of_a_mesh_without_crossings_is_the_mesh) {
   const TriangleMesh sphere = geodesic_sphere(4);
   const auto snapped = snap_features(sphere, CoordinateGrid::doubles(), 0x1p-52, {16}, nullptr);
   ASSERT_TRUE(snapped.ok());
-  EXPECT_EQ(triangles_of(snapped->mesh), triangles_of(sphere));
+  EXPECT_EQ(triangles_of(*snapped->mesh), triangles_of(sphere));
   EXPECT_EQ(snapped->largest_distance, 0);
   EXPECT_EQ(snapped->crossing_pairs, 0U);
 }
@@ -275,6 +275,16 @@ TEST(FeatureSnapping, leaves_no_crossings_between_boxes_that_overlap_by_a_hair) 
   ASSERT_TRUE(snapped.ok());
   EXPECT_EQ(snapped->crossing_pairs, 0U);
   EXPECT_LE(snapped->largest_distance, 0x1p-18);
+}
+
+TEST(FeatureSnapping, of_a_mesh_with_too_many_crossings_is_given_up) {
+  const TriangleMesh boxes = together(box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {8, 3, 3}));
+  const std::size_t crossings = CrossingSearch(SnappedFaces(boxes)).find(nullptr)->size();
+  const auto snapped = snap_features(boxes, CoordinateGrid::doubles(), 0x1p-52, {16, crossings - 1}, nullptr);
+  ASSERT_TRUE(snapped.ok());
+  EXPECT_FALSE(snapped->mesh);
+  EXPECT_EQ(snapped->crossings_before, crossings);
+  EXPECT_EQ(snapped->crossing_pairs, crossings);
 }
 
 TEST(FeatureSnapping, can_be_interrupted) {
