@@ -35,8 +35,8 @@ struct RoundedSolid {
 /// Rounds the vertices of a solid to a grid, and proves the result (docs/set-operations.md, "Rounding of solids").
 /// Parts thinner than the grid vanish. Only faces near vertices that move are changed and proved; if that fails, or if
 /// these are more than half of all faces, the whole solid is rounded. A ladder of methods: the first proved result is
-/// taken, unless it is one of 3 to 5 and moves by more than 64 spacings: then 6 is tried, too, and the nearer one taken. At
-/// first vertices are moved and no more: faces stay as they are if no two vertices come to one place, and
+/// taken, unless it is one of 3 to 5 and moves by more than 64 spacings: then 6 is tried, too, and the nearer one
+/// taken. At first vertices are moved and no more: faces stay as they are if no two vertices come to one place, and
 /// none to lie inside an edge or face; on a grid of multiples also where they do.
 ///  1. The solid is snap rounded (snap_rounding.h).
 ///  2. On a grid of multiples: a few times the mesh is divided at its crossings, the cells with a positive winding
