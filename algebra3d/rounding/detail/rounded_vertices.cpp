@@ -75,8 +75,10 @@ std::vector<bool> faces_that_move(const TriangleMesh& mesh, const std::vector<do
 bool are_apart(const RoundedVertices& vertices) {
   PointTable moved(vertices.moved);
   const auto is_moved = [&](std::size_t v) { return vertices.movements[v] > 0; };
-  for (std::size_t v = 0; v < vertices.points.size(); ++v)
-    if (is_moved(v) && moved.intern(vertices.points[v]) + 1 < moved.size()) return false;
+  for (std::size_t v = 0; v < vertices.points.size(); ++v) {
+    const std::size_t count = moved.size();
+    if (is_moved(v) && moved.intern(vertices.points[v]) < count) return false;
+  }
   for (std::size_t v = 0; v < vertices.points.size(); ++v)
     if (!is_moved(v) && moved.find(vertices.points[v]) != kNone) return false;
   return true;

