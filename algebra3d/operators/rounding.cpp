@@ -1,5 +1,6 @@
 // roundCoordinates, rotateRounded.
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -95,9 +96,9 @@ Result<Maybe<T>> rounded_to_numbers(Context& context, const T& geometry, const s
   return Maybe<T>(Undefined{fmt::format(R"(expected "doubles" or "floats", found "{}")", numbers)});
 }
 
-/// Of a solid of doubles the image with each coordinate rounded is nearly always valid, and so is a simpler form of it
-/// of a solid with fractions; then neither an exact image nor the ladder of roundings is needed. Where the map is as
-/// exact as the coordinates, most vertices of the image are doubles, and only what is near the others is rounded.
+/// The rotated solid, rounded by the cheapest way that gives a valid one. Doubles: each coordinate of the image is
+/// rounded. Fractions: the rounded image is simplified (rounded_image.h). An exact image is made and rounded if that is
+/// not valid, and at once for fractions under a map that has none, such as a quarter turn: it moves few vertices.
 Result<Maybe<Volume3d>> rotated_and_rounded(Context& context, const Volume3d& solid, const Point3d& centre,
                                             const Vector3d& axis, double angle_degrees) {
   const auto map = AffineMap::rotation(centre.position.rational(), axis.components.rational(), angle_degrees);

@@ -10,8 +10,8 @@
 
 namespace algebra3d {
 
-/// The first method of rounded_solid, to doubles, for the image of a solid, which is not made: each coordinate is
-/// rounded once, and the simpler form is proved, or else the image with its faces. Nothing if that is no valid volume,
+/// The image of a solid, rounded to doubles by the first method of rounded_solid without the exact image: each
+/// coordinate is rounded once, and what has become superfluous is removed. Nothing if that is no valid volume,
 /// if two vertices come to one place or a vertex to lie inside an edge or face, or if a coordinate is out of range:
 /// then the exact image is to be rounded. The result is that of this, but for the distance, of which a simpler bound is
 /// told. Domain: maps with a positive determinant. Errors: interrupted. Cost: a proof, and some 50 nanoseconds per

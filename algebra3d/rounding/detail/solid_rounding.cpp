@@ -118,7 +118,8 @@ Result<bool> SolidRounding::accept_in_place_of(const SolidPart& part, const Tria
   return true;
 }
 
-/// Nothing if it is as simple as that. Vertices of which no facet has a moved corner stay.
+/// The candidate in a simpler form (simpler_form.h); nothing if there is none. Vertices of which no facet has a moved
+/// corner stay.
 Result<std::optional<RoundingCandidate>> SolidRounding::simplified(const RoundingCandidate& candidate) const {
   const double tolerance = superfluous_within(solid_, grid(), spacing());
   if (tolerance == 0) return std::optional<RoundingCandidate>();
