@@ -22,9 +22,8 @@ afterAll(async () => {
 });
 
 beforeEach(async () => {
+  await browser.forget(server.url);
   page = await browser.open(server.url);
-  await page.evaluate(() => localStorage.clear());
-  await page.reload();
   await ready(page);
   browser.errors.length = 0;
 });

@@ -38,12 +38,14 @@ const kChangingScene =
 /** The scene after everything is loaded, it stands still, and its last frame is drawn in full quality. */
 export async function stillScene(page: Page, selector = '[data-testid="scene"]'): Promise<Picture> {
   const scene = page.locator(selector).first();
+  const changing = async () => (await page.locator(kChangingScene).count()) > 0;
+  // A screenshot takes longer than a look at the page, and holds up what draws.
+  for (let attempt = 0; attempt < 100 && (await changing()); attempt++) await page.waitForTimeout(50);
   let last = await scene.screenshot();
   for (let attempt = 0; attempt < 60; attempt++) {
     await page.waitForTimeout(150);
     const next = await scene.screenshot();
-    const changing = await page.locator(kChangingScene).count();
-    if (changing === 0 && next.equals(last)) return readPng(next);
+    if (!(await changing()) && next.equals(last)) return readPng(next);
     last = next;
   }
   throw new Error("the scene does not stand still");

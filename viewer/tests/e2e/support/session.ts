@@ -36,11 +36,9 @@ export class Session {
   }
 
   private async open(): Promise<void> {
-    this.page = await this.browser.open(this.server.url);
+    await this.browser.forget(this.server.url);
     // Without animations a picture that stands still is the final one, also on a slow machine.
-    await this.page.emulateMedia({ reducedMotion: "reduce" });
-    await this.page.evaluate(() => localStorage.clear());
-    await this.page.reload();
+    this.page = await this.browser.open(this.server.url, { reducedMotion: "reduce" });
     await ready(this.page);
     this.browser.errors.length = 0;
   }
