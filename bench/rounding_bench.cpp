@@ -35,7 +35,7 @@ TriangleMesh united(const TriangleMesh& a, const TriangleMesh& b) {
 void round_in_steps(benchmark::State& state, const TriangleMesh& solid, const CoordinateGrid& grid) {
   for (auto step : state) {
     const auto rounded = algebra3d::rounded_solid(solid, grid).value();
-    if (!rounded.mesh) return state.SkipWithError(rounded.reason);
+    if (!rounded.mesh) return state.SkipWithError(rounded.reason.c_str());
     state.counters["triangles_in"] = static_cast<double>(solid.face_count());
     state.counters["triangles_out"] = static_cast<double>(rounded.mesh->face_count());
     state.counters["moved"] = static_cast<double>(rounded.moved_vertices);

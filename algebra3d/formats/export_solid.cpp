@@ -83,10 +83,9 @@ Result<std::string> visible_change(const Context& context, const TriangleMesh& s
   if (!is_seen && rounded.reach == 0) return std::string();
   std::string text = fmt::format("which moves what is left of the boundary by at most {} ({})",
                                  real_text(rounded.largest_movement), name_of(rounded.method));
-  if (!is_seen) text += " where it is crowded";
   if (changes_volume)
     text += fmt::format(" and makes the volume {} instead of {}", real_text(after), real_text(before));
-  if (loses_shells) text += fmt::format(" and leaves {} of {} shells", rounded.shells_after, rounded.shells_before);
+  if (loses_shells) text += "; " + shells_text(rounded);
   return text;
 }
 
@@ -111,7 +110,7 @@ Result<DividedMesh> divided_where_it_touches(const TriangleMesh& mesh, const Coo
 Result<ExportedSolid> export_rounded(Context& context, const std::string& name, const Volume3d& solid,
                                      const std::string& file, const FileNumbers& numbers, const MeshWriter& write) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const OutputPath path, context.resolve_output(file));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundedSolid rounded, rounded_solid(solid.mesh(), numbers.grid, context.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundedSolid rounded, rounded_solid(solid.mesh(), numbers.grid, context.monitor()));
   const std::string rounding = fmt::format("{}: {}: rounded to {}, ", name, file, numbers.name);
   if (!rounded.mesh) return refuse(context, ErrorCode::invalid_value, rounding + rounded.reason + numbers.advice);
   if (rounded.mesh->is_empty() && !solid.mesh().is_empty())
@@ -124,8 +123,10 @@ Result<ExportedSolid> export_rounded(Context& context, const std::string& name, 
                              divided_where_it_touches(*rounded.mesh, numbers.grid, context.cancel));
   if (divided.contacts_left > 0)
     context.diagnostics.report(
-        fmt::format("{}: {} pairs of edges cross in points that are no {}: other programs may take them for crossings",
-                    name, divided.contacts_left, numbers.name),
+        fmt::format("{}: {} in points that are no {}: other programs may take them for crossings", name,
+                    divided.contacts_left == 1 ? "1 pair of edges crosses"
+                                               : fmt::format("{} pairs of edges cross", divided.contacts_left),
+                    numbers.name),
         file);
   const Status written = write(path, divided.mesh);
   if (!written && written.error().code == ErrorCode::interrupted) return written.error();

@@ -51,7 +51,7 @@ std::string rounding_note(const Rounded& rounded, std::size_t vertex_count) {
 
 std::string shells_note(const RoundedSolid& rounded) {
   if (rounded.mesh->is_empty() || rounded.shells_after >= rounded.shells_before) return {};
-  return fmt::format("; {} of {} shells are left", rounded.shells_after, rounded.shells_before);
+  return "; " + shells_text(rounded);
 }
 
 /// The value of a rounding by the operator, of which a diagnostic tells.
@@ -63,14 +63,14 @@ Volume3d reported(Context& context, RoundedSolid rounded, std::size_t vertex_cou
 
 Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, const CoordinateGrid& grid,
                                    const char* name = "roundCoordinates") {
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.monitor()));
   if (!rounded.mesh) return Maybe<Volume3d>(Undefined{std::move(rounded.reason)});
   if (rounded.moved_vertices == 0) return Maybe<Volume3d>(solid);
   return Maybe<Volume3d>(reported(context, std::move(rounded), solid.mesh().vertex_count(), name));
 }
 
 Result<Maybe<Surface3d>> rounded_to(Context& context, const Surface3d& surface, const CoordinateGrid& grid) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSurface rounded, rounded_surface(surface.mesh(), grid, context.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSurface rounded, rounded_surface(surface.mesh(), grid, context.monitor()));
   if (!rounded.mesh) return Maybe<Surface3d>(Undefined{std::move(rounded.reason)});
   if (rounded.moved_vertices == 0) return Maybe<Surface3d>(surface);
   context.diagnostics.report("roundCoordinates: " + rounding_note(rounded, surface.mesh().vertex_count()));

@@ -35,14 +35,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 Result<Maybe<TriangleMesh>> rounded_triangles(Context& context, const Volume3d& solid) {
   if (solid.mesh().points().exact_count() == 0) return Maybe<TriangleMesh>(solid.mesh());
   ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded,
-                             rounded_solid(solid.mesh(), CoordinateGrid::doubles(), context.cancel));
+                             rounded_solid(solid.mesh(), CoordinateGrid::doubles(), context.monitor()));
   if (!rounded.mesh) return Maybe<TriangleMesh>(Undefined{rounded.reason});
   return Maybe<TriangleMesh>(*std::move(rounded.mesh));
 }
 Result<Maybe<TriangleMesh>> rounded_triangles(Context& context, const Surface3d& surface) {
   if (surface.mesh().points().exact_count() == 0) return Maybe<TriangleMesh>(surface.mesh());
   ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSurface rounded,
-                             rounded_surface(surface.mesh(), CoordinateGrid::doubles(), context.cancel));
+                             rounded_surface(surface.mesh(), CoordinateGrid::doubles(), context.monitor()));
   if (!rounded.mesh) return Maybe<TriangleMesh>(Undefined{rounded.reason});
   return Maybe<TriangleMesh>(*std::move(rounded.mesh));
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <optional>
 #include <string>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/rounding/coordinate_grid.h"
 #include "algebra3d/rounding/rounding_method.h"
@@ -32,6 +32,10 @@ struct RoundedSolid {
   std::size_t shells_before = 0, shells_after = 0;
 };
 
+/// What has become of the shells, as "1 shell in place of 2, since shells vanished or grew together"; to be told where
+/// there are fewer.
+std::string shells_text(const RoundedSolid& rounded);
+
 /// Rounds the vertices of a solid to a grid, and proves the result (docs/set-operations.md, "Rounding of solids").
 /// Parts thinner than the grid vanish. Only faces near vertices that move are changed and proved; if that fails, or if
 /// these are more than half of all faces, the whole solid is rounded. A ladder of methods: the first proved result is
@@ -54,11 +58,10 @@ struct RoundedSolid {
 /// A simpler form of each result is proved first: without corners of facets with moved corners that lie on the
 /// surface or on an edge of it anyway, up to two spacings (vertex_removal.h); on a grid of multiples only if that is
 /// fine for the solid. There is no result only if a coordinate is out of range. It is empty only where 1 to 4 leave
-/// nothing within a reach of two spacings, and no cell of the grid is found within the solid. `cancel` ends the call
-/// with the error interrupted; progress is not told. Exactness: rounded; validity is exact. Deterministic. Errors:
-/// interrupted, limit_exceeded. Cost: for nearly all solids a scan, and snap rounding and a proof of the faces near
-/// vertices that move. Source: snap rounding after [hobby1999] and [halperin2002].
-Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid,
-                                   const std::atomic<bool>* cancel = nullptr);
+/// nothing within a reach of two spacings, and no cell of the grid is found within the solid. The monitor
+/// may end the call with the error interrupted, and is told the methods that are tried. Exactness: rounded; validity is
+/// exact. Deterministic. Errors: interrupted, limit_exceeded. Cost: for nearly all solids a scan, and snap rounding and
+/// a proof of the faces near vertices that move. Source: snap rounding after [hobby1999] and [halperin2002].
+Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid, const Monitor& monitor = {});
 
 }  // namespace algebra3d

@@ -13,6 +13,7 @@ namespace {
 
 /// Puts faces of cubes in place of the surface; false if the type has no numbers beyond it.
 Result<bool> cover(SurfaceRounding& job) {
+  ALGEBRA3D_RETURN_IF_ERROR(job.begin("covering with faces of cubes"));
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MetCells> met,
                              finest_met_cells(job.mesh(), job.grid(), cell_budget(job.mesh()), job.cancel()));
   if (!met) return false;
@@ -26,8 +27,8 @@ Result<bool> cover(SurfaceRounding& job) {
 }  // namespace
 
 Result<RoundedSurface> rounded_surface(const TriangleMesh& surface, const CoordinateGrid& grid,
-                                       const std::atomic<bool>* cancel) {
-  SurfaceRounding job(surface, grid, cancel);
+                                       const Monitor& monitor) {
+  SurfaceRounding job(surface, grid, monitor);
   if (!job.vertices().are_finite) return RoundedSurface{std::nullopt, out_of_range_text(job.size(), grid)};
   if (job.vertices().moved == 0) return RoundedSurface{surface};
   ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, round_whole(job));

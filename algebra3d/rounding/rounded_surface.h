@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <optional>
 #include <string>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/rounding/coordinate_grid.h"
 #include "algebra3d/rounding/rounding_method.h"
@@ -32,10 +32,10 @@ struct RoundedSurface {
 /// (rounded_solid.h); where a mesh is divided all pieces stay, no vertices are removed, and at last faces of cubes
 /// replace the surface (square_cover.h), which cannot fail. Triangles that come to lie upon each other become one,
 /// oriented as the first of them; those that become thinner than the grid vanish. There is no result only if a
-/// coordinate is out of range. `cancel` ends the call with the error interrupted.
-/// Exactness: rounded; validity is exact. Deterministic. Errors: interrupted, limit_exceeded. Cost: that of snap
-/// rounding and a proof, for nearly all surfaces.
+/// coordinate is out of range. The monitor may end the call with the error interrupted, and is told the methods that
+/// are tried. Exactness: rounded; validity is exact. Deterministic. Errors: interrupted, limit_exceeded. Cost: that of
+/// snap rounding and a proof, for nearly all surfaces.
 Result<RoundedSurface> rounded_surface(const TriangleMesh& surface, const CoordinateGrid& grid,
-                                       const std::atomic<bool>* cancel = nullptr);
+                                       const Monitor& monitor = {});
 
 }  // namespace algebra3d

@@ -39,14 +39,18 @@ Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVe
 }
 
 // Far out multiples of a grid are denser than doubles.
-RoundingJob::RoundingJob(const TriangleMesh& mesh, double size, const CoordinateGrid& grid,
-                         const std::atomic<bool>* cancel)
+RoundingJob::RoundingJob(const TriangleMesh& mesh, double size, const CoordinateGrid& grid, const Monitor& monitor)
     : mesh_(mesh),
       grid_(grid),
       size_(size),
       spacing_(std::max(grid.spacing_up_to(size), CoordinateGrid::doubles().spacing_up_to(size))),
-      cancel_(cancel),
+      monitor_(monitor),
       vertices_(rounded_vertices(mesh, grid)) {}
+
+Status RoundingJob::begin(const std::string& what) const {
+  monitor_.tell("rounding: " + what);
+  return monitor_.check();
+}
 
 Result<bool> RoundingJob::accept(const RoundingCandidate& candidate) {
   if (candidate.movement.distance >= accepted_distance_) return false;

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/rounding/coordinate_grid.h"
 #include "algebra3d/rounding/detail/rounded_vertices.h"
@@ -75,7 +77,10 @@ class RoundingJob {
   double size() const { return size_; }  ///< the largest coordinate of what is given
   /// The spacing of the numbers of the grid there.
   double spacing() const { return spacing_; }
-  const std::atomic<bool>* cancel() const { return cancel_; }
+  const Monitor& monitor() const { return monitor_; }
+  const std::atomic<bool>* cancel() const { return monitor_.cancel(); }
+  /// Tells what is done now, as "joining features"; the error interrupted if the host has cancelled the work.
+  Status begin(const std::string& what) const;
 
   /// True unless the rest of a solid is passed on as it is.
   virtual bool is_whole() const { return true; }
@@ -100,13 +105,13 @@ class RoundingJob {
   /// Proves the candidate; true if it is valid, and the result from now on.
   virtual Result<bool> prove(const RoundingCandidate& candidate) = 0;
   /// The mesh must outlive this. `size`: the largest coordinate of what is given, of which the mesh may be a part.
-  RoundingJob(const TriangleMesh& mesh, double size, const CoordinateGrid& grid, const std::atomic<bool>* cancel);
+  RoundingJob(const TriangleMesh& mesh, double size, const CoordinateGrid& grid, const Monitor& monitor);
 
  private:
   const TriangleMesh& mesh_;
   CoordinateGrid grid_;
   double size_, spacing_;
-  const std::atomic<bool>* cancel_;
+  Monitor monitor_;
   RoundedVertices vertices_;
   double accepted_distance_ = std::numeric_limits<double>::infinity();
 };

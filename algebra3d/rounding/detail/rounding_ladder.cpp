@@ -26,6 +26,7 @@ constexpr ThickeningSteps kFarThickening = {20, 60, 4};
 /// The faces are kept if no vertices come together. Where they do, snap rounding is next; but on a grid of multiples,
 /// which may be coarse, what edges led round vertices close may be as wide as a triangle.
 Result<bool> move_vertices(RoundingJob& job) {
+  ALGEBRA3D_RETURN_IF_ERROR(job.begin("moving vertices"));
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool are_faces_kept, job.accept_moved());
   if (are_faces_kept || job.grid().is_floating()) return are_faces_kept;
   ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate moved,
@@ -76,6 +77,7 @@ Result<bool> join_or_thicken(RoundingJob& job, const RoundingCandidate& snapped)
 Result<bool> round_part(RoundingJob& job) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_moved, move_vertices(job));
   if (is_moved) return true;
+  ALGEBRA3D_RETURN_IF_ERROR(job.begin("leading edges round vertices"));
   ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, job.accept(snapped));
   return is_found || !job.grid().is_floating() ? Result<bool>(is_found)
@@ -86,6 +88,7 @@ Result<bool> round_part(RoundingJob& job) {
 Result<bool> round_whole(RoundingJob& job) {
   ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, move_vertices(job));
   if (is_found) return true;
+  ALGEBRA3D_RETURN_IF_ERROR(job.begin("leading edges round vertices"));
   ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
   ALGEBRA3D_ASSIGN_OR_RETURN(is_found, job.accept(snapped));
   if (!is_found && !job.grid().is_floating()) {

@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "algebra3d/distance/covering_bound.h"
 #include "algebra3d/distance/distance_bound.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
@@ -103,6 +105,7 @@ Status tighten_distance(RoundingCandidate& candidate, const RoundingCandidate& f
 
 Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate) {
   for (int i = 0; i < kMaxDivisions; ++i) {
+    ALGEBRA3D_RETURN_IF_ERROR(job.begin("dividing where triangles cross"));
     ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
     if (!divided || divided->face_count() > max_faces(job.mesh())) return false;
     const Movement moved_before = candidate.movement;
@@ -124,6 +127,7 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
   double reach = reaches.first;
   double farthest = 0;  // of one turn
   for (int turn = 0; turn < kMaxTurns; ++turn) {
+    ALGEBRA3D_RETURN_IF_ERROR(job.begin(fmt::format("joining features, turn {}", turn + 1)));
     ALGEBRA3D_ASSIGN_OR_RETURN(
         FeatureSnappedMesh joined,
         snap_features(candidate.mesh, grid, spacing, {reach, most_crossings}, job.cancel(), job.folded()));
@@ -186,6 +190,7 @@ Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, d
   double reach = first_reach;
   bool is_found = false;
   while (!is_found && reach <= largest_reach) {
+    ALGEBRA3D_RETURN_IF_ERROR(job.begin("making facets coplanar"));
     const MovedVertices moved = snap_coplanar(job.mesh(), crowded, reach * job.spacing());
     if (moved.movements != movements) {
       ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_moved(job, moved, reach * job.spacing(), largest_reach));
@@ -199,6 +204,7 @@ Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, d
 Result<bool> round_to_coarser_grids(RoundingJob& job) {
   for (int exponent = kGridStep; exponent <= kCoarsestGrid; exponent += kGridStep) {
     const double spacing = std::ldexp(job.spacing(), exponent);
+    ALGEBRA3D_RETURN_IF_ERROR(job.begin(fmt::format("moving vertices to a grid that is 2^{} times coarser", exponent)));
     const CoordinateGrid coarser = CoordinateGrid::multiples(spacing);
     const RoundedVertices vertices = rounded_vertices(job.mesh(), coarser);
     if (!vertices.are_finite) return false;

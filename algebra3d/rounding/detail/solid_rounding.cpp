@@ -1,6 +1,7 @@
 #include "algebra3d/rounding/detail/solid_rounding.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -47,14 +48,14 @@ std::vector<std::uint32_t> still_kept(const RoundingCandidate& candidate, const 
 }  // namespace
 
 SolidRounding::SolidRounding(const TriangleMesh& solid, const SolidPart& part, const CoordinateGrid& grid,
-                             const std::atomic<bool>* cancel)
-    : RoundingJob(part.mesh(), largest_coordinate(solid), grid, cancel), solid_(solid), part_(part) {
+                             const Monitor& monitor)
+    : RoundingJob(part.mesh(), largest_coordinate(solid), grid, monitor), solid_(solid), part_(part) {
   if (vertices().are_finite) find_places_that_stay();
 }
 
 Result<std::optional<TriangleMesh>> SolidRounding::divided(const TriangleMesh& mesh, std::size_t max_pairs) const {
   const auto is_inside = [](int winding) { return winding > 0; };
-  auto cells = solid_by_winding(mesh, is_inside, cancel(), {Closure::together, max_pairs});
+  auto cells = solid_by_winding(mesh, is_inside, monitor(), {Closure::together, max_pairs});
   if (!cells.ok() && cells.error().code == ErrorCode::limit_exceeded) return std::optional<TriangleMesh>();
   if (!cells.ok()) return std::move(cells).error();
   return std::optional(*std::move(cells));

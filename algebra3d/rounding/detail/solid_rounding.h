@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <optional>
 
 #include "algebra3d/base/error.h"
@@ -17,8 +16,7 @@ namespace algebra3d {
 class SolidRounding : public RoundingJob {
  public:
   /// The solid and the part must outlive this.
-  SolidRounding(const TriangleMesh& solid, const SolidPart& part, const CoordinateGrid& grid,
-                const std::atomic<bool>* cancel);
+  SolidRounding(const TriangleMesh& solid, const SolidPart& part, const CoordinateGrid& grid, const Monitor& monitor);
 
   bool is_whole() const override { return part_.is_whole(); }
   bool is_solid() const override { return true; }

@@ -10,14 +10,12 @@
 
 namespace algebra3d {
 
-SurfaceRounding::SurfaceRounding(const TriangleMesh& surface, const CoordinateGrid& grid,
-                                 const std::atomic<bool>* cancel)
-    : RoundingJob(surface, largest_coordinate(surface), grid, cancel) {}
+SurfaceRounding::SurfaceRounding(const TriangleMesh& surface, const CoordinateGrid& grid, const Monitor& monitor)
+    : RoundingJob(surface, largest_coordinate(surface), grid, monitor) {}
 
 Result<std::optional<TriangleMesh>> SurfaceRounding::divided(const TriangleMesh& mesh, std::size_t max_pairs) const {
-  const Monitor monitor(cancel());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh, monitor));
-  auto pieces = unite_surfaces(parts.operands(), monitor, {Closure::together, max_pairs});
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh, monitor()));
+  auto pieces = unite_surfaces(parts.operands(), monitor(), {Closure::together, max_pairs});
   if (!pieces.ok() && pieces.error().code == ErrorCode::limit_exceeded) return std::optional<TriangleMesh>();
   if (!pieces.ok()) return std::move(pieces).error();
   return std::optional(*std::move(pieces));

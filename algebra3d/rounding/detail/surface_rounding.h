@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <optional>
 
 #include "algebra3d/base/error.h"
@@ -15,7 +14,7 @@ namespace algebra3d {
 class SurfaceRounding : public RoundingJob {
  public:
   /// The surface must outlive this.
-  SurfaceRounding(const TriangleMesh& surface, const CoordinateGrid& grid, const std::atomic<bool>* cancel);
+  SurfaceRounding(const TriangleMesh& surface, const CoordinateGrid& grid, const Monitor& monitor);
 
   bool is_solid() const override { return false; }
   Folded folded() const override { return Folded::stays; }

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "algebra3d/base/box3.h"
 #include "algebra3d/distance/covering_bound.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
@@ -144,6 +146,7 @@ Result<bool> thicken_faces(RoundingJob& job, const std::vector<bool>& crowded, c
   for (int exponent = steps.first; exponent <= steps.last; exponent += steps.step) {
     const double cells = std::ldexp(1.0, exponent), cell = cells * job.spacing();
     if (!thickening.has_room_for(cell) || cell >= job.accepted_distance()) return false;
+    ALGEBRA3D_RETURN_IF_ERROR(job.begin(fmt::format("thickening faces, on a lattice of 2^{} spacings", exponent)));
     ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<RoundingCandidate> candidate, thickening.candidate(cell));
     if (!candidate || candidate->movement.distance >= job.accepted_distance()) continue;
     ALGEBRA3D_ASSIGN_OR_RETURN(bool is_accepted, job.accept(*candidate));

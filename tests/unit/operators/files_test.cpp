@@ -201,11 +201,14 @@ TEST_F(Files, export_says_so_if_a_body_vanishes) {
   const Answer answer = export_to("part.stl", both);
   EXPECT_EQ(answer.text(), "TRUE");
   ASSERT_EQ(answer.diagnostics.size(), 1U);
-  EXPECT_NE(answer.diagnostics[0].find(" and leaves 1 of 2 shells; exportOBJ "), std::string::npos)
+  EXPECT_NE(answer.diagnostics[0].find("; 1 shell in place of 2, since shells vanished or grew together; exportOBJ "),
+            std::string::npos)
       << answer.diagnostics[0];
   const Answer rounded = call("roundCoordinates", both, 0.001);
   ASSERT_EQ(rounded.diagnostics.size(), 1U);
-  EXPECT_NE(rounded.diagnostics[0].find("; 1 of 2 shells are left"), std::string::npos) << rounded.diagnostics[0];
+  EXPECT_NE(rounded.diagnostics[0].find("; 1 shell in place of 2, since shells vanished or grew together"),
+            std::string::npos)
+      << rounded.diagnostics[0];
 }
 
 TEST_F(Files, export_is_quiet_if_rounding_is_not_seen) {

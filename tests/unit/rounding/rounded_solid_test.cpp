@@ -1,6 +1,7 @@
 #include "algebra3d/rounding/rounded_solid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -248,6 +249,22 @@ TEST(RoundedSolid, of_a_shell_without_itself_turned_is_near) {
   ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
   EXPECT_EQ(prove_volume(*rounded->mesh)->text(), "");
   EXPECT_LE(rounded->largest_movement, 64 * 0x1p-52);
+}
+
+TEST(RoundedSolid, methods_are_told_as_progress) {
+  std::vector<std::string> told;
+  const Monitor::Report report = [&](const std::string& how_far) { told.push_back(how_far); };
+  const TriangleMesh solid = sphere_without_itself_turned(4, 1e-9);
+  ASSERT_TRUE(rounded_solid(solid, CoordinateGrid::doubles(), {nullptr, &report}).ok());
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.front(), "rounding: moving vertices");
+  EXPECT_NE(std::ranges::find(told, "rounding: joining features, turn 1"), told.end());
+}
+
+TEST(RoundedSolid, ends_when_it_is_cancelled) {
+  const std::atomic<bool> cancel = true;
+  EXPECT_EQ(rounded_solid(sphere_without_itself_turned(4, 1e-9), CoordinateGrid::doubles(), &cancel).error().code,
+            ErrorCode::interrupted);
 }
 
 TEST(RoundedSolid, out_of_range_has_a_reason) {
