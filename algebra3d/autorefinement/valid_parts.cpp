@@ -1,7 +1,12 @@
 #include "algebra3d/autorefinement/valid_parts.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <utility>
 
+#include "algebra3d/autorefinement/detail/face_sheets.h"
+#include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/validity/validity.h"
@@ -32,17 +37,48 @@ Result<ValidParts> ValidParts::make(const TriangleMesh& mesh, const std::vector<
   for (const FaceId face : faces(mesh)) {
     const Entanglement entanglement = entanglements[face.index()];
     if (entanglement == Entanglement::degenerate) continue;
-    if (entanglement == Entanglement::none && !are_alone[face.index()]) {
+    if (entanglement == Entanglement::none && !are_alone[face.index()])
       free.push_back(face);
-      continue;
-    }
-    result.lone_faces_.push_back(face);
-    result.meshes_.push_back(mesh_of_face(mesh, face));
+    else
+      result.add_alone(mesh, face);
   }
   if (!free.empty()) result.meshes_.push_back(submesh(mesh, free));
-  result.operands_.reserve(result.meshes_.size());
-  for (const TriangleMesh& part : result.meshes_) result.operands_.push_back({&part, 0});
+  result.list_operands();
   return result;
+}
+
+Result<ValidParts> ValidParts::in_sheets(const TriangleMesh& mesh, const Monitor& monitor) {
+  const FaceSheets sheets = face_sheets(mesh);
+  ValidParts result;
+  std::vector<TriangleMesh> free_parts;
+  for (const std::vector<FaceId>& its_faces : sheets.sheets) {
+    const TriangleMesh sheet = submesh(mesh, its_faces);
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(sheet, monitor.cancel()));
+    std::vector<FaceId> free;
+    for (std::size_t i = 0; i < its_faces.size(); ++i) {
+      if (entanglements[i] == Entanglement::none) free.push_back(its_faces[i]);
+      if (entanglements[i] == Entanglement::entangled) result.add_alone(mesh, its_faces[i]);
+    }
+    if (!free.empty()) free_parts.push_back(submesh(mesh, free));
+  }
+  for (const FaceId face : sheets.others) {
+    const TriangleRef corners = mesh.corners(face);
+    if (!collinear(corners[0], corners[1], corners[2])) result.add_alone(mesh, face);
+  }
+  std::ranges::sort(result.lone_faces_);
+  std::ranges::move(free_parts, std::back_inserter(result.meshes_));
+  result.list_operands();
+  return result;
+}
+
+void ValidParts::add_alone(const TriangleMesh& mesh, FaceId face) {
+  lone_faces_.push_back(face);
+  meshes_.push_back(mesh_of_face(mesh, face));
+}
+
+void ValidParts::list_operands() {
+  operands_.reserve(meshes_.size());
+  for (const TriangleMesh& part : meshes_) operands_.push_back({&part, 0});
 }
 
 }  // namespace algebra3d

@@ -22,6 +22,10 @@ class ValidParts {
   /// that were non-manifold in the mesh from which this one was taken (repair/detail/winding_segmentation.h).
   static Result<ValidParts> make(const TriangleMesh& mesh, const std::vector<bool>& are_alone,
                                  const Monitor& monitor = {}, const FaceSet& known = {});
+  /// The same with fewer parts where many edges are non-manifold, as where boundaries cross that are joined in
+  /// vertices: faces that meet in such edges go to different sheets (detail/face_sheets.h), and only entangled faces of
+  /// each sheet become parts of their own.
+  static Result<ValidParts> in_sheets(const TriangleMesh& mesh, const Monitor& monitor = {});
 
   /// One operand per part, all of group 0. Valid as long as this object.
   const std::vector<Operand>& operands() const { return operands_; }
@@ -36,6 +40,8 @@ class ValidParts {
 
  private:
   ValidParts() = default;
+  void add_alone(const TriangleMesh& mesh, FaceId face);
+  void list_operands();
 
   std::vector<TriangleMesh> meshes_;  // the operands refer to them
   std::vector<FaceId> lone_faces_;

@@ -55,7 +55,8 @@ SolidRounding::SolidRounding(const TriangleMesh& solid, const SolidPart& part, c
 
 Result<std::optional<TriangleMesh>> SolidRounding::divided(const TriangleMesh& mesh, std::size_t max_pairs) const {
   const auto is_inside = [](int winding) { return winding > 0; };
-  auto cells = solid_by_winding(mesh, is_inside, monitor(), {Closure::together, max_pairs});
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::in_sheets(mesh, monitor()));
+  auto cells = solid_by_winding(parts, is_inside, monitor(), {Closure::together, max_pairs});
   if (!cells.ok() && cells.error().code == ErrorCode::limit_exceeded) return std::optional<TriangleMesh>();
   if (!cells.ok()) return std::move(cells).error();
   return std::optional(*std::move(cells));

@@ -254,7 +254,7 @@ TEST(RoundedSolid, of_a_shell_without_itself_turned_is_near) {
 TEST(RoundedSolid, methods_are_told_as_progress) {
   std::vector<std::string> told;
   const Monitor::Report report = [&](const std::string& how_far) { told.push_back(how_far); };
-  const TriangleMesh solid = sphere_without_itself_turned(4, 1e-9);
+  const TriangleMesh solid = sphere_without_itself_turned(4, 1e-14);
   ASSERT_TRUE(rounded_solid(solid, CoordinateGrid::doubles(), {nullptr, &report}).ok());
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told.front(), "rounding: moving vertices");
