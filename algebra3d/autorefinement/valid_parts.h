@@ -24,7 +24,7 @@ class ValidParts {
                                  const Monitor& monitor = {}, const FaceSet& known = {});
   /// The same with fewer parts where many edges are non-manifold, as where boundaries cross that are joined in
   /// vertices: faces that meet in such edges go to different sheets (detail/face_sheets.h), and only entangled faces of
-  /// each sheet become parts of their own.
+  /// each sheet, and those at its boundary, become parts of their own. Errors and cost as above.
   static Result<ValidParts> in_sheets(const TriangleMesh& mesh, const Monitor& monitor = {});
 
   /// One operand per part, all of group 0. Valid as long as this object.

@@ -1,5 +1,6 @@
 #include "algebra3d/autorefinement/valid_parts.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include "unit/repair/soups.h"
@@ -17,6 +18,22 @@ bool has_area(const SoupTriangle& t) {
   return cross(t[1] - t[0], t[2] - t[0]) != Vec3{};
 }
 
+/// Parts of the mesh of a soup are valid, and together all of its faces with an area.
+void expect_right(const ValidParts& parts, const TriangleSoup& soup) {
+  TriangleSoup expected = soup;
+  std::erase_if(expected.triangles, [](const SoupTriangle& t) { return !has_area(t); });
+  EXPECT_EQ(in_order(soup_of_parts(parts)), in_order(expected));
+  std::size_t single_count = 0;
+  for (const Operand& part : parts.operands()) {
+    EXPECT_EQ(prove_surface(*part.mesh)->text(), "");
+    EXPECT_EQ(part.mesh->nonmanifold_edge_count(), 0U);
+    single_count += part.mesh->face_count() == 1 ? 1 : 0;
+  }
+  EXPECT_LE(parts.lone_faces().size(), single_count);
+  EXPECT_TRUE(std::ranges::is_sorted(parts.lone_faces()));
+  for (const FaceId face : parts.lone_faces()) EXPECT_TRUE(has_area(soup.triangles[face.index()]));
+}
+
 TEST(ValidParts, are_valid_and_together_all_faces_with_an_area) {
   for (int seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -25,21 +42,40 @@ TEST(ValidParts, are_valid_and_together_all_faces_with_an_area) {
     for (int n = chance.between(1, 40); n > 0; --n)
       soup.triangles.push_back({chance.grid_point(4), chance.grid_point(4), chance.grid_point(4)});
     const TriangleMesh mesh = mesh_of(soup);
-    const auto parts = ValidParts::make(mesh);
-    ASSERT_TRUE(parts.ok());
-    TriangleSoup expected = soup;
-    std::erase_if(expected.triangles, [](const SoupTriangle& t) { return !has_area(t); });
-    EXPECT_EQ(in_order(soup_of_parts(*parts)), in_order(expected));
-    std::size_t single_count = 0;
-    for (const Operand& part : parts->operands()) {
-      EXPECT_EQ(prove_surface(*part.mesh)->text(), "");
-      EXPECT_EQ(part.mesh->nonmanifold_edge_count(), 0U);
-      single_count += part.mesh->face_count() == 1 ? 1 : 0;
-    }
-    EXPECT_LE(parts->lone_faces().size(), single_count);
+    const auto parts = ValidParts::make(mesh), in_sheets = ValidParts::in_sheets(mesh);
+    ASSERT_TRUE(parts.ok() && in_sheets.ok());
+    expect_right(*parts, soup);
     EXPECT_GE(parts->lone_faces().size() + 1, parts->operands().size());
-    for (const FaceId face : parts->lone_faces()) EXPECT_TRUE(has_area(soup.triangles[face.index()]));
+    expect_right(*in_sheets, soup);
   }
+}
+
+// Two boxes with an edge in common, at which four faces meet.
+TEST(ValidParts, in_sheets_are_few) {
+  const TriangleSoup two =
+      joined(soup_of(solids::box({0, 0, 0}, {1, 1, 1})), soup_of(solids::box({1, 1, 0}, {2, 2, 1})));
+  const TriangleMesh mesh = mesh_of(two);
+  ASSERT_EQ(mesh.nonmanifold_edge_count(), 1U);
+  EXPECT_EQ(ValidParts::make(mesh)->lone_faces().size(), 4U);
+  const auto parts = ValidParts::in_sheets(mesh);
+  expect_right(*parts, two);
+  EXPECT_TRUE(parts->lone_faces().empty());
+  EXPECT_EQ(parts->operands().size(), 2U);
+}
+
+// Of ten copies of a box eight have a sheet each; the faces of the others are by themselves.
+TEST(ValidParts, in_sheets_are_eight_at_most) {
+  TriangleSoup copies;
+  for (int i = 0; i < 10; ++i) copies = joined(std::move(copies), soup_of(solids::box({0, 0, 0}, {1, 2, 3})));
+  const auto parts = ValidParts::in_sheets(mesh_of(copies));
+  expect_right(*parts, copies);
+  EXPECT_EQ(parts->lone_faces().size(), 24U);
+  EXPECT_EQ(parts->operands().size(), 8U + 24U);
+}
+
+TEST(ValidParts, in_sheets_end_when_they_are_cancelled) {
+  const std::atomic<bool> cancel = true;
+  EXPECT_EQ(ValidParts::in_sheets(samples::torus(12, 8), &cancel).error().code, ErrorCode::interrupted);
 }
 
 TEST(ValidParts, of_what_is_valid_is_one) {
