@@ -32,8 +32,8 @@ struct RoundedSolid {
   std::size_t shells_before = 0, shells_after = 0;
 };
 
-/// What has become of the shells, as "1 shell in place of 2, since shells vanished or grew together"; to be told where
-/// there are fewer.
+/// The part of a note that tells how many shells are left, where there are fewer than before: "1 shell in place of 2,
+/// since shells vanished or grew together".
 std::string shells_text(const RoundedSolid& rounded);
 
 /// Rounds the vertices of a solid to a grid, and proves the result (docs/set-operations.md, "Rounding of solids").

@@ -11,7 +11,7 @@
 namespace algebra3d {
 namespace {
 
-/// Bit by bit: sheets.
+/// A set of sheets, a bit for each.
 using Sheets = std::uint8_t;
 constexpr std::uint32_t kMostSheets = 8;
 

@@ -13,9 +13,10 @@ struct FaceSheets {
   std::vector<FaceId> others;               ///< faces that are in no sheet, ascending
 };
 
-/// Patches, which are faces that are connected across manifold edges, stay whole. Each goes to the first sheet that has
-/// no face which runs along one of its non-manifold edges in the same direction. Those that do so with themselves, or
-/// find no place in eight sheets, are the others. Deterministic. Cost: linear.
+/// The faces of a mesh sorted into sheets, patch by patch: a patch has all faces that are connected across manifold
+/// edges. It goes to the first sheet without a face that runs along one of its non-manifold edges in the same direction.
+/// The others are patches that run along such an edge twice themselves, and those for which eight sheets have no room.
+/// Deterministic. Cost: that of sorting the non-manifold edges of each patch; else linear.
 FaceSheets face_sheets(const TriangleMesh& mesh);
 
 }  // namespace algebra3d

@@ -63,7 +63,7 @@ TEST(ValidParts, in_sheets_are_few) {
   EXPECT_EQ(parts->operands().size(), 2U);
 }
 
-// Of ten copies of a box eight have a sheet each; the faces of the others are by themselves.
+// Ten copies of a box, of which eight are a sheet each, and the faces of the other two are parts of their own.
 TEST(ValidParts, in_sheets_are_eight_at_most) {
   TriangleSoup copies;
   for (int i = 0; i < 10; ++i) copies = joined(std::move(copies), soup_of(solids::box({0, 0, 0}, {1, 2, 3})));
