@@ -23,8 +23,9 @@ struct Operand {
 enum class Closure : std::uint8_t {
   /// Every operand is a valid volume (validity.h).
   each,
-  /// Every operand is a valid surface without non-manifold edges, and the triangles of all operands of a group together
-  /// are closed: along every line as many run one way as the other. The operands may cross and overlap each other.
+  /// Every operand is a valid surface, and the triangles of all operands of a group together are closed: along every
+  /// line as many run one way as the other. The operands may cross and overlap each other. Around a non-manifold edge
+  /// of an operand that no other one touches, its triangles alternate (EdgeOrder, topology.h).
   together,
 };
 

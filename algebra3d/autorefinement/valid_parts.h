@@ -9,8 +9,8 @@
 
 namespace algebra3d {
 
-/// The faces of any mesh as operands of an autorefinement: a list of valid surfaces without non-manifold edges, so that
-/// an arrangement of them divides the mesh at its own crossings. One part holds the faces that `disentangle`
+/// The faces of any mesh as operands of an autorefinement: a list of valid surfaces, as Closure::together demands, so
+/// that an arrangement of them divides the mesh at its own crossings. One part holds the faces that `disentangle`
 /// (validity.h) finds free of conflicts with each other; every other face with an area (an entangled one) is a part of
 /// its own. Degenerate faces are left out.
 class ValidParts {
@@ -23,8 +23,9 @@ class ValidParts {
   static Result<ValidParts> make(const TriangleMesh& mesh, const std::vector<bool>& are_alone,
                                  const Monitor& monitor = {}, const FaceSet& known = {});
   /// The same with fewer parts where many edges are non-manifold, as where boundaries cross that are joined in
-  /// vertices: faces that meet in such edges go to different sheets (detail/face_sheets.h), and only entangled faces of
-  /// each sheet, and those at its boundary, become parts of their own. Errors and cost as above.
+  /// vertices. Faces that alternate around an edge, as those of solids do, stay together; others that meet in a
+  /// non-manifold edge go to different sheets (detail/face_sheets.h). Only entangled faces of each sheet become parts of
+  /// their own. Errors and cost as above.
   static Result<ValidParts> in_sheets(const TriangleMesh& mesh, const Monitor& monitor = {});
 
   /// One operand per part, all of group 0. Valid as long as this object.

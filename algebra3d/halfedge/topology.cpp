@@ -1,7 +1,9 @@
 #include "algebra3d/halfedge/topology.h"
 
 #include <algorithm>
+#include <compare>
 
+#include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/relinked.h"
 
@@ -219,6 +221,37 @@ template bool is_balanced(const HalfedgeMesh<PolygonLayout>&, std::span<const Ha
 template bool is_consistently_oriented(const HalfedgeMesh<PolygonLayout>&);
 template Maybe<std::int64_t> genus(const HalfedgeMesh<PolygonLayout>&);
 template std::vector<Maybe<std::int64_t>> component_genus(const HalfedgeMesh<PolygonLayout>&, const FaceComponents&);
+
+namespace {
+
+/// One triangle at an edge, as someone sees it who looks along the edge.
+struct Wing {
+  VertexId apex;
+  bool is_forward;
+};
+
+}  // namespace
+
+EdgeOrder order_around(const TriangleMesh& mesh, std::span<const HalfedgeId> edge) {
+  const VertexId from = mesh.origin(edge[0]), to = mesh.target(edge[0]);
+  std::vector<Wing> wings;
+  for (const HalfedgeId h : edge) wings.push_back({mesh.origin(TriangleMesh::prev(h)), mesh.origin(h) == from});
+  const VertexId start = wings[0].apex;
+  const auto order = [&](const Wing& a, const Wing& b) {
+    return compare_around_edge(mesh.point(from), mesh.point(to), mesh.point(start), mesh.point(a.apex),
+                               mesh.point(b.apex));
+  };
+  std::ranges::stable_sort(wings, [&](const Wing& a, const Wing& b) { return std::is_lt(order(a, b)); });
+  EdgeOrder result = EdgeOrder::alternating;
+  for (std::size_t i = 0; i < wings.size(); ++i) {
+    const Wing& next = wings[i + 1 == wings.size() ? 0 : i + 1];
+    if (std::is_eq(order(wings[i], next)))
+      result = EdgeOrder::overlapping;
+    else if (wings[i].is_forward == next.is_forward)
+      return EdgeOrder::mixed;
+  }
+  return result;
+}
 
 TriangleMesh flipped(const TriangleMesh& mesh) {
   std::vector<TriangleMesh::Triangle> triangles;

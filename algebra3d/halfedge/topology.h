@@ -53,6 +53,15 @@ bool is_manifold(const HalfedgeMesh<Layout>& mesh);
 /// True if equally many of the half-edges of an edge run in each direction.
 template <typename Layout>
 bool is_balanced(const HalfedgeMesh<Layout>& mesh, std::span<const HalfedgeId> edge);
+/// In which order the faces at an edge run along it in one direction and the other, from half-plane to half-plane.
+enum class EdgeOrder : std::uint8_t {
+  alternating,  ///< the directions alternate, as at an edge of a solid: sectors are in turn in front of and behind
+                ///< faces
+  overlapping,  ///< they do but for faces in one half-plane, which may have any direction
+  mixed,        ///< neighbours in different half-planes run in the same direction
+};
+/// The order of the faces at a balanced edge, none of which may be degenerate. Exact. Cost: n log n for n faces.
+EdgeOrder order_around(const TriangleMesh& mesh, std::span<const HalfedgeId> edge);
 /// True if every edge that is not boundary is balanced. Half-edges from a vertex to itself do not count.
 template <typename Layout>
 bool is_consistently_oriented(const HalfedgeMesh<Layout>& mesh);

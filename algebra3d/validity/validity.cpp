@@ -90,7 +90,7 @@ Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOpt
 }  // namespace
 
 Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const std::atomic<bool>* cancel,
-                                              const FaceSet& known) {
+                                              const FaceSet& known, AllowedEdges edges) {
   ValidityReport ignored;
   const ProvedParts proved(mesh, known);
   const SoundFaces sound = check_triangles(mesh, proved, ignored);
@@ -99,7 +99,7 @@ Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const st
     const TriangleRef corners = mesh.corners(FaceId(f));
     if (!sound[f])
       result[f] = collinear(corners[0], corners[1], corners[2]) ? Entanglement::degenerate : Entanglement::entangled;
-    for (std::uint32_t corner = 0; corner < 3; ++corner)
+    for (std::uint32_t corner = 0; corner < 3 && edges == AllowedEdges::manifold; ++corner)
       if (sound[f] && !mesh.opposite(TriangleMesh::halfedge(FaceId(f), corner)).is_valid())
         result[f] = Entanglement::entangled;
   }

@@ -58,14 +58,17 @@ Result<VolumeExamination> examine_volume(const TriangleMesh& mesh, const std::at
 /// The relation of a face of a mesh to the others.
 enum class Entanglement : std::uint8_t {
   none,        ///< shares at most a point or a whole edge with other such faces
-  entangled,   ///< duplicates or crosses another face, or has an edge that is not manifold
+  entangled,   ///< duplicates or crosses another face, or has an edge that is not allowed
   degenerate,  ///< the face has no area
 };
+
+/// Which edges a face may have without being entangled.
+enum class AllowedEdges : std::uint8_t { manifold, any };
 
 /// Classifies the faces of any mesh so that those with Entanglement::none are a valid surface by themselves. Of two
 /// faces that intersect the later one is entangled, unless the earlier one is already. `known` as in ProofOptions.
 /// Errors: interrupted. Exact. Cost: that of prove_surface.
 Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const std::atomic<bool>* cancel = nullptr,
-                                              const FaceSet& known = {});
+                                              const FaceSet& known = {}, AllowedEdges edges = AllowedEdges::manifold);
 
 }  // namespace algebra3d

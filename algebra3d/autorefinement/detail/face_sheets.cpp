@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <span>
 
 #include "algebra3d/base/disjoint_sets.h"
 #include "algebra3d/base/indices.h"
+#include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/halfedge/topology.h"
 
 namespace algebra3d {
 namespace {
@@ -15,70 +18,122 @@ namespace {
 using Sheets = std::uint8_t;
 constexpr std::uint32_t kMostSheets = 8;
 
-/// A non-manifold edge in one direction, as two times its number, and 1 for the direction against its first half-edge.
+/// A tangled edge in one direction, as two times its number, and 1 for the direction against its first half-edge.
 using EdgeDirection = std::size_t;
 
-/// Faces that are connected across manifold edges, as a number for each face.
+/// Faces that are connected across edges that are not tangled, as a number for each face.
 struct Patches {
   std::vector<std::uint32_t> of_face;
   std::size_t count = 0;
 };
 
-Patches patches_of(const TriangleMesh& mesh) {
-  DisjointSets sets(mesh.face_count());
-  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i)
-    if (const HalfedgeId opposite = mesh.opposite(HalfedgeId(i)); opposite.is_valid())
-      sets.unite(TriangleMesh::face(HalfedgeId(i)).index(), TriangleMesh::face(opposite).index());
-  Patches patches{std::vector<std::uint32_t>(mesh.face_count())};
-  std::vector<std::uint32_t> number_of(mesh.face_count(), kNone);  // per set, at its representative
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    std::uint32_t& number = number_of[sets.find(f)];
-    if (number == kNone) number = static_cast<std::uint32_t>(patches.count++);
-    patches.of_face[f] = number;
-  }
-  return patches;
+/// True if the winding numbers in front of all faces at the edge are the same, as far as the edge tells.
+bool is_simple(const TriangleMesh& mesh, std::span<const HalfedgeId> edge) {
+  const auto has_area = [&](HalfedgeId h) {
+    const TriangleRef corners = mesh.corners(TriangleMesh::face(h));
+    return !collinear(corners[0], corners[1], corners[2]);
+  };
+  return is_balanced(mesh, edge) && std::ranges::all_of(edge, has_area) &&
+         order_around(mesh, edge) == EdgeOrder::alternating;
 }
 
-/// Per patch: along which non-manifold edges it runs, an edge as often as there are half-edges.
-std::vector<std::vector<EdgeDirection>> edges_of_patches(const TriangleMesh& mesh, const Patches& patches) {
-  std::vector<std::vector<EdgeDirection>> result(patches.count);
-  for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n) {
-    const auto edge = mesh.nonmanifold_edge(n);
+std::vector<std::size_t> tangled_edges_of(const TriangleMesh& mesh) {
+  std::vector<std::size_t> tangled;
+  for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n)
+    if (!is_simple(mesh, mesh.nonmanifold_edge(n))) tangled.push_back(n);
+  return tangled;
+}
+
+class SheetMaker {
+ public:
+  explicit SheetMaker(const TriangleMesh& mesh) : mesh_(mesh), tangled_edges_(tangled_edges_of(mesh)) {}
+
+  FaceSheets run();
+
+ private:
+  void find_patches();
+  void list_edges_of_patches();
+  std::vector<std::uint32_t> choose_sheets();
+
+  const TriangleMesh& mesh_;
+  std::vector<std::size_t> tangled_edges_;  // among the non-manifold ones, ascending
+  Patches patches_;
+  std::vector<std::vector<EdgeDirection>> edges_of_patches_;  // the tangled ones
+  std::vector<bool> is_alone_;                                // per face
+};
+
+void SheetMaker::find_patches() {
+  DisjointSets sets(mesh_.face_count());
+  for (std::uint32_t i = 0; i < mesh_.halfedge_count(); ++i)
+    if (const HalfedgeId opposite = mesh_.opposite(HalfedgeId(i)); opposite.is_valid())
+      sets.unite(TriangleMesh::face(HalfedgeId(i)).index(), TriangleMesh::face(opposite).index());
+  for (std::size_t n = 0; n < mesh_.nonmanifold_edge_count(); ++n) {
+    if (std::ranges::binary_search(tangled_edges_, n)) continue;
+    const auto edge = mesh_.nonmanifold_edge(n);
+    for (const HalfedgeId h : edge) sets.unite(TriangleMesh::face(edge.front()).index(), TriangleMesh::face(h).index());
+  }
+  patches_.of_face.resize(mesh_.face_count());
+  std::vector<std::uint32_t> number_of(mesh_.face_count(), kNone);  // per set, at its representative
+  for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
+    std::uint32_t& number = number_of[sets.find(f)];
+    if (number == kNone) number = static_cast<std::uint32_t>(patches_.count++);
+    patches_.of_face[f] = number;
+  }
+}
+
+/// Leaves faces alone of which several in one patch run along an edge in the same direction.
+void SheetMaker::list_edges_of_patches() {
+  edges_of_patches_.resize(patches_.count);
+  is_alone_.resize(mesh_.face_count());
+  for (const std::size_t n : tangled_edges_) {
+    const auto edge = mesh_.nonmanifold_edge(n);
+    const auto direction_of = [&](HalfedgeId h) {
+      return 2 * n + (mesh_.origin(h) != mesh_.origin(edge.front()) ? 1 : 0);
+    };
+    const auto patch_of = [&](HalfedgeId h) { return patches_.of_face[TriangleMesh::face(h).index()]; };
     for (const HalfedgeId h : edge) {
-      const bool runs_back = mesh.origin(h) != mesh.origin(edge.front());
-      result[patches.of_face[TriangleMesh::face(h).index()]].push_back(2 * n + (runs_back ? 1 : 0));
+      const auto is_like = [&](HalfedgeId other) {
+        return direction_of(other) == direction_of(h) && patch_of(other) == patch_of(h);
+      };
+      if (std::ranges::count_if(edge, is_like) > 1)
+        is_alone_[TriangleMesh::face(h).index()] = true;
+      else
+        edges_of_patches_[patch_of(h)].push_back(direction_of(h));
     }
   }
-  return result;
 }
 
-bool runs_twice(std::vector<EdgeDirection> edges) {
-  std::ranges::sort(edges);
-  return std::ranges::adjacent_find(edges) != edges.end();
+/// The first sheet for each patch in which no face runs along one of its edges in the same direction; kMostSheets if
+/// there is none.
+std::vector<std::uint32_t> SheetMaker::choose_sheets() {
+  std::vector<Sheets> taken(2 * mesh_.nonmanifold_edge_count());  // per directed edge
+  std::vector<std::uint32_t> sheet_of;
+  for (const std::vector<EdgeDirection>& edges : edges_of_patches_) {
+    Sheets full = 0;
+    for (const EdgeDirection e : edges) full |= taken[e];
+    sheet_of.push_back(static_cast<std::uint32_t>(std::countr_one(full)));
+    for (const EdgeDirection e : edges) taken[e] |= static_cast<Sheets>(1U << sheet_of.back());
+  }
+  return sheet_of;
+}
+
+FaceSheets SheetMaker::run() {
+  find_patches();
+  list_edges_of_patches();
+  const std::vector<std::uint32_t> sheet_of = choose_sheets();
+  FaceSheets result;
+  for (const FaceId face : faces(mesh_)) {
+    const std::uint32_t sheet = is_alone_[face.index()] ? kMostSheets : sheet_of[patches_.of_face[face.index()]];
+    if (sheet < kMostSheets && result.sheets.size() <= sheet) result.sheets.resize(sheet + 1);
+    (sheet < kMostSheets ? result.sheets[sheet] : result.others).push_back(face);
+  }
+  return result;
 }
 
 }  // namespace
 
 FaceSheets face_sheets(const TriangleMesh& mesh) {
-  const Patches patches = patches_of(mesh);
-  const auto edges = edges_of_patches(mesh, patches);
-  std::vector<Sheets> taken(2 * mesh.nonmanifold_edge_count());  // per directed edge
-  std::vector<std::uint32_t> sheet_of(patches.count);
-  for (std::size_t patch = 0; patch < patches.count; ++patch) {
-    Sheets full = 0;
-    for (const EdgeDirection e : edges[patch]) full |= taken[e];
-    const auto sheet = runs_twice(edges[patch]) ? kMostSheets : static_cast<std::uint32_t>(std::countr_one(full));
-    sheet_of[patch] = sheet;
-    if (sheet == kMostSheets) continue;
-    for (const EdgeDirection e : edges[patch]) taken[e] |= static_cast<Sheets>(1U << sheet);
-  }
-  FaceSheets result;
-  for (const FaceId face : faces(mesh)) {
-    const std::uint32_t sheet = sheet_of[patches.of_face[face.index()]];
-    if (sheet < kMostSheets && result.sheets.size() <= sheet) result.sheets.resize(sheet + 1);
-    (sheet < kMostSheets ? result.sheets[sheet] : result.others).push_back(face);
-  }
-  return result;
+  return SheetMaker(mesh).run();
 }
 
 }  // namespace algebra3d

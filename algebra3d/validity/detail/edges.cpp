@@ -1,7 +1,6 @@
 #include "algebra3d/validity/detail/edges.h"
 
 #include <algorithm>
-#include <compare>
 #include <span>
 #include <vector>
 
@@ -13,33 +12,9 @@ namespace {
 
 constexpr std::size_t kHalfedgesPerTask = 32768;
 
-/// One triangle at an edge, as someone sees it who looks along the edge.
-struct Wing {
-  VertexId apex;
-  bool is_forward;
-};
-
 Vec3 middle(const TriangleMesh& mesh, HalfedgeId h) {
   // Halved first: the sum of the largest doubles is not finite.
   return 0.5 * mesh.point(mesh.origin(h)).approx + 0.5 * mesh.point(mesh.target(h)).approx;
-}
-
-/// Requires that no triangle at the edge is degenerate.
-bool alternates(const TriangleMesh& mesh, std::span<const HalfedgeId> edge) {
-  const VertexId from = mesh.origin(edge[0]), to = mesh.target(edge[0]);
-  std::vector<Wing> wings;
-  for (const HalfedgeId h : edge) wings.push_back({mesh.origin(TriangleMesh::prev(h)), mesh.origin(h) == from});
-  const VertexId start = wings[0].apex;
-  const auto order = [&](const Wing& a, const Wing& b) {
-    return compare_around_edge(mesh.point(from), mesh.point(to), mesh.point(start), mesh.point(a.apex),
-                               mesh.point(b.apex));
-  };
-  std::ranges::stable_sort(wings, [&](const Wing& a, const Wing& b) { return std::is_lt(order(a, b)); });
-  for (std::size_t i = 0; i < wings.size(); ++i) {
-    const Wing& next = wings[i + 1 == wings.size() ? 0 : i + 1];
-    if (wings[i].is_forward == next.is_forward && std::is_neq(order(wings[i], next))) return false;
-  }
-  return true;
 }
 
 std::vector<HalfedgeId> boundary_halfedges(const TriangleMesh& mesh) {
@@ -57,7 +32,8 @@ void check_nonmanifold_edge(const TriangleMesh& mesh, std::span<const HalfedgeId
   const HalfedgeId first = edge[0];
   if (mesh.origin(first) == mesh.target(first)) return;  // a repeated corner; its triangle is reported as degenerate
   const auto is_sound = [&](HalfedgeId h) { return sound[TriangleMesh::face(h).index()]; };
-  if (is_balanced(mesh, edge) && (!std::ranges::all_of(edge, is_sound) || alternates(mesh, edge))) return;
+  if (is_balanced(mesh, edge) && (!std::ranges::all_of(edge, is_sound) || order_around(mesh, edge) != EdgeOrder::mixed))
+    return;
   const Defect kind = edge.size() == 2 ? Defect::inconsistent_edge : Defect::nonmanifold_edge;
   const FaceId face = TriangleMesh::face(first), other = TriangleMesh::face(edge[1]);
   report.add({kind, face, other == face ? FaceId() : other, middle(mesh, first)});

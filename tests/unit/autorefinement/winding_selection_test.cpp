@@ -39,6 +39,9 @@ TriangleMesh solid_of(const TriangleMesh& mesh, const WindingRule& rule) {
   EXPECT_TRUE(solid.ok());
   EXPECT_EQ(prove_volume(*solid)->text(), "");
   EXPECT_TRUE(audit(*solid).empty());
+  const Result<TriangleMesh> in_sheets = solid_by_winding(*ValidParts::in_sheets(mesh), rule);
+  EXPECT_EQ(prove_volume(*in_sheets)->text(), "");
+  EXPECT_TRUE(SetOperations().same(*in_sheets, *solid));
   return std::move(solid).value();
 }
 TriangleMesh inside_of(const TriangleMesh& mesh) {
