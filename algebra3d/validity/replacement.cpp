@@ -22,6 +22,7 @@
 #include "algebra3d/exact/point_table.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/halfedge/edge_balance.h"
 #include "algebra3d/halfedge/replaced_faces.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/validity/contacts.h"
@@ -45,23 +46,11 @@ struct Replacement {
   bool removes(std::size_t face) const { return (*is_removed)[face]; }
 };
 
-/// For edges between numbered points: how many more half-edges run from the lower to the higher one than back.
-using EdgeBalance = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
-
-void add_to(EdgeBalance& balance, PointTable& places, const PointRef& from, const PointRef& to, int count) {
-  const std::uint32_t a = places.intern(from), b = places.intern(to);
-  if (a < b)
-    balance[{a, b}] += count;
-  else if (b < a)
-    balance[{b, a}] -= count;
-}
-
 /// True if the removed and the added faces are bounded by the same edges, and no edge that is not manifold has faces
 /// that go and faces that stay.
 bool have_same_boundary(const Replacement& replacement) {
   const TriangleMesh& volume = *replacement.volume;
   const TriangleMesh& added = *replacement.added;
-  PointTable places;
   EdgeBalance balance;
   const auto stays = [&](HalfedgeId h) { return !replacement.removes(TriangleMesh::face(h).index()); };
   for (std::uint32_t f = 0; f < volume.face_count(); ++f) {
@@ -71,16 +60,12 @@ bool have_same_boundary(const Replacement& replacement) {
       if (volume.is_nonmanifold(h)) {
         if (std::ranges::any_of(volume.edge_halfedges(h), stays)) return false;
       } else if (stays(volume.opposite(h))) {
-        add_to(balance, places, volume.point(volume.origin(h)), volume.point(volume.target(h)), 1);
+        balance.add(volume, h, 1);
       }
     }
   }
-  for (std::size_t i = 0; i < added.halfedge_count(); ++i) {
-    const HalfedgeId h(i);
-    if (!added.opposite(h).is_valid())
-      add_to(balance, places, added.point(added.origin(h)), added.point(added.target(h)), -1);
-  }
-  return std::ranges::all_of(balance, [](const auto& edge) { return edge.second == 0; });
+  balance.add(added, -1);
+  return balance.is_zero();
 }
 
 /// Gathers faces of several meshes into one.

@@ -1,10 +1,13 @@
 #include "algebra3d/validity/validity.h"
 
+#include <algorithm>
 #include <cassert>
 #include <optional>
 
 #include "algebra3d/base/scheduler.h"
+#include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
+#include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/validity/contacts.h"
 #include "algebra3d/validity/detail/edges.h"
 #include "algebra3d/validity/detail/intersections.h"
@@ -88,6 +91,27 @@ Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOpt
 }
 
 }  // namespace
+
+Result<Crossings> find_crossings(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
+  ValidityReport ignored;
+  const FaceSet none_known;
+  const ProvedParts proved(mesh, none_known);
+  const SoundFaces sound = check_triangles(mesh, proved, ignored);
+  Crossings crossings;
+  for (const FaceId face : faces(mesh)) {
+    if (sound[face.index()]) continue;
+    const TriangleRef corners = mesh.corners(face);
+    if (!collinear(corners[0], corners[1], corners[2])) crossings.duplicates.push_back(face);
+  }
+  BoxHierarchy hierarchy(mesh, list_of(sound));
+  const auto touching = for_each_intersection(mesh, proved, hierarchy, cancel, [&](FaceId first, FaceId second) {
+    crossings.pairs.emplace_back(first, second);
+    return true;
+  });
+  ALGEBRA3D_RETURN_IF_ERROR(touching);
+  std::ranges::sort(crossings.pairs);
+  return crossings;
+}
 
 Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const std::atomic<bool>* cancel,
                                               const FaceSet& known, AllowedEdges edges) {

@@ -7,6 +7,7 @@
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/mesh_image.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/validity/face_pairs.h"
 #include "algebra3d/validity/face_set.h"
 #include "algebra3d/validity/report.h"
 
@@ -54,6 +55,16 @@ struct VolumeExamination {
 
 /// prove_volume that counts all defects and returns the faces without intersections.
 Result<VolumeExamination> examine_volume(const TriangleMesh& mesh, const std::atomic<bool>* cancel = nullptr);
+
+/// The faces of any mesh that cross each other. Degenerate faces cross nothing.
+struct Crossings {
+  FacePairs pairs;                 ///< faces that share more than a point or a whole edge of both; ascending
+  std::vector<FaceId> duplicates;  ///< faces with the corners of an earlier one, which no pair has; ascending
+};
+
+/// Finds all pairs of faces that cross, of which there may be quadratically many. Errors: interrupted. Exact. Cost:
+/// that of prove_surface.
+Result<Crossings> find_crossings(const TriangleMesh& mesh, const std::atomic<bool>* cancel = nullptr);
 
 /// The relation of a face of a mesh to the others.
 enum class Entanglement : std::uint8_t {

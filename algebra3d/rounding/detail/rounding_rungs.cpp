@@ -1,6 +1,7 @@
 #include "algebra3d/rounding/detail/rounding_rungs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,14 +13,18 @@
 
 #include "algebra3d/distance/covering_bound.h"
 #include "algebra3d/distance/distance_bound.h"
+#include "algebra3d/exact/point_table.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/halfedge/edge_balance.h"
+#include "algebra3d/halfedge/topology.h"
 #include "algebra3d/rounding/detail/cell_cover.h"
 #include "algebra3d/rounding/detail/coplanar_snapping.h"
 #include "algebra3d/rounding/detail/feature_snapping.h"
 #include "algebra3d/rounding/detail/met_cells.h"
 #include "algebra3d/rounding/detail/rounded_vertices.h"
 #include "algebra3d/rounding/detail/snap_rounding.h"
+#include "algebra3d/rounding/detail/solid_part.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
@@ -57,16 +62,28 @@ std::size_t max_faces(const TriangleMesh& given) {
   return given.face_count() + given.face_count() / 4 + 250;
 }
 
+/// The mesh snap rounded near the vertices that move, of which there are few, or altogether if those edges change there
+/// that the rest has, too. An edge of the rest that passes near a moved vertex may cross something, which comes to
+/// light with the other crossings.
+Result<RoundingCandidate> snap_rounded_near_moved(const TriangleMesh& mesh, const CoordinateGrid& grid,
+                                                  const std::atomic<bool>* cancel) {
+  const SolidPart part(mesh, are_moved(mesh, grid));
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped,
+                             snap_rounded(part.mesh(), rounded_vertices(part.mesh(), grid), cancel));
+  if (part.is_whole()) return snapped;
+  EdgeBalance balance;
+  balance.add(part.mesh(), 1);
+  balance.add(snapped.mesh, -1);
+  if (!balance.is_zero()) return snap_rounded(mesh, rounded_vertices(mesh, grid), cancel);
+  snapped.mesh = part.solid_with(std::move(snapped.mesh));
+  return snapped;
+}
+
 /// Divides the candidate at its crossings, and rounds the new corners. False if that is too much.
 Result<bool> divide(const RoundingJob& job, RoundingCandidate& candidate, const CoordinateGrid& grid) {
   ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
   if (!divided) return false;
-  const RoundedVertices vertices = rounded_vertices(*divided, grid);
-  if (vertices.moved == 0) {
-    candidate.mesh = *std::move(divided);
-    return true;
-  }
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped, snap_rounded(*divided, vertices, job.cancel()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped, snap_rounded_near_moved(*divided, grid, job.cancel()));
   candidate.mesh = std::move(snapped.mesh);
   candidate.movement = candidate.movement + snapped.movement;
   return true;
@@ -80,6 +97,28 @@ void take(RoundingCandidate& candidate, FeatureSnappedMesh joined) {
   if (joined.reach > 0) candidate.method = std::max(candidate.method, RoundingMethod::features_joined);
 }
 
+/// The corners of a face by the numbers of their places, ascending; kNone for places that are not in the table.
+std::array<std::uint32_t, 3> places_of(const TriangleMesh& mesh, FaceId face, const PointTable& places) {
+  std::array<std::uint32_t, 3> result{};
+  std::ranges::transform(mesh.corners(face), result.begin(), [&](const PointRef& p) { return places.find(p); });
+  std::ranges::sort(result);
+  return result;
+}
+
+/// The faces of a mesh that have not the corners of one of another mesh.
+std::vector<FaceId> faces_that_differ(const TriangleMesh& mesh, const TriangleMesh& other) {
+  PointTable places(other.vertex_count());
+  for (std::size_t v = 0; v < other.vertex_count(); ++v) places.intern(other.points()[v]);
+  std::vector<std::array<std::uint32_t, 3>> known;
+  known.reserve(other.face_count());
+  for (const FaceId face : faces(other)) known.push_back(places_of(other, face, places));
+  std::ranges::sort(known);
+  std::vector<FaceId> result;
+  for (const FaceId face : faces(mesh))
+    if (!std::ranges::binary_search(known, places_of(mesh, face, places))) result.push_back(face);
+  return result;
+}
+
 /// Bounds the distance of the candidate, which is a sum over some turns, by that from the one with which these began.
 /// `small`: distances up to that need no better bound. `farthest`: the largest distance of one turn.
 Status tighten_distance(RoundingCandidate& candidate, const RoundingCandidate& first, double small, double farthest,
@@ -88,13 +127,14 @@ Status tighten_distance(RoundingCandidate& candidate, const RoundingCandidate& f
   if (distance <= small) return {};
   const BoxHierarchy hierarchy(first.mesh);
   const DistanceOperand from_first{&first.mesh, &hierarchy};
+  const TriangleMesh changed = submesh(candidate.mesh, faces_that_differ(candidate.mesh, first.mesh));
   if (distance > farthest) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(
-        distance, bounded_distance(candidate.mesh, distance, from_first, std::max(small, farthest), cancel));
+    ALGEBRA3D_ASSIGN_OR_RETURN(distance,
+                               bounded_distance(changed, distance, from_first, std::max(small, farthest), cancel));
   }
   if (distance > small) {  // near needles that bound, and that of one turn, may be far too large
     ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<double> covering,
-                               covering_bound(candidate.mesh, from_first, small / 4, kMaxPieces, cancel));
+                               covering_bound(changed, from_first, small / 4, kMaxPieces, cancel));
     distance = std::min(distance, covering.value_or(distance));
   }
   candidate.movement.distance = first.movement.distance + distance;

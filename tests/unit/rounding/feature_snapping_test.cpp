@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "algebra3d/rounding/detail/crossing_faces.h"
 #include "algebra3d/rounding/detail/near_features.h"
 #include "algebra3d/rounding/detail/snapped_faces.h"
+#include "algebra3d/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/rounding/distances.h"
 
@@ -48,9 +50,14 @@ bool is_closed(const SnappedFaces& faces) {
 
 /// Every pair of faces, each decided by what the two closed triangles share.
 std::vector<FacePair> crossings_by_brute_force(const SnappedFaces& faces) {
+  const auto is_flat = [&](std::size_t face) {
+    const auto [a, b, c] = faces.triangle(face);
+    return collinear(a, b, c);
+  };
   std::vector<FacePair> pairs;
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (std::size_t g = f + 1; g < faces.size(); ++g) {
+      if (is_flat(f) || is_flat(g)) continue;
       const Contact contact = intersect_triangles(faces.triangle(f), faces.triangle(g));
       const auto& s = faces.corners(f);
       const auto shared =
@@ -167,6 +174,31 @@ TEST(CrossingFaces, are_those_of_brute_force) {
     SnappedFaces faces(together(a, b));
     EXPECT_EQ(*CrossingSearch(faces).find(nullptr), crossings_by_brute_force(faces));
   }
+}
+
+// On a coarse grid some faces have no area, and some the same corners as others.
+TEST(CrossingFaces, of_flat_and_repeated_faces_are_those_of_brute_force) {
+  std::size_t flat_count = 0, repeated_count = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(seed);
+    Chance chance(seed);
+    const TriangleMesh coarse = mapped(geodesic_sphere(2), [&](const Vec3& p) {
+      const Vec3 push{chance.unit(), chance.unit(), chance.unit()}, moved = 2 * (p + 0.3 * push);
+      return Vec3{std::round(moved.x), std::round(moved.y), std::round(moved.z)};
+    });
+    const SnappedFaces faces(seed % 2 == 0 ? together(coarse, coarse) : coarse);
+    const Crossings crossings = *find_crossings(faces.given_mesh());
+    repeated_count += crossings.duplicates.size();
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const auto [a, b, c] = faces.triangle(f);
+      flat_count += collinear(a, b, c) ? 1 : 0;
+    }
+    EXPECT_EQ(*CrossingSearch(faces).find(nullptr), crossings_by_brute_force(faces));
+  }
+  EXPECT_GT(flat_count, 0U);
+  EXPECT_GT(repeated_count, 0U);
+  const std::atomic<bool> cancel = true;
+  EXPECT_EQ(find_crossings(geodesic_sphere(3), &cancel).error().code, ErrorCode::interrupted);
 }
 
 TEST(CrossingFaces, of_closed_faces_are_not_looked_for) {
