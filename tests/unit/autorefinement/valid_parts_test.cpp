@@ -119,7 +119,7 @@ TEST(ValidParts, in_sheets_part_faces_at_other_edges) {
 
 // Two faces that run up along such an edge are connected elsewhere: these two are alone, and nothing else.
 TEST(ValidParts, in_sheets_leave_few_faces_alone) {
-  const Vec3 origin{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, below{1, 1, -1};
+  const Vec3 origin{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, below{1, 1, -2};
   TriangleSoup soup = fan({{x, false}, {y, false}, {Vec3{-1, 0, 0}, true}, {Vec3{0, -1, 0}, true}});
   for (const SoupTriangle& t : {SoupTriangle{origin, x, below}, {below, x, y}, {below, y, z}})
     soup.triangles.push_back(t);

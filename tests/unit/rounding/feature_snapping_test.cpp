@@ -182,8 +182,8 @@ TEST(CrossingFaces, of_flat_and_repeated_faces_are_those_of_brute_force) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(seed);
     Chance chance(seed);
-    const TriangleMesh coarse = mapped(geodesic_sphere(2), [&](const Vec3& p) {
-      const Vec3 push{chance.unit(), chance.unit(), chance.unit()}, moved = 2 * (p + 0.3 * push);
+    const TriangleMesh coarse = mapped(geodesic_sphere(3), [&](const Vec3& p) {
+      const Vec3 push{chance.unit(), chance.unit(), chance.unit()}, moved = 1.6 * (p + 0.5 * push);
       return Vec3{std::round(moved.x), std::round(moved.y), std::round(moved.z)};
     });
     const SnappedFaces faces(seed % 2 == 0 ? together(coarse, coarse) : coarse);
