@@ -53,7 +53,8 @@ Result<ValidParts> ValidParts::in_sheets(const TriangleMesh& mesh, const Monitor
   std::vector<TriangleMesh> free_parts;
   for (const std::vector<FaceId>& its_faces : sheets.sheets) {
     const TriangleMesh sheet = submesh(mesh, its_faces);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(sheet, monitor.cancel(), {}, AllowedEdges::any));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements,
+                               disentangle(sheet, monitor.cancel(), {}, AllowedEdges::any));
     std::vector<FaceId> free;
     for (std::size_t i = 0; i < its_faces.size(); ++i) {
       if (entanglements[i] == Entanglement::none) free.push_back(its_faces[i]);

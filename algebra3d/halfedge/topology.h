@@ -55,8 +55,8 @@ template <typename Layout>
 bool is_balanced(const HalfedgeMesh<Layout>& mesh, std::span<const HalfedgeId> edge);
 /// In which order the faces at an edge run along it in one direction and the other, from half-plane to half-plane.
 enum class EdgeOrder : std::uint8_t {
-  alternating,  ///< the directions alternate, as at an edge of a solid: sectors are in turn in front of and behind
-                ///< faces
+  alternating,  ///< the directions alternate, as at an edge of a solid, where sectors are in turn in front of faces and
+                ///< behind them
   overlapping,  ///< they do but for faces in one half-plane, which may have any direction
   mixed,        ///< neighbours in different half-planes run in the same direction
 };

@@ -9,6 +9,14 @@
 #include "algebra3d/base/number_text.h"
 
 namespace algebra3d {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLargestFloat = std::numeric_limits<float>::max();
+/// What is smaller rounds to the largest float at most: half of a spacing beyond that.
+constexpr double kEndOfFloats = 0x1.FFFFFFp127;
+
+}  // namespace
 
 double CoordinateGrid::spacing_up_to(double size) const {
   const int exponent = size > 0 ? std::ilogb(size) : 0;
@@ -28,8 +36,8 @@ double CoordinateGrid::nearest(double coordinate) const {
       return coordinate;
     case Kind::floats:
       // Beyond the range the cast would be undefined.
-      if (std::abs(coordinate) > std::numeric_limits<float>::max())
-        return std::copysign(std::numeric_limits<double>::infinity(), coordinate);
+      if (std::abs(coordinate) > kLargestFloat)
+        return std::copysign(std::abs(coordinate) < kEndOfFloats ? kLargestFloat : kInfinity, coordinate);
       return static_cast<float>(coordinate);
     default: {
       // Far out the multiples are as dense as the doubles, or denser.
@@ -46,7 +54,7 @@ double CoordinateGrid::largest() const {
     case Kind::doubles:
       return kLargest;
     case Kind::floats:
-      return double{std::numeric_limits<float>::max()};
+      return kLargestFloat;
     default: {
       const double number = nearest(kLargest);  // the next multiple below, if that is too large
       return std::isfinite(number) ? number : (std::round(kLargest / step_) - 1) * step_;

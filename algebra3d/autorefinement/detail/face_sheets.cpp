@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "algebra3d/base/disjoint_sets.h"
 #include "algebra3d/base/indices.h"
@@ -27,22 +28,32 @@ struct Patches {
   std::size_t count = 0;
 };
 
-/// True if the winding numbers in front of all faces at the edge are the same, as far as the edge tells.
-bool is_simple(const TriangleMesh& mesh, std::span<const HalfedgeId> edge) {
+/// Unless an edge is tangled, the winding numbers in front of all its faces are the same, as far as the edge tells.
+bool is_tangled(const TriangleMesh& mesh, std::span<const HalfedgeId> edge) {
   const auto has_area = [&](HalfedgeId h) {
     const TriangleRef corners = mesh.corners(TriangleMesh::face(h));
     return !collinear(corners[0], corners[1], corners[2]);
   };
-  return is_balanced(mesh, edge) && std::ranges::all_of(edge, has_area) &&
-         order_around(mesh, edge) == EdgeOrder::alternating;
+  return !is_balanced(mesh, edge) || !std::ranges::all_of(edge, has_area) ||
+         order_around(mesh, edge) != EdgeOrder::alternating;
 }
 
+/// By their numbers among the non-manifold edges; ascending.
 std::vector<std::size_t> tangled_edges_of(const TriangleMesh& mesh) {
   std::vector<std::size_t> tangled;
   for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n)
-    if (!is_simple(mesh, mesh.nonmanifold_edge(n))) tangled.push_back(n);
+    if (is_tangled(mesh, mesh.nonmanifold_edge(n))) tangled.push_back(n);
   return tangled;
 }
+
+/// A face that runs along a tangled edge.
+struct FaceAtEdge {
+  std::uint32_t patch;
+  EdgeDirection direction;
+  FaceId face;
+
+  bool is_like(const FaceAtEdge& other) const { return patch == other.patch && direction == other.direction; }
+};
 
 class SheetMaker {
  public:
@@ -52,11 +63,12 @@ class SheetMaker {
 
  private:
   void find_patches();
+  std::vector<FaceAtEdge> faces_at(std::size_t tangled_edge) const;
   void list_edges_of_patches();
   std::vector<std::uint32_t> choose_sheets();
 
   const TriangleMesh& mesh_;
-  std::vector<std::size_t> tangled_edges_;  // among the non-manifold ones, ascending
+  std::vector<std::size_t> tangled_edges_;
   Patches patches_;
   std::vector<std::vector<EdgeDirection>> edges_of_patches_;  // the tangled ones
   std::vector<bool> is_alone_;                                // per face
@@ -81,24 +93,31 @@ void SheetMaker::find_patches() {
   }
 }
 
+/// Those that are alike follow each other.
+std::vector<FaceAtEdge> SheetMaker::faces_at(std::size_t tangled_edge) const {
+  const auto edge = mesh_.nonmanifold_edge(tangled_edge);
+  std::vector<FaceAtEdge> result;
+  for (const HalfedgeId h : edge) {
+    const FaceId face = TriangleMesh::face(h);
+    const bool runs_back = mesh_.origin(h) != mesh_.origin(edge.front());
+    result.push_back({patches_.of_face[face.index()], 2 * tangled_edge + (runs_back ? 1 : 0), face});
+  }
+  std::ranges::stable_sort(result, {}, [](const FaceAtEdge& at) { return std::pair(at.patch, at.direction); });
+  return result;
+}
+
 /// Leaves faces alone of which several in one patch run along an edge in the same direction.
 void SheetMaker::list_edges_of_patches() {
   edges_of_patches_.resize(patches_.count);
   is_alone_.resize(mesh_.face_count());
-  for (const std::size_t n : tangled_edges_) {
-    const auto edge = mesh_.nonmanifold_edge(n);
-    const auto direction_of = [&](HalfedgeId h) {
-      return 2 * n + (mesh_.origin(h) != mesh_.origin(edge.front()) ? 1 : 0);
-    };
-    const auto patch_of = [&](HalfedgeId h) { return patches_.of_face[TriangleMesh::face(h).index()]; };
-    for (const HalfedgeId h : edge) {
-      const auto is_like = [&](HalfedgeId other) {
-        return direction_of(other) == direction_of(h) && patch_of(other) == patch_of(h);
-      };
-      if (std::ranges::count_if(edge, is_like) > 1)
-        is_alone_[TriangleMesh::face(h).index()] = true;
+  for (const std::size_t edge : tangled_edges_) {
+    const std::vector<FaceAtEdge> at = faces_at(edge);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const bool is_repeated = (i > 0 && at[i].is_like(at[i - 1])) || (i + 1 < at.size() && at[i].is_like(at[i + 1]));
+      if (is_repeated)
+        is_alone_[at[i].face.index()] = true;
       else
-        edges_of_patches_[patch_of(h)].push_back(direction_of(h));
+        edges_of_patches_[at[i].patch].push_back(at[i].direction);
     }
   }
 }

@@ -12,7 +12,8 @@
 
 namespace algebra3d {
 
-/// The part of a valid solid that is rounded; the rest stays as it is. The solid must outlive this.
+/// The part of a solid that is rounded; the rest stays as it is. The solid must outlive this, and be valid where
+/// something is proved of it.
 class SolidPart {
  public:
   /// All of it.

@@ -2,7 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <map>
+#include <numbers>
+#include <random>
+#include <utility>
+#include <vector>
 
 #include "algebra3d/halfedge/audit.h"
 #include "algebra3d/halfedge/circulators.h"
@@ -127,6 +133,48 @@ TEST(Topology, closed_manifold_and_oriented_are_told) {
   EXPECT_FALSE(is_consistently_oriented(mesh_of({{0, 1, 2}, {0, 1, 3}})));
   EXPECT_TRUE(is_consistently_oriented(mesh_of({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 0, 5}})));
   EXPECT_TRUE(is_consistently_oriented(mesh_of({{0, 1, 2}, {0, 3, 4}})));
+}
+
+/// By angles, of which those in one half-plane are equal: their tips are one direction times powers of two.
+EdgeOrder order_by_angles(std::vector<std::pair<double, bool>> wings) {
+  std::ranges::sort(wings);
+  EdgeOrder order = EdgeOrder::alternating;
+  for (std::size_t i = 0; i < wings.size(); ++i) {
+    const auto& [angle, is_forward] = wings[i];
+    const auto& next = wings[(i + 1) % wings.size()];
+    if (angle == next.first)
+      order = EdgeOrder::overlapping;
+    else if (is_forward == next.second)
+      return EdgeOrder::mixed;
+  }
+  return order;
+}
+
+TEST(Topology, order_around_an_edge_is_that_of_angles) {
+  std::mt19937 random(5);
+  std::map<EdgeOrder, int> counts;
+  for (int round = 0; round < 3000; ++round) {
+    const std::uint32_t count = 2 * (2 + random() % 3);  // as many run one way as the other
+    std::vector<Vec3> points = {{0, 0, 0}, {0, 0, 1}};
+    Triangles triangles;
+    std::vector<std::pair<double, bool>> wings;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const double angle = static_cast<double>(random() % 12), far = std::ldexp(1, static_cast<int>(random() % 3));
+      const bool is_forward = i < count / 2;
+      points.push_back(far * Vec3{std::cos(angle), std::sin(angle), 0});
+      if (is_forward)
+        triangles.push_back({0, 1, i + 2});
+      else
+        triangles.push_back({1, 0, i + 2});
+      wings.emplace_back(std::remainder(angle, 2 * std::numbers::pi), is_forward);
+    }
+    const TriangleMesh mesh(points, triangles);
+    ASSERT_EQ(mesh.nonmanifold_edge_count(), 1U);
+    const EdgeOrder order = order_around(mesh, mesh.nonmanifold_edge(0));
+    EXPECT_EQ(order, order_by_angles(wings));
+    ++counts[order];
+  }
+  EXPECT_EQ(counts.size(), 3U);
 }
 
 TEST(Topology, genus_of_known_surfaces_is_right) {

@@ -290,6 +290,11 @@ TEST(CoordinateGrid, keeps_its_own_numbers) {
   }
   EXPECT_EQ(CoordinateGrid::floats().nearest(0.1), static_cast<double>(0.1F));
   EXPECT_EQ(CoordinateGrid::floats().nearest(-1e39), -std::numeric_limits<double>::infinity());
+  // The last half of a spacing beyond the largest float rounds to that.
+  const double largest = std::numeric_limits<float>::max(), end = largest + 0x1p103;
+  EXPECT_EQ(CoordinateGrid::floats().nearest(3.4028235e38), largest);
+  EXPECT_EQ(CoordinateGrid::floats().nearest(-std::nextafter(end, 0)), -largest);
+  EXPECT_EQ(CoordinateGrid::floats().nearest(end), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
