@@ -242,15 +242,13 @@ EdgeOrder order_around(const TriangleMesh& mesh, std::span<const HalfedgeId> edg
                                mesh.point(b.apex));
   };
   std::ranges::stable_sort(wings, [&](const Wing& a, const Wing& b) { return std::is_lt(order(a, b)); });
-  EdgeOrder result = EdgeOrder::alternating;
+  bool alternates = true;
   for (std::size_t i = 0; i < wings.size(); ++i) {
     const Wing& next = wings[i + 1 == wings.size() ? 0 : i + 1];
-    if (std::is_eq(order(wings[i], next)))
-      result = EdgeOrder::overlapping;
-    else if (wings[i].is_forward == next.is_forward)
-      return EdgeOrder::mixed;
+    if (std::is_eq(order(wings[i], next))) return EdgeOrder::overlapping;
+    alternates = alternates && wings[i].is_forward != next.is_forward;
   }
-  return result;
+  return alternates ? EdgeOrder::alternating : EdgeOrder::mixed;
 }
 
 TriangleMesh flipped(const TriangleMesh& mesh) {

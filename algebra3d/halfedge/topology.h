@@ -57,8 +57,8 @@ bool is_balanced(const HalfedgeMesh<Layout>& mesh, std::span<const HalfedgeId> e
 enum class EdgeOrder : std::uint8_t {
   alternating,  ///< the directions alternate, as at an edge of a solid, where sectors are in turn in front of faces and
                 ///< behind them
-  overlapping,  ///< they do but for faces in one half-plane, which may have any direction
-  mixed,        ///< neighbours in different half-planes run in the same direction
+  overlapping,  ///< some faces lie in one half-plane
+  mixed,        ///< none do, and neighbours run in the same direction
 };
 /// The order of the faces at a balanced edge, none of which may be degenerate. Exact. Cost: n log n for n faces.
 EdgeOrder order_around(const TriangleMesh& mesh, std::span<const HalfedgeId> edge);

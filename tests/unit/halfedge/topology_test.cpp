@@ -138,23 +138,20 @@ TEST(Topology, closed_manifold_and_oriented_are_told) {
 /// By angles, of which those in one half-plane are equal: their tips are one direction times powers of two.
 EdgeOrder order_by_angles(std::vector<std::pair<double, bool>> wings) {
   std::ranges::sort(wings);
-  EdgeOrder order = EdgeOrder::alternating;
+  bool alternates = true;
   for (std::size_t i = 0; i < wings.size(); ++i) {
-    const auto& [angle, is_forward] = wings[i];
     const auto& next = wings[(i + 1) % wings.size()];
-    if (angle == next.first)
-      order = EdgeOrder::overlapping;
-    else if (is_forward == next.second)
-      return EdgeOrder::mixed;
+    if (wings[i].first == next.first) return EdgeOrder::overlapping;
+    alternates = alternates && wings[i].second != next.second;
   }
-  return order;
+  return alternates ? EdgeOrder::alternating : EdgeOrder::mixed;
 }
 
 TEST(Topology, order_around_an_edge_is_that_of_angles) {
   std::mt19937 random(5);
   std::map<EdgeOrder, int> counts;
   for (int round = 0; round < 3000; ++round) {
-    const std::uint32_t count = 2 * (2 + random() % 3);  // as many run one way as the other
+    const auto count = static_cast<std::uint32_t>(2 * (2 + random() % 3));  // as many run one way as the other
     std::vector<Vec3> points = {{0, 0, 0}, {0, 0, 1}};
     Triangles triangles;
     std::vector<std::pair<double, bool>> wings;
@@ -168,7 +165,7 @@ TEST(Topology, order_around_an_edge_is_that_of_angles) {
         triangles.push_back({1, 0, i + 2});
       wings.emplace_back(std::remainder(angle, 2 * std::numbers::pi), is_forward);
     }
-    const TriangleMesh mesh(points, triangles);
+    const TriangleMesh mesh(PointArray(std::move(points)), triangles);
     ASSERT_EQ(mesh.nonmanifold_edge_count(), 1U);
     const EdgeOrder order = order_around(mesh, mesh.nonmanifold_edge(0));
     EXPECT_EQ(order, order_by_angles(wings));
