@@ -11,7 +11,6 @@
 namespace algebra3d {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargestFloat = std::numeric_limits<float>::max();
 /// What is smaller rounds to the largest float at most: half of a spacing beyond that.
 constexpr double kEndOfFloats = 0x1.FFFFFFp127;
@@ -36,8 +35,9 @@ double CoordinateGrid::nearest(double coordinate) const {
       return coordinate;
     case Kind::floats:
       // Beyond the range the cast would be undefined.
-      if (std::abs(coordinate) > kLargestFloat)
-        return std::copysign(std::abs(coordinate) < kEndOfFloats ? kLargestFloat : kInfinity, coordinate);
+      if (std::abs(coordinate) >= kEndOfFloats)
+        return std::copysign(std::numeric_limits<double>::infinity(), coordinate);
+      if (std::abs(coordinate) > kLargestFloat) return std::copysign(kLargestFloat, coordinate);
       return static_cast<float>(coordinate);
     default: {
       // Far out the multiples are as dense as the doubles, or denser.
