@@ -220,8 +220,8 @@ test("cameras move together, or each alone", async () => {
 test("a vertex is dragged in the plane of its normal", async () => {
   await load("left", "Cube");
   await expectFact("left", "Volume", "8");
-  await stillScene(page, sceneOf("left"));
   await press("left", "Vertex ↔ plane");
+  await stillScene(page, sceneOf("left"));
   const box = await page.locator(sceneOf("left")).boundingBox();
   if (!box) throw new Error("no scene");
   // In the isometric view the nearest corner is in the middle.
@@ -266,6 +266,7 @@ test("a vertex is dragged along its normal", async () => {
   await page.keyboard.press("-");
   const corner = topRight(await stillScene(page, sceneOf("left")));
   await press("left", "Vertex ↕ normal");
+  await stillScene(page, sceneOf("left")); // the corners are drawn, and can be caught
   const box = await scene.boundingBox();
   if (!box) throw new Error("no scene");
   const [x, y] = [box.x + corner.x - 1, box.y + corner.y + 1];
