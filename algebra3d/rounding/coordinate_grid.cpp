@@ -12,7 +12,7 @@ namespace algebra3d {
 namespace {
 
 constexpr double kLargestFloat = std::numeric_limits<float>::max();
-/// What is smaller rounds to the largest float at most: half of a spacing beyond that.
+/// The least number that rounds to an infinite float: half of a spacing beyond the largest one.
 constexpr double kEndOfFloats = 0x1.FFFFFFp127;
 
 }  // namespace

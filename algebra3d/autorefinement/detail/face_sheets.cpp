@@ -55,6 +55,7 @@ struct FaceAtEdge {
   bool is_like(const FaceAtEdge& other) const { return patch == other.patch && direction == other.direction; }
 };
 
+/// The steps of face_sheets.
 class SheetMaker {
  public:
   explicit SheetMaker(const TriangleMesh& mesh) : mesh_(mesh), tangled_edges_(tangled_edges_of(mesh)) {}
@@ -93,7 +94,7 @@ void SheetMaker::find_patches() {
   }
 }
 
-/// Those that are alike follow each other.
+/// The faces at a tangled edge, sorted by patch and direction.
 std::vector<FaceAtEdge> SheetMaker::faces_at(std::size_t tangled_edge) const {
   const auto edge = mesh_.nonmanifold_edge(tangled_edge);
   std::vector<FaceAtEdge> result;

@@ -1,7 +1,6 @@
 #include "algebra3d/rounding/detail/rounding_rungs.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,13 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/distance/covering_bound.h"
-#include "algebra3d/distance/distance_bound.h"
-#include "algebra3d/exact/point_table.h"
-#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/edge_balance.h"
-#include "algebra3d/halfedge/topology.h"
 #include "algebra3d/rounding/detail/cell_cover.h"
 #include "algebra3d/rounding/detail/coplanar_snapping.h"
 #include "algebra3d/rounding/detail/feature_snapping.h"
@@ -25,6 +19,7 @@
 #include "algebra3d/rounding/detail/rounded_vertices.h"
 #include "algebra3d/rounding/detail/snap_rounding.h"
 #include "algebra3d/rounding/detail/solid_part.h"
+#include "algebra3d/rounding/detail/turn_distance.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
@@ -35,9 +30,6 @@ constexpr std::ptrdiff_t kMaxCrowded = 1000;
 
 /// Sums of distances up to so many spacings need no better bound.
 constexpr double kSmallSumOfDistances = 16;
-
-/// How many pieces a bound by pieces of triangles may take, a microsecond or two each.
-constexpr std::size_t kMaxPieces = 1'000'000;
 
 /// How much wider reaches get from one attempt to the next.
 constexpr double kReachGrowth = 4;
@@ -65,9 +57,11 @@ std::size_t max_faces(const TriangleMesh& given) {
 /// The mesh snap rounded near the vertices that move, of which there are few, or altogether if those edges change there
 /// that the rest has, too. An edge of the rest that passes near a moved vertex may cross something, which comes to
 /// light with the other crossings.
-Result<RoundingCandidate> snap_rounded_near_moved(const TriangleMesh& mesh, const CoordinateGrid& grid,
+Result<RoundingCandidate> snap_rounded_near_moved(TriangleMesh mesh, const CoordinateGrid& grid,
                                                   const std::atomic<bool>* cancel) {
-  const SolidPart part(mesh, are_moved(mesh, grid));
+  const std::vector<bool> is_moved = are_moved(mesh, grid);
+  if (std::ranges::find(is_moved, true) == is_moved.end()) return RoundingCandidate{std::move(mesh)};
+  const SolidPart part(mesh, is_moved);
   ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped,
                              snap_rounded(part.mesh(), rounded_vertices(part.mesh(), grid), cancel));
   if (part.is_whole()) return snapped;
@@ -83,7 +77,8 @@ Result<RoundingCandidate> snap_rounded_near_moved(const TriangleMesh& mesh, cons
 Result<bool> divide(const RoundingJob& job, RoundingCandidate& candidate, const CoordinateGrid& grid) {
   ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
   if (!divided) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped, snap_rounded_near_moved(*divided, grid, job.cancel()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped,
+                             snap_rounded_near_moved(*std::move(divided), grid, job.cancel()));
   candidate.mesh = std::move(snapped.mesh);
   candidate.movement = candidate.movement + snapped.movement;
   return true;
@@ -95,50 +90,6 @@ void take(RoundingCandidate& candidate, FeatureSnappedMesh joined) {
   candidate.movement = candidate.movement + Movement(joined.largest_displacement, joined.largest_distance);
   candidate.reach = std::max(candidate.reach, joined.reach);
   if (joined.reach > 0) candidate.method = std::max(candidate.method, RoundingMethod::features_joined);
-}
-
-/// The corners of a face by the numbers of their places, ascending; kNone for places that are not in the table.
-std::array<std::uint32_t, 3> places_of(const TriangleMesh& mesh, FaceId face, const PointTable& places) {
-  std::array<std::uint32_t, 3> result{};
-  std::ranges::transform(mesh.corners(face), result.begin(), [&](const PointRef& p) { return places.find(p); });
-  std::ranges::sort(result);
-  return result;
-}
-
-/// The faces of a mesh that have not the corners of one of another mesh.
-std::vector<FaceId> faces_that_differ(const TriangleMesh& mesh, const TriangleMesh& other) {
-  PointTable places(other.vertex_count());
-  for (std::size_t v = 0; v < other.vertex_count(); ++v) places.intern(other.points()[v]);
-  std::vector<std::array<std::uint32_t, 3>> known;
-  known.reserve(other.face_count());
-  for (const FaceId face : faces(other)) known.push_back(places_of(other, face, places));
-  std::ranges::sort(known);
-  std::vector<FaceId> result;
-  for (const FaceId face : faces(mesh))
-    if (!std::ranges::binary_search(known, places_of(mesh, face, places))) result.push_back(face);
-  return result;
-}
-
-/// Bounds the distance of the candidate, which is a sum over some turns, by that from the one with which these began.
-/// `small`: distances up to that need no better bound. `farthest`: the largest distance of one turn.
-Status tighten_distance(RoundingCandidate& candidate, const RoundingCandidate& first, double small, double farthest,
-                        const std::atomic<bool>* cancel) {
-  double distance = candidate.movement.distance - first.movement.distance;
-  if (distance <= small) return {};
-  const BoxHierarchy hierarchy(first.mesh);
-  const DistanceOperand from_first{&first.mesh, &hierarchy};
-  const TriangleMesh changed = submesh(candidate.mesh, faces_that_differ(candidate.mesh, first.mesh));
-  if (distance > farthest) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(distance,
-                               bounded_distance(changed, distance, from_first, std::max(small, farthest), cancel));
-  }
-  if (distance > small) {  // near needles that bound, and that of one turn, may be far too large
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<double> covering,
-                               covering_bound(changed, from_first, small / 4, kMaxPieces, cancel));
-    distance = std::min(distance, covering.value_or(distance));
-  }
-  candidate.movement.distance = first.movement.distance + distance;
-  return {};
 }
 
 }  // namespace
