@@ -1,4 +1,4 @@
-import { render } from "preact";
+import { options, render } from "preact";
 import { Client } from "./api/client";
 import { takeToken } from "./api/token";
 import { Page } from "./app/Page";
@@ -6,6 +6,10 @@ import { Workspace } from "./app/workspace";
 import { openLink } from "./app/link";
 import { Store } from "./state/store";
 import { makeTheme } from "./state/theme";
+
+// Effects run before the next event, not after the next frame: a key or press that follows a change at once must find the
+// listeners and tools of the new state, also where a frame takes long.
+options.requestAnimationFrame = queueMicrotask;
 
 const client = new Client();
 client.token = takeToken({

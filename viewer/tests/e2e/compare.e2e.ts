@@ -217,6 +217,29 @@ test("cameras move together, or each alone", async () => {
   expect(alone.difference(together)).toBe(0);
 });
 
+test("a key goes to the scene that has just got the focus", async () => {
+  await load("left", "Cube");
+  await load("right", "Cube");
+  await page.getByRole("checkbox", { name: "Same camera" }).uncheck();
+  await page.locator(sceneOf("left")).focus();
+  const before = {
+    left: await stillScene(page, sceneOf("left")),
+    right: await stillScene(page, sceneOf("right")),
+  };
+  // In the next task, before any frame is drawn.
+  await page.locator(sceneOf("right")).evaluate(async (scene: HTMLElement) => {
+    scene.focus();
+    await new Promise((resolve) => setTimeout(resolve));
+    scene.dispatchEvent(new KeyboardEvent("keydown", { key: "1", bubbles: true }));
+  });
+  await expect
+    .poll(async () => (await stillScene(page, sceneOf("right"))).difference(before.right), {
+      timeout: 20_000,
+    })
+    .toBeGreaterThan(0.02);
+  expect((await stillScene(page, sceneOf("left"))).difference(before.left)).toBe(0);
+});
+
 test("a vertex is dragged in the plane of its normal", async () => {
   await load("left", "Cube");
   await expectFact("left", "Volume", "8");
