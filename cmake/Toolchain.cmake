@@ -40,8 +40,10 @@ endif()
 find_program(ALGEBRA3D_CCACHE ccache)
 mark_as_advanced(ALGEBRA3D_CCACHE)
 if(ALGEBRA3D_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # The sloppiness lets ccache remember what was compiled with precompiled headers.
-  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros ${ALGEBRA3D_CCACHE})
+  # The sloppiness lets ccache remember what was compiled with precompiled headers; the other two let it know a source
+  # again in another checkout.
+  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
+      CCACHE_NOHASHDIR=1 ${ALGEBRA3D_CCACHE})
 endif()
 
 # Configure-time proof: a program built with these very flags shows that products are rounded before they are added and
