@@ -73,9 +73,10 @@ class MeshEditor {
   /// the boundary; if one face is on both sides; where an end would be left with one edge; if an edge joins those
   /// corners already, or they are one.
   Maybe<HalfedgeId> flip_edge(HalfedgeId h);
-  /// Puts a vertex into an edge, and in each triangle along it an edge from the vertex to the third corner; faces of
-  /// more corners get one corner more. `h` ends in the new vertex. `share`: the place of the vertex in the edge for its
-  /// attributes, from 0 at the origin to 1. Always possible.
+  /// Puts a vertex into an edge, and in each triangle along it an edge from the vertex to the third corner, unless that
+  /// of the other triangle is the same; faces of more corners get one corner more, or two if they are on both sides.
+  /// `h` ends in the new vertex. `share`: the place of the vertex in the edge for its attributes, from 0 at the origin
+  /// to 1. Always possible.
   VertexId split_edge(HalfedgeId h, const ExactPoint& point, double share);
   /// The same at the share of the place on the edge that is nearest to the point, rounded.
   VertexId split_edge(HalfedgeId h, const ExactPoint& point);
@@ -85,7 +86,8 @@ class MeshEditor {
   /// has no edge besides; of a tetrahedron. Source: [dey1999].
   Maybe<VertexId> collapse_edge(HalfedgeId h);
   /// Joins two corners of a face by an edge. The part that begins at the first corner, in the order of the face, keeps
-  /// the number. Refused unless both are corners of the face, not neighbours in it, and not joined by an edge.
+  /// the number. Of a vertex that is several corners of the face, the first one counts. Refused unless both are corners
+  /// of the face, not neighbours in it, and not joined by an edge.
   Maybe<FaceId> split_face(FaceId f, VertexId from, VertexId to);
   /// Makes an edge of a vertex: the half-edges that leave it from `first` on, counter-clockwise up to but without
   /// `last`, leave the new vertex, at `point`, afterwards. The faces to the right of `first` and `last` get a corner
@@ -132,6 +134,8 @@ class MeshEditor {
   void settle(VertexId v, HalfedgeId any);
   void cut_triangle(HalfedgeId h);
   void remove_digon(HalfedgeId h);
+  /// The other ends of the edges at a vertex that has some, ascending.
+  std::vector<VertexId> neighbours(VertexId v) const;
   std::string link_violation(HalfedgeId h) const;
   std::string wing_violation(HalfedgeId h) const;
 

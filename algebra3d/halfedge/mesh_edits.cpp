@@ -1,6 +1,8 @@
 // The edits of MeshEditor.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -81,8 +83,12 @@ VertexId MeshEditor::split_edge(HalfedgeId h, const ExactPoint& point, double sh
   halfedges_[o.index()].origin = m;
   halfedges_[o.index()].corner = other_corner;
   connect(h, k);
-  connect(k, after);
-  connect(before, ko);
+  if (after == o) {  // the edge ends in a face: both parts run round that end
+    connect(k, ko);
+  } else {
+    connect(k, after);
+    connect(before, ko);
+  }
   connect(ko, o);
   settle(m, k);
   settle(b, ko);
@@ -161,6 +167,17 @@ std::string MeshEditor::wing_violation(HalfedgeId h) const {
   return {};
 }
 
+std::vector<VertexId> MeshEditor::neighbours(VertexId v) const {
+  std::vector<VertexId> found;
+  HalfedgeId h = outgoing(v);
+  do {
+    found.push_back(target(h));
+    h = opposite(prev(h));
+  } while (h != outgoing(v));
+  std::ranges::sort(found);
+  return found;
+}
+
 std::string MeshEditor::link_violation(HalfedgeId h) const {
   const HalfedgeId o = opposite(h);
   const VertexId a = origin(h), b = origin(o);
@@ -168,21 +185,19 @@ std::string MeshEditor::link_violation(HalfedgeId h) const {
   if (is_inside && is_boundary(outgoing(a)) && is_boundary(outgoing(b)))
     return "the edge is inside, and both ends are on the boundary";
   if (face(h) == face(o)) return "the same face is on both sides of the edge";
-  std::size_t triangles = 0;
+  std::vector<VertexId> thirds;  // corners of triangles along the edge
   for (const HalfedgeId side : {h, o}) {
     if (std::string found = wing_violation(side); !found.empty()) return found;
-    triangles += static_cast<std::size_t>(!is_boundary(side) && degree(face(side)) == 3);
+    if (!is_boundary(side) && degree(face(side)) == 3) thirds.push_back(origin(prev(side)));
   }
-  if (valence(a) + valence(b) < 4 + triangles) return fmt::format("vertex {} would be left with one edge", a.index());
-  HalfedgeId g = outgoing(b);
-  do {
-    const VertexId v = target(g);
-    const bool is_third = (!is_boundary(h) && degree(face(h)) == 3 && v == origin(prev(h))) ||
-                          (!is_boundary(o) && degree(face(o)) == 3 && v == origin(prev(o)));
-    if (v != a && !is_third && find(v, a).is_valid())
+  const std::vector<VertexId> of_a = neighbours(a), of_b = neighbours(b);
+  if (of_a.size() + of_b.size() < 4 + thirds.size())
+    return fmt::format("vertex {} would be left with one edge", a.index());
+  std::vector<VertexId> common;
+  std::ranges::set_intersection(of_a, of_b, std::back_inserter(common));
+  for (const VertexId v : common)
+    if (std::ranges::find(thirds, v) == thirds.end())
       return fmt::format("vertex {} is joined to both ends, and not by a triangle along the edge", v.index());
-    g = opposite(prev(g));
-  } while (g != outgoing(b));
   return {};
 }
 
