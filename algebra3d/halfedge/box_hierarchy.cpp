@@ -204,7 +204,9 @@ double BoxHierarchy::squared_gap(const Box& own, const Box& other) {
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float gap = std::max(other.min[axis] - own.max[axis], own.min[axis] - other.max[axis]);
-    const double certain = std::max(0.0, double{gap} * (1 - 0x1p-20) - kRounding);
+    // A place beyond the range of float is infinite here, and certain is only that it is as far as this range.
+    const double finite = std::min(gap, std::numeric_limits<float>::max());
+    const double certain = std::max(0.0, finite * (1 - 0x1p-20) - kRounding);
     sum += certain * certain;
   }
   return sum;

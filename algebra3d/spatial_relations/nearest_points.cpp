@@ -62,10 +62,11 @@ Result<bool> are_within(const SpatialSet& a, const SpatialSet& b, const Rational
 }
 
 std::optional<bool> are_within_by_boxes(const Box3& a, const Box3& b, double distance) {
-  constexpr double kMargin = 0x1p-40;  // for the rounding of sums of squares
-  if (algebra3d::distance(a, b) * (1 - kMargin) > distance) return false;
+  // For the rounding of sums of squares, and of subnormal numbers.
+  constexpr double kMargin = 0x1p-40, kSmallest = 0x1p-1070;
+  if (algebra3d::distance(a, b) * (1 - kMargin) > distance + kSmallest) return false;
   const Box3 both = unite(a, b);
-  if (length(both.max - both.min) * (1 + kMargin) <= distance) return true;
+  if (length(both.max - both.min) * (1 + kMargin) + kSmallest <= distance) return true;
   return std::nullopt;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace algebra3d::distances {
@@ -42,17 +41,19 @@ void SampledSet::make_exact(SampleId id) {
 std::pair<Rational, FaceId> SampledSet::exact_distance(SampleId id) const {
   const Sample& sample = samples_[id.index()];
   const PointRef place = sample.point;
-  std::optional<std::pair<Rational, FaceId>> nearest;
-  to_.hierarchy->for_each_near(box_of(place), sample.upper, [&](std::uint32_t face) {
-    const Simplex simplex = Simplex::of_face(*to_.mesh, FaceId(face));
-    const DistanceBounds bounds = rounded_.bounds(Simplex::of_point(place), simplex);
-    if (bounds.lower > sample.upper) return sample.upper;
-    Rational squared = exact_closest(Simplex::of_point(place), simplex, bounds.features).squared_distance;
-    const std::pair candidate(std::move(squared), FaceId(face));
-    if (!nearest || candidate < *nearest) nearest = candidate;
+  const auto measured = [&](FaceId face, const ClosestFeatures& likely) {
+    const Simplex simplex = Simplex::of_face(*to_.mesh, face);
+    return std::pair(exact_closest(Simplex::of_point(place), simplex, likely).squared_distance, face);
+  };
+  std::pair<Rational, FaceId> nearest = measured(sample.nearest, bounds(place, sample.nearest).features);
+  to_.hierarchy->for_each_near(box_of(place), sample.upper, [&](std::uint32_t other) {
+    const FaceId face(other);
+    const DistanceBounds bounds = this->bounds(place, face);
+    if (face != sample.nearest && bounds.lower <= sample.upper)
+      nearest = std::min(std::move(nearest), measured(face, bounds.features));
     return sample.upper;
   });
-  return *std::move(nearest);
+  return nearest;
 }
 
 }  // namespace algebra3d::distances

@@ -30,8 +30,9 @@ double distance_bound(const Rational& squared_distance) {
 }
 
 bool may_be_within(double distance_of_boxes, double bound) {
-  constexpr double kMargin = 0x1p-40;  // for the rounding of sums of squares
-  return distance_of_boxes * (1 - kMargin) <= bound;
+  // For the rounding of sums of squares, and of subnormal numbers.
+  constexpr double kMargin = 0x1p-40, kSmallest = 0x1p-1070;
+  return distance_of_boxes * (1 - kMargin) <= bound + kSmallest;
 }
 
 /// The partners that fit into the work memory, with an R-tree over their boxes.
