@@ -1,6 +1,8 @@
 // The hard cases of rounding, as a table in Markdown: how far the boundary moved, by which method, and the processor
 // time beside that of the operation (docs/decisions/0015-feature-snapping.md). Arguments: parts of names of families to
-// be run (all without), and STEPS=n for the length of the chain. ALGEBRA3D_MODELS names STL files (models.h).
+// be run (all without), and STEPS=n for the length of the chain. ALGEBRA3D_MODELS names STL files (models.h). The
+// family "close" prints another table (rounding_chains.h) and is run only if asked for: CHAINS=n FIRST=n SECONDS=n
+// PHASES=1.
 #include <cstdio>
 #include <ctime>
 #include <map>
@@ -16,6 +18,7 @@
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/rounding/rounded_solid.h"
 #include "models.h"
+#include "rounding_chains.h"
 #include "shapes.h"
 
 namespace {
@@ -215,16 +218,38 @@ void coarse_grids() {
   row.print("4: union of spheres to grids of 0.03 to 10");
 }
 
+/// The arguments of the program.
+struct Arguments {
+  int steps = 300;
+  ChainOptions chains;
+  std::vector<std::string> wanted;
+
+  Arguments(int count, char** texts) {
+    for (int i = 1; i < count; ++i) add(texts[i]);
+  }
+  void add(const std::string& text) {
+    const std::size_t sign = text.find('=');
+    const std::string name = text.substr(0, sign);
+    if (sign == std::string::npos) {
+      wanted.push_back(text);
+      return;
+    }
+    const int value = std::stoi(text.substr(sign + 1));
+    if (name == "STEPS") steps = value;
+    if (name == "CHAINS") chains.count = static_cast<std::size_t>(value);
+    if (name == "FIRST") chains.first = static_cast<std::uint64_t>(value);
+    if (name == "SECONDS") chains.seconds = value;
+    if (name == "PHASES") chains.tells_phases = value != 0;
+  }
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  int steps = 300;
-  std::vector<std::string> wanted;
-  for (int i = 1; i < argc; ++i)
-    if (std::string(argv[i]).starts_with("STEPS="))
-      steps = std::stoi(std::string(argv[i]).substr(6));
-    else
-      wanted.emplace_back(argv[i]);
+  const Arguments arguments(argc, argv);
+  const auto& [steps, chains, wanted] = arguments;
+  // Exit status 1 if a step took longer than the goal.
+  if (wanted == std::vector<std::string>{"close"}) return near_coincident_chains(chains) == 0 ? 0 : 1;
   const auto run = [&](const std::string& name, const auto& family) {
     bool is_wanted = wanted.empty();
     for (const std::string& part : wanted) is_wanted = is_wanted || name.find(part) != std::string::npos;
@@ -233,7 +258,7 @@ int main(int argc, char** argv) {
   fmt::print("| case | triangles | moved by units | above 64 | method | contacts | operation, s | rounding, s |\n");
   fmt::print("|---|---|---|---|---|---|---|---|\n");
   run("spheres", spheres);
-  run("chain", [&] { chain(steps); });
+  run("chain", [&, steps = arguments.steps] { chain(steps); });
   run("sponge", [] { sponge(3); });
   run("symmetric", [] {
     close_spheres(160, 0.01, true, CoordinateGrid::floats(),

@@ -178,10 +178,14 @@ TriangleContact common_part(const PlaneTriangle& first, const Signs& first_signs
 
 }  // namespace
 
+int TriangleInPlane::side_of_edge(std::size_t i, const PointRef& point) const {
+  return turn_.sign * orient2d(turn_.projection, triangle_[i], triangle_[(i + 1) % 3], point);
+}
+
 std::optional<Place> TriangleInPlane::place(const PointRef& point) const {
   Signs inside{};
   for (std::size_t j = 0; j < 3; ++j) {
-    inside[j] = turn_.sign * orient2d(turn_.projection, triangle_[j], triangle_[(j + 1) % 3], point);
+    inside[j] = side_of_edge(j, point);
     if (inside[j] < 0) return std::nullopt;
   }
   return place_of(inside);

@@ -57,6 +57,9 @@ class TriangleInPlane {
 
   /// The place of a point of the triangle's plane; nothing if it lies outside. Exact. Cost: three orient2d.
   std::optional<Place> place(const PointRef& point) const;
+  /// The side of the line through the edge from corner i on which a point of the plane lies: 1 towards the triangle, -1
+  /// away from it, 0 on the line. Exact.
+  int side_of_edge(std::size_t i, const PointRef& point) const;
 
  private:
   TriangleRef triangle_;
