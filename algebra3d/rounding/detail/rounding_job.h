@@ -61,8 +61,8 @@ Result<RoundingCandidate> with_moved_vertices(const TriangleMesh& mesh, const Ro
 Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVertices& vertices,
                                        const std::atomic<bool>* cancel);
 
-/// The rounding of a mesh while methods make candidates: what is given, and the first candidate that was proved. What
-/// differs between solids and surfaces is told by the classes that derive from this (solid_rounding.h,
+/// The rounding of a mesh while methods make candidates: what is given, and the nearest candidate that was proved so
+/// far. What differs between solids and surfaces is told by the classes that derive from this (solid_rounding.h,
 /// surface_rounding.h).
 class RoundingJob {
  public:
