@@ -149,7 +149,8 @@ void register_imports(Registry& registry) {
       .detail =
           "Equal corners are welded and degenerate triangles dropped; triangles that cross, overlap or touch an edge "
           "in its middle are divided there, and overlaps are kept once. Nothing moves, and no hole is closed. "
-          "Undefined, with the reason, for a file that cannot be read. The format is detected from the content of "
+          "Undefined, with the reason, for a file that cannot be read, and where the work limit of solids, 500, is "
+          "met. The format is detected from the content of "
           "the file and, if that is ambiguous, from its name.",
       .exactness = Exactness::exact,
       .is_pure = false,

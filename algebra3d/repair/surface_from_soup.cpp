@@ -8,6 +8,7 @@
 #include "algebra3d/repair/detail/work_limits.h"
 #include "algebra3d/soup/spatial_order.h"
 #include "algebra3d/soup/weld.h"
+#include "algebra3d/validity/limited_proof.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
@@ -33,7 +34,8 @@ Result<SurfaceFromSoup> surface_from_soup(const TriangleSoup& soup, const Repair
   ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh united,
                              unite_surfaces(parts.operands(), monitor, work_limits(options)));
   result.mesh = in_spatial_order(united);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport proof, prove_surface(result.mesh, first));
+  ExactWorkLimit limit(exact_work_limit(options));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport proof, prove_surface(result.mesh, first, limit));
   if (!proof.is_valid())
     return Error{ErrorCode::internal, "the triangles divided at one another are no valid surface: {}", proof.text()};
   return result;

@@ -19,8 +19,8 @@ struct SurfaceFromSoup {
 /// triangles are dropped; triangles that cross, overlap or touch an edge in its middle are divided there, and overlaps
 /// are kept once. Nothing is moved, added or flipped. A valid surface is only brought into spatial order. A soup
 /// without triangles yields the empty surface. Exactness: exact. Errors: interrupted; limit_exceeded beyond
-/// TriangleMesh::kMaxFaces triangles, or beyond the work limit, the only option that is used. Cost: that of a proof,
-/// and of an arrangement of the triangles that touch others in more than an edge.
+/// TriangleMesh::kMaxFaces triangles, or beyond the work limit, the only option that is used; the proof of the result
+/// has it, too. Cost: that of a proof, and of an arrangement of the triangles that touch others in more than an edge.
 Result<SurfaceFromSoup> surface_from_soup(const TriangleSoup& soup, const RepairOptions& options = {},
                                           const Monitor& monitor = {});
 

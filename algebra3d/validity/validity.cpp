@@ -14,6 +14,7 @@
 #include "algebra3d/validity/detail/proved_parts.h"
 #include "algebra3d/validity/detail/triangles.h"
 #include "algebra3d/validity/detail/winding.h"
+#include "algebra3d/validity/limited_proof.h"
 
 namespace algebra3d {
 namespace {
@@ -60,8 +61,9 @@ BoxHierarchy hierarchy_for_pairs(const TriangleMesh& mesh, const SoundFaces& sou
   return {*preimage.mesh, list_of(sound), preimage.reach / 2};
 }
 
-/// Leaves in `free` the faces that get along with each other, unless it is empty.
-Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOptions& options, FaceSet& free) {
+/// Leaves in `free` the faces that get along with each other, unless it is empty. `limit`: of the search for pairs.
+Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOptions& options, FaceSet& free,
+                             ExactWorkLimit* limit = nullptr) {
   ValidityReport report;
   const auto is_done = [&] { return options.thoroughness == Thoroughness::first_defect && !report.is_valid(); };
   std::optional<ProvedParts> proved;
@@ -82,7 +84,7 @@ Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOpt
   ALGEBRA3D_RETURN_IF_ERROR(check_cancelled(options));
   if (!hierarchy || sound != all) hierarchy.emplace(hierarchy_for_pairs(mesh, sound, options.preimage));
   ALGEBRA3D_ASSIGN_OR_RETURN(const FacePairs touching,
-                             find_intersections(mesh, *proved, *hierarchy, options, report, free));
+                             find_intersections(mesh, *proved, *hierarchy, options, report, free, limit));
   // Off the beaten track a winding number means nothing.
   if (kind == Kind::volume && report.is_valid())
     ALGEBRA3D_RETURN_IF_ERROR(check_windings(mesh, proved->fields, *hierarchy, options, report));
@@ -140,6 +142,11 @@ Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const st
 Result<ValidityReport> prove_surface(const TriangleMesh& mesh, const ProofOptions& options) {
   FaceSet ignored;
   return prove(mesh, Kind::surface, options, ignored);
+}
+
+Result<ValidityReport> prove_surface(const TriangleMesh& mesh, const ProofOptions& options, ExactWorkLimit& limit) {
+  FaceSet ignored;
+  return prove(mesh, Kind::surface, options, ignored, &limit);
 }
 
 Result<ValidityReport> prove_volume(const TriangleMesh& mesh, const ProofOptions& options) {

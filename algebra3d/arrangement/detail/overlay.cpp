@@ -10,9 +10,18 @@
 #include "algebra3d/arrangement/detail/plane_overlay.h"
 #include "algebra3d/arrangement/detail/task_sizes.h"
 #include "algebra3d/base/scheduler.h"
+#include "algebra3d/exact/exact_work.h"
 
 namespace algebra3d::arrangement {
 namespace {
+
+/// Cuts of garbage with coordinates of all sizes have numbers of thousands of bits, so few of them take long. The exact
+/// arithmetic within this limit takes as long as the greatest number of cuts does with short numbers.
+constexpr std::uint64_t kWorkPerCut = 5'000;
+
+std::uint64_t most_work(std::size_t max_cuts) {
+  return max_cuts > UINT64_MAX / kWorkPerCut ? UINT64_MAX : max_cuts * kWorkPerCut;
+}
 
 /// Finds the cuts in all planes, in parallel, and then adds them in the order of the planes: so nodes have the same ids
 /// with any number of threads.
@@ -24,6 +33,7 @@ class Overlay {
         complex_(complex),
         monitor_(monitor),
         max_cuts_(max_cuts),
+        work_limit_(most_work(max_cuts)),
         cut_count_(complex.cuts.size()),
         crossings_(operands, facets, complex) {}
 
@@ -41,6 +51,7 @@ class Overlay {
   SegmentComplex& complex_;
   const Monitor& monitor_;
   std::size_t max_cuts_;
+  ExactWorkLimit work_limit_;
   std::atomic<std::size_t> cut_count_;
   Crossings crossings_;
 };
@@ -59,12 +70,14 @@ PlaneCuts Overlay::find_cuts_in(IdRange<PlaneId> planes, const PlaneElements& el
   PlaneCuts found;
   std::vector<PlaneElement> in_plane;
   for (const PlaneId plane : planes) {
-    if (monitor_.is_cancelled() || cut_count_ > max_cuts_) break;
+    if (monitor_.is_cancelled() || cut_count_ > max_cuts_ || work_limit_.is_exceeded()) break;
     elements.collect(plane, in_plane);
     if (in_plane.size() < 2) continue;
     const std::size_t before = found.count();
-    overlay_plane(facets_, complex_, in_plane, found);
-    cut_count_ += found.count() - before;
+    cut_count_ += work_limit_.measured([&] {
+      overlay_plane(facets_, complex_, in_plane, found);
+      return found.count() - before;
+    });
   }
   return found;
 }
@@ -98,6 +111,9 @@ Status Overlay::run() {
   ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
   if (cut_count_ > max_cuts_)
     return Error{ErrorCode::limit_exceeded, "triangles cut each other more than {} times", max_cuts_};
+  if (work_limit_.is_exceeded())
+    return Error{ErrorCode::limit_exceeded,
+                 "the coordinates are so far apart that dividing the triangles takes too long"};
   for (const PlaneCuts& part : found) add(part);
   return {};
 }

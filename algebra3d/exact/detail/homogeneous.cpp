@@ -6,9 +6,27 @@
 #include "algebra3d/exact/detail/exact_sum_integers.h"
 #include "algebra3d/exact/detail/fixed_width.h"
 #include "algebra3d/exact/detail/rational_big.h"
+#include "algebra3d/exact/exact_work.h"
 
 namespace algebra3d::detail {
 namespace {
+
+constinit thread_local std::uint64_t exact_work = 0;
+
+/// Points of models have numbers of at most so many limbs, points where three planes through doubles meet some eight.
+constexpr std::size_t kShort = 16;
+
+std::size_t length_of(const HomogeneousView& numbers) {
+  return std::max({mpz_size(numbers[0]), mpz_size(numbers[1]), mpz_size(numbers[2]), mpz_size(numbers[3])});
+}
+
+/// Counts the work of a determinant: with n points of s limbs it is some n * n * s * s products of limbs.
+template <std::size_t Count>
+void count_determinant(const std::array<HomogeneousView, Count>& points) {
+  std::uint64_t length = 0;
+  for (const HomogeneousView& numbers : points) length += length_of(numbers);
+  if (length > Count * kShort) exact_work += length * length;
+}
 
 /// Brings three fractions to one denominator.
 void set_from_fractions(HomogeneousPoint& point, const std::array<mpz_srcptr, 3>& numerators,
@@ -142,12 +160,14 @@ void shorten(HomogeneousPoint& numbers, std::size_t longest_kept) {
 }
 
 void dot(mpz_class& result, const HomogeneousView& a, const HomogeneousView& b) {
+  if (length_of(b) > kShort) exact_work += std::uint64_t{4} * length_of(a) * length_of(b);
   mpz_mul(result.get_mpz_t(), a[0], b[0]);
   for (std::size_t i = 1; i < 4; ++i) mpz_addmul(result.get_mpz_t(), a[i], b[i]);
 }
 
 std::strong_ordering compare_quotients(mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr d) {
   thread_local mpz_class one, other;
+  if (mpz_size(a) > kShort) exact_work += std::uint64_t{2} * mpz_size(a) * mpz_size(d);
   mpz_mul(one.get_mpz_t(), a, d);
   mpz_mul(other.get_mpz_t(), c, b);
   return cmp(one, other) <=> 0;
@@ -158,6 +178,7 @@ int orient3d_by_integers(const std::array<const PointRef*, 4>& points) {
   thread_local mpz_class upper, lower, sum;
   const std::array<HomogeneousView, 4> p{
       {{*points[0], buffers[0]}, {*points[1], buffers[1]}, {*points[2], buffers[2]}, {*points[3], buffers[3]}}};
+  count_determinant(p);
   // Expansion of the 4 x 4 determinant by pairs of rows (Laplace): rows 0, 1 in two columns, rows 2, 3 in the others.
   constexpr std::array<std::array<std::size_t, 4>, 6> kColumns{
       {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
@@ -176,6 +197,7 @@ int orient2d_by_integers(Projection plane, const std::array<const PointRef*, 3>&
   thread_local mpz_class part, sum;
   const std::array<HomogeneousView, 3> p{
       {{*points[0], buffers[0]}, {*points[1], buffers[1]}, {*points[2], buffers[2]}}};
+  count_determinant(p);
   const std::size_t x = first_axis(plane), y = second_axis(plane), w = 3;
   sum = 0;
   for (std::size_t row = 0; row < 3; ++row) {
@@ -187,3 +209,11 @@ int orient2d_by_integers(Projection plane, const std::array<const PointRef*, 3>&
 }
 
 }  // namespace algebra3d::detail
+
+namespace algebra3d {
+
+std::uint64_t exact_work_of_this_thread() {
+  return detail::exact_work;
+}
+
+}  // namespace algebra3d

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "algebra3d/arrangement/arrangement.h"
 #include "algebra3d/arrangement/operand.h"
 #include "algebra3d/repair/repair_options.h"
@@ -10,5 +12,9 @@ namespace algebra3d {
 /// many cuts; Closure::together, as ValidParts need it. The limit of solid angles is applied apart
 /// (solid_by_generalized_winding).
 ArrangementOptions work_limits(const RepairOptions& options);
+
+/// The limit of the work with long numbers in the proof of a result (exact_work.h): five products of limbs for each
+/// pair of triangles.
+std::uint64_t exact_work_limit(const RepairOptions& options);
 
 }  // namespace algebra3d

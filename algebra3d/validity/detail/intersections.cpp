@@ -177,10 +177,13 @@ struct FoundPairs {
 /// Searches parts of a hierarchy for pairs that intersect.
 class PairSearch {
  public:
-  PairSearch(const PairTest& test, const BoxHierarchy& hierarchy, const std::atomic<bool>* cancel)
-      : test_(test), hierarchy_(hierarchy), cancel_(cancel) {}
+  /// `limit`: of the work with exact numbers, or null.
+  PairSearch(const PairTest& test, const BoxHierarchy& hierarchy, const std::atomic<bool>* cancel,
+             ExactWorkLimit* limit)
+      : test_(test), hierarchy_(hierarchy), cancel_(cancel), limit_(limit) {}
 
   bool is_cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
+  bool is_beyond_limit() const { return limit_ != nullptr && limit_->is_exceeded(); }
 
   /// Adds the pairs of a part that touch in a point, and calls visit for each that intersects in more, until it returns
   /// false, or go_on, which is asked now and then.
@@ -190,7 +193,9 @@ class PairSearch {
     hierarchy_.for_each_pair(
         part,
         [&](std::uint32_t a, std::uint32_t b) {
-          const Excess excess = test_.excess(FaceId(a), FaceId(b), last);
+          const auto tested = [&] { return test_.excess(FaceId(a), FaceId(b), last); };
+          const Excess excess = limit_ == nullptr ? tested() : limit_->measured(tested);
+          if (is_beyond_limit()) return false;
           if (excess == Excess::none) return true;
           const FaceId first(std::min(a, b)), second(std::max(a, b));
           if (excess == Excess::point) touching.emplace_back(first, second);
@@ -205,7 +210,7 @@ class PairSearch {
     std::vector<FoundPairs> found(parts.size());
     parallel_for(parts.size(), 1, [&](std::size_t part) {
       const auto go_on = [&] {
-        return !is_cancelled() && (!only_first || part <= first_with_pair) && count <= kMostPairs;
+        return !is_cancelled() && !is_beyond_limit() && (!only_first || part <= first_with_pair) && count <= kMostPairs;
       };
       const auto add = [&](FaceId first, FaceId second) {
         found[part].improper.emplace_back(first, second);
@@ -229,16 +234,18 @@ class PairSearch {
   const PairTest& test_;
   const BoxHierarchy& hierarchy_;
   const std::atomic<bool>* cancel_;
+  ExactWorkLimit* limit_;
 };
 
 }  // namespace
 
 Result<FacePairs> for_each_intersection(const TriangleMesh& mesh, const ProvedParts& proved, BoxHierarchy& hierarchy,
                                         const std::atomic<bool>* cancel,
-                                        const std::function<bool(FaceId, FaceId)>& visit, bool only_first) {
+                                        const std::function<bool(FaceId, FaceId)>& visit, bool only_first,
+                                        ExactWorkLimit* limit) {
   group_leaves(mesh, proved, hierarchy);
   const PairTest test(mesh, proved);
-  const PairSearch search(test, hierarchy, cancel);
+  const PairSearch search(test, hierarchy, cancel, limit);
   const bool is_large = hierarchy.face_count() > kFewFaces;
   const std::vector<BoxHierarchy::NodePair> parts = hierarchy.parts_of_search(is_large ? kParts : 1);
   auto pairs = is_large ? search.all_pairs(parts, only_first) : std::nullopt;
@@ -255,26 +262,29 @@ Result<FacePairs> for_each_intersection(const TriangleMesh& mesh, const ProvedPa
       if (!goes_on) break;
       search.search(
           part, touching, [&](FaceId first, FaceId second) { return goes_on = visit(first, second); },
-          [&] { return !search.is_cancelled(); });
+          [&] { return !search.is_cancelled() && !search.is_beyond_limit(); });
     }
   }
   if (search.is_cancelled()) return Error{ErrorCode::interrupted, "interrupted"};
+  if (search.is_beyond_limit())
+    return Error{ErrorCode::limit_exceeded, "the coordinates are so far apart that the proof takes too long"};
   return touching;
 }
 
 Result<FacePairs> find_intersections(const TriangleMesh& mesh, const ProvedParts& proved, BoxHierarchy& hierarchy,
-                                     const ProofOptions& options, ValidityReport& report, FaceSet& free) {
-  const std::uint64_t limit = options.thoroughness == Thoroughness::first_defect
-                                  ? 1
-                                  : std::max<std::uint64_t>(options.max_intersecting_pairs, 1);
+                                     const ProofOptions& options, ValidityReport& report, FaceSet& free,
+                                     ExactWorkLimit* limit) {
+  const std::uint64_t most_pairs = options.thoroughness == Thoroughness::first_defect
+                                       ? 1
+                                       : std::max<std::uint64_t>(options.max_intersecting_pairs, 1);
   const auto add = [&](FaceId first, FaceId second) {
     if (!free.is_empty()) free.remove(first.index());
     if (!free.is_empty()) free.remove(second.index());
     report.add({Defect::intersecting_triangles, first, second, place_of(mesh, first, second)});
-    report.is_cut_short = report.count(Defect::intersecting_triangles) == limit;
+    report.is_cut_short = report.count(Defect::intersecting_triangles) == most_pairs;
     return !report.is_cut_short;
   };
-  return for_each_intersection(mesh, proved, hierarchy, options.cancel, add, limit == 1);
+  return for_each_intersection(mesh, proved, hierarchy, options.cancel, add, most_pairs == 1, limit);
 }
 
 }  // namespace algebra3d
