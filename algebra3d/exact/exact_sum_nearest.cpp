@@ -1,137 +1,15 @@
-#include <algorithm>
-#include <array>
-#include <cstdint>
+#include <cstddef>
 #include <optional>
-#include <utility>
-#include <vector>
 
-#include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/counters.h"
-#include "algebra3d/exact/detail/exact_coordinates.h"
-#include "algebra3d/exact/detail/exact_sum_integers.h"
-#include "algebra3d/exact/detail/fixed_sums.h"
+#include "algebra3d/exact/detail/moment_bounds.h"
 #include "algebra3d/exact/exact_sum.h"
-
-// Sums with exact denominators take long where corners are no doubles: the denominators of all of them come together.
-// But their rounding needs no more than coordinates that are cut off to many bits and a bound of what that changes.
 
 namespace algebra3d {
 namespace {
 
-using detail::BitRange, detail::FixedSums, detail::WideInteger;
-
-/// Two bounds of a number that is not known exactly.
-struct Bounds {
-  Rational lower, upper;
-
-  /// The double nearest to all numbers between them, if it is the same.
-  std::optional<double> nearest_double() const {
-    const double nearest = lower.nearest_double();
-    return nearest == upper.nearest_double() ? std::optional(nearest) : std::nullopt;
-  }
-  bool has_zero() const { return lower.sign() * upper.sign() <= 0; }
-};
-
-/// The divisor must not have zero.
-Bounds operator/(const Bounds& a, const Bounds& b) {
-  const auto [lower, upper] = std::minmax({a.lower / b.lower, a.lower / b.upper, a.upper / b.lower, a.upper / b.upper});
-  return {lower, upper};
-}
-
-struct MomentBounds {
-  Bounds volume;
-  std::array<Bounds, 3> first;
-};
-
-/// Points with coordinates that are cut off to integers times a power of two, one for each axis, by less than one. The
-/// integers are at most 2^kBits, what FixedSums can take.
-template <std::size_t Limbs>
-class CutPoints {
- public:
-  static constexpr int kBits = 64 * static_cast<int>(Limbs) - 5;
-
-  explicit CutPoints(const PointArray& points) : points_(points) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      BitRange range;
-      for (const Vec3& p : points.approx()) range.extend(p[axis]);
-      exponents_[axis] = range.is_empty() ? 0 : range.highest - kBits;
-    }
-  }
-
-  int exponent(std::size_t axis) const { return exponents_[axis]; }
-  std::vector<typename FixedSums<Limbs>::Point> integers() const {
-    constexpr std::size_t kPointsPerTask = 2'000;
-    std::vector<typename FixedSums<Limbs>::Point> result(points_.size());
-    parallel_for(result.size(), kPointsPerTask, [&](std::size_t i) {
-      for (std::size_t axis = 0; axis < 3; ++axis) result[i][axis] = integer(points_[i], axis);
-    });
-    return result;
-  }
-
- private:
-  WideInteger<Limbs> integer(const PointRef& point, std::size_t axis) const {
-    thread_local mpz_class quotient, divisor;  // NOLINT(misc-const-correctness): set through their pointers
-    mpz_ptr q = quotient.get_mpz_t();
-    const int exponent = exponents_[axis];
-    if (point.is_double()) {
-      const detail::IntegerDouble number(point.approx[axis]);
-      mpz_set_si(q, number.mantissa);
-      shift(q, number.exponent - exponent);
-    } else {
-      mpz_set(q, (*point.exact)[axis]);
-      mpz_set(divisor.get_mpz_t(), (*point.exact)[3]);
-      if (exponent < 0)
-        shift(q, -exponent);
-      else
-        shift(divisor.get_mpz_t(), exponent);
-      mpz_tdiv_q(q, q, divisor.get_mpz_t());
-    }
-    WideInteger<Limbs> result;
-    result.is_negative = mpz_sgn(q) < 0;
-    for (std::size_t limb = 0; limb < Limbs; ++limb) result.limbs[limb] = mpz_getlimbn(q, static_cast<mp_size_t>(limb));
-    return result;
-  }
-  static void shift(mpz_ptr number, int bits) {
-    if (bits >= 0)
-      mpz_mul_2exp(number, number, static_cast<mp_bitcnt_t>(bits));
-    else
-      mpz_tdiv_q_2exp(number, number, static_cast<mp_bitcnt_t>(-bits));
-  }
-
-  const PointArray& points_;
-  std::array<int, 3> exponents_{};
-};
-
-/// The bounds around sum * 2^exponent / divisor, for a sum that is off by error at most.
-Bounds bounds_of(const mpz_class& sum, const mpz_class& error, long exponent, unsigned long divisor) {
-  return {detail::scaled_rational(sum - error, exponent, divisor),
-          detail::scaled_rational(sum + error, exponent, divisor)};
-}
-
-// With integers of at most K = 2^k, each off by one at most, a determinant (six products of three) is at most 6 K^3 and
-// off by 18 K^2 at most; the sum of three coordinates is at most 3 K and off by 3, so its product with the determinant
-// is off by 54 K^3 + 18 K^3 at most.
-template <int kDegree, std::size_t Limbs>
-Result<MomentBounds> moment_bounds(const PointArray& points, IndexTriangles triangles,
-                                   const std::atomic<bool>* cancel) {
-  const CutPoints<Limbs> cut(points);
-  FixedSums<Limbs> sums(cut.integers());
-  ALGEBRA3D_RETURN_IF_ERROR(detail::for_each_triangle(
-      triangles, cancel, [&](const std::array<std::uint32_t, 3>& t) { sums.template add<kDegree>(t); }));
-  constexpr auto kBits = static_cast<mp_bitcnt_t>(CutPoints<Limbs>::kBits);
-  const mpz_class count(static_cast<unsigned long>(triangles.size()));
-  const long exponent = long{cut.exponent(0)} + cut.exponent(1) + cut.exponent(2);
-  mpz_class total;
-  sums.get_volume(total);
-  MomentBounds result{bounds_of(total, (18 * count) << 2 * kBits, exponent, 6), {}};
-  if constexpr (kDegree >= 1) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      sums.get_moment(axis, total);
-      result.first[axis] = bounds_of(total, (72 * count) << 3 * kBits, exponent + cut.exponent(axis), 24);
-    }
-  }
-  return result;
-}
+using detail::kFewLimbs, detail::kManyLimbs;
+using detail::moment_bounds, detail::MomentBounds;
 
 template <std::size_t Limbs>
 Result<std::optional<double>> rounded_volume(const PointArray& points, IndexTriangles triangles,
@@ -153,9 +31,6 @@ Result<std::optional<Vec3>> rounded_centroid(const PointArray& points, IndexTria
   }
   return std::optional(centroid);
 }
-
-/// Bits that nearly always suffice, and those that do but for a result that is tiny beside the coordinates.
-constexpr std::size_t kFewLimbs = 2, kManyLimbs = 5;
 
 /// An attempt with few limbs, or else with many. Nothing if neither decides, and for doubles, whose exact sum is fast.
 template <typename T, typename Attempt>

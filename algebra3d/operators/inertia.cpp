@@ -4,7 +4,7 @@
 #include <optional>
 #include <tuple>
 
-#include "algebra3d/exact/mass_properties.h"
+#include "algebra3d/exact/nearest_mass_properties.h"
 #include "algebra3d/halfedge/mesh_triangles.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/detail/sample_values.h"
@@ -24,28 +24,22 @@ using InertiaRow = std::tuple<Moment, Point3d, Moment, Moment, Moment, Moment, M
 Moment moment(double value) {
   return std::isfinite(value) ? Moment(value) : std::nullopt;
 }
-Moment moment(const Rational& value) {
-  return moment(value.nearest_double());
-}
 Vector3d direction(const Vec3& axis) {
   return {ExactPoint(axis)};
 }
 
-/// The centre of mass lies in the box of the solid.
-Point3d rounded_point(const RationalVec3& p) {
-  return {ExactPoint(Vec3{p.x.nearest_double(), p.y.nearest_double(), p.z.nearest_double()})};
-}
-
 Result<Maybe<InertiaRow>> inertia_of(Context& context, const Volume3d& solid) {
   if (solid.mesh().is_empty()) return Maybe<InertiaRow>(Undefined{"an empty solid has no inertia"});
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MassProperties mass,
-                             mass_properties(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
-  const SymmetricMatrix& tensor = mass.inertia;
-  const auto [values, axes, are_equal] = principal_axes(tensor);
-  return Maybe<InertiaRow>(InertiaRow(moment(mass.volume), rounded_point(mass.centre), moment(tensor.xx),
-                                      moment(tensor.yy), moment(tensor.zz), moment(tensor.yz), moment(tensor.zx),
-                                      moment(tensor.xy), moment(values[0]), moment(values[1]), moment(values[2]),
-                                      direction(axes[0]), direction(axes[1]), direction(axes[2])));
+  ALGEBRA3D_ASSIGN_OR_RETURN(
+      const NearestMassProperties mass,
+      nearest_mass_properties(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
+  const auto& [xx, yy, zz, yz, zx, xy] = mass.inertia;
+  const auto& [values, axes, are_equal] = mass.principal;
+  // The centre of mass lies in the box of the solid, so its coordinates are finite.
+  return Maybe<InertiaRow>(InertiaRow(moment(mass.volume), Point3d{ExactPoint(mass.centre)}, moment(xx), moment(yy),
+                                      moment(zz), moment(yz), moment(zx), moment(xy), moment(values[0]),
+                                      moment(values[1]), moment(values[2]), direction(axes[0]), direction(axes[1]),
+                                      direction(axes[2])));
 }
 
 }  // namespace
