@@ -6,6 +6,7 @@
 
 #include "algebra3d/congruence/detail/boundary_cover.h"
 #include "algebra3d/congruence/detail/centred_solid.h"
+#include "algebra3d/congruence/detail/face_lookup.h"
 #include "algebra3d/congruence/detail/motion_candidates.h"
 #include "algebra3d/exact/predicates_filter.h"
 
@@ -70,6 +71,26 @@ RigidMotion motion_of(const CentredSolid& a, const CentredSolid& b, Rotation rot
   return motion;
 }
 
+/// Finds out whether rotations carry the boundary of a solid onto that of another.
+class MotionCheck {
+ public:
+  MotionCheck(const CentredSolid& a, const CentredSolid& b, double tolerance, const Monitor& monitor)
+      : a_(a), b_(b), tolerance_(tolerance), monitor_(monitor), faces_of_a_(a, tolerance), faces_of_b_(b, tolerance) {}
+
+  Result<bool> carries(const Rotation& rotation) const {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_there,
+                               detail::is_boundary_near(a_, rotation, b_, faces_of_b_, tolerance_, monitor_));
+    if (!is_there) return false;
+    return detail::is_boundary_near(b_, rotation.inverse(), a_, faces_of_a_, tolerance_, monitor_);
+  }
+
+ private:
+  const CentredSolid &a_, &b_;
+  double tolerance_;
+  const Monitor& monitor_;
+  detail::FaceLookup faces_of_a_, faces_of_b_;
+};
+
 }  // namespace
 
 Result<std::optional<RigidMotion>> find_congruence(const CongruenceOperand& first, const CongruenceOperand& second,
@@ -84,12 +105,15 @@ Result<std::optional<RigidMotion>> find_congruence(const CongruenceOperand& firs
   ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid b, CentredSolid::make(second, unit, monitor));
   const double reach = effective_tolerance(a, b, tolerance, unit);
   if (!may_be_congruent(a, b, reach)) return Found();
+  const MotionCheck check(a, b, reach, monitor);
+  // The smallest angle, and what copies ask for.
+  const Rotation none{{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_moved_only, check.carries(none));
+  if (is_moved_only) return Found(motion_of(a, b, none));
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto rotations, detail::candidate_rotations(a, b, reach, monitor));
   for (const Rotation& rotation : rotations) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_there, detail::is_boundary_near(a, rotation, b, reach, monitor));
-    if (!is_there) continue;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_back, detail::is_boundary_near(b, rotation.inverse(), a, reach, monitor));
-    if (is_back) return Found(motion_of(a, b, rotation));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, check.carries(rotation));
+    if (is_found) return Found(motion_of(a, b, rotation));
   }
   return Found();
 }

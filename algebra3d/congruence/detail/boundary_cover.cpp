@@ -84,12 +84,11 @@ Division divide(const Piece& piece, const std::vector<Side>& prism) {
 /// The share of the tolerance that the margin of prisms takes.
 constexpr double kMargin = 0x1p-8;
 
-/// True if a triangle is within the tolerance of some others together.
+/// True if a triangle is within the tolerance of some others together, and of none of them alone.
 bool is_covered(const Corners& triangle, const std::vector<Corners>& others, double tolerance) {
   const auto is_near_one = [&](const auto& points) {
     return std::ranges::any_of(others, [&](const Corners& other) { return are_near(points, other, tolerance); });
   };
-  if (is_near_one(triangle)) return true;
   std::vector<Piece> pieces{{triangle.begin(), triangle.end()}};
   for (const Corners& other : others) {
     const std::vector<Side> prism = sides_of_prism(other, kMargin * tolerance);
@@ -115,17 +114,22 @@ Box3 enlarged_box(const Corners& corners, double margin) {
 }  // namespace
 
 Result<bool> is_boundary_near(const CentredSolid& solid, const Rotation& rotation, const CentredSolid& other,
-                              double tolerance, const Monitor& monitor) {
+                              const FaceLookup& faces_of_other, double tolerance, const Monitor& monitor) {
   std::vector<Corners> others;
   for (std::size_t f = 0; f < solid.mesh().face_count(); ++f) {
     if (f % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     Corners corners = solid.triangle(FaceId(f));
     for (Vec3& corner : corners) corner = rotation(corner);
+    if (faces_of_other.has_triangle_near(corners)) continue;
     others.clear();
+    bool is_near_one = false;
     // Twice the tolerance: the centre of the other is rounded.
-    other.for_each_meeting(enlarged_box(corners, 2 * tolerance),
-                           [&](FaceId face) { others.push_back(other.triangle(face)); });
-    if (!is_covered(corners, others, tolerance)) return false;
+    other.for_each_meeting(enlarged_box(corners, 2 * tolerance), [&](FaceId face) {
+      others.push_back(other.triangle(face));
+      is_near_one = are_near(corners, others.back(), tolerance);
+      return !is_near_one;
+    });
+    if (!is_near_one && !is_covered(corners, others, tolerance)) return false;
   }
   return true;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "algebra3d/exact/mass_properties.h"
+#include "algebra3d/exact/nearest_mass_properties.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/halfedge/mesh_triangles.h"
 
@@ -29,7 +29,7 @@ Result<CentredSolid> CentredSolid::make(const CongruenceOperand& operand, double
   solid.unit_ = unit;
   const TriangleMesh& mesh = *operand.mesh;
   ALGEBRA3D_ASSIGN_OR_RETURN(const MassProperties mass,
-                             mass_properties(mesh.points(), triangles_of(mesh), monitor.cancel()));
+                             approximate_mass_properties(mesh.points(), triangles_of(mesh), monitor.cancel()));
   const Rational length_unit(unit);
   solid.volume_ = (mass.volume / (length_unit * length_unit * length_unit)).nearest_double();
   solid.axes_ = principal_axes(in_unit(mass.inertia, length_unit));

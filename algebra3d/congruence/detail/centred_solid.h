@@ -28,11 +28,11 @@ class CentredSolid {
     const auto [a, b, c] = mesh().triangle(face);
     return {vertices_[a], vertices_[b], vertices_[c]};
   }
-  /// Calls visit(face) for each face whose box meets the box, but for rounding.
+  /// Calls visit(face) for each face whose box meets the box, but for rounding, until it returns false.
   template <typename Visit>
   void for_each_meeting(const Box3& box, const Visit& visit) const {
     operand_.hierarchy->for_each_meeting({unit_ * box.min + centre_ - kSlack, unit_ * box.max + centre_ + kSlack},
-                                         [&](std::uint32_t face) { return visit(FaceId(face)), true; });
+                                         [&](std::uint32_t face) { return visit(FaceId(face)); });
   }
 
  private:

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <optional>
 #include <span>
+
+#include "algebra3d/congruence/detail/point_grid.h"
 
 namespace algebra3d::detail {
 namespace {
@@ -86,6 +90,38 @@ std::optional<std::size_t> distinct_axis(const PrincipalAxes& axes) {
   return are_distinct(axes, 0) ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
+/// The vertices about as far from the centre as the farthest.
+std::vector<Vec3> far_vertices(const CentredSolid& solid, double tolerance) {
+  std::vector<Vec3> far;
+  std::ranges::copy_if(solid.vertices(), std::back_inserter(far),
+                       [&](const Vec3& p) { return solid.radius() - length(p) <= tolerance; });
+  return far;
+}
+
+constexpr std::size_t kManyFarVertices = 32;
+
+/// Rotations that map p to one of the points, and q to another one at the same distance from it, with or without a
+/// reflection. All are about equally far from the centre, which must not lie between p and q.
+Result<std::vector<Rotation>> rotations_of_pairs(const Vec3& p, const Vec3& q, const std::vector<Vec3>& points,
+                                                 double tolerance, const Monitor& monitor) {
+  const double distance = length(q - p), reach = distance + 2 * tolerance;
+  const Frame from = frame_of(p, q);
+  PointGrid grid(points, reach);
+  grid.insert_all();
+  std::vector<Rotation> rotations;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    grid.for_each_near(points[i], reach, [&](std::uint32_t other) {
+      if (std::abs(length(points[other] - points[i]) - distance) > 2 * tolerance) return true;
+      const Frame to = frame_of(points[i], points[other]);
+      rotations.push_back(Rotation::between(from, to));
+      rotations.push_back(Rotation::between(from, {to[0], to[1], -1 * to[2]}));
+      return true;
+    });
+  }
+  return rotations;
+}
+
 Result<std::vector<Rotation>> rotations_of_vertices(const CentredSolid& from, const CentredSolid& to, double tolerance,
                                                     const Monitor& monitor) {
   std::vector<Rotation> rotations;
@@ -95,6 +131,13 @@ Result<std::vector<Rotation>> rotations_of_vertices(const CentredSolid& from, co
     matcher.match(direction, rotations);
     matcher.match(-1 * direction, rotations);
     return rotations;
+  }
+  const std::vector<Vec3> far = far_vertices(from, tolerance);
+  if (far.size() > kManyFarVertices) {
+    const ClosestPair closest = closest_pair(far);
+    if (closest.distance > 16 * tolerance)
+      return rotations_of_pairs(far[closest.first], far[closest.second], far_vertices(to, 2 * tolerance), tolerance,
+                                monitor);
   }
   const VertexMatcher matcher(from, to, unit_vector(farthest(from.vertices(), length)), tolerance);
   for (const Vec3& q : to.vertices()) {

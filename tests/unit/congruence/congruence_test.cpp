@@ -10,6 +10,7 @@
 #include <random>
 #include <string>
 
+#include "algebra3d/congruence/detail/point_grid.h"
 #include "algebra3d/exact/affine_map.h"
 
 namespace algebra3d {
@@ -220,6 +221,40 @@ TEST(congruence, at_other_scales) {
       for (Vec3& p : other.points) p = scale * p;
       EXPECT_TRUE(find(solid, other, 1e-9 * scale).has_value());
     }
+  }
+}
+
+// All vertices are equally far from the centre, and all moments are equal. The 4,098 vertices make 16 million pairs.
+TEST(congruence, of_many_vertices_on_a_sphere) {
+  std::mt19937 random(9);
+  const Solid sphere = octasphere(5);
+  for (const bool is_mirrored : {false, true}) {
+    Solid bumpy = sphere;
+    bumpy.points[100] = 1.01 * bumpy.points[100];
+    const Solid other = moved(is_mirrored ? mirrored(bumpy) : bumpy, random_motion(random, 10));
+    EXPECT_TRUE(find(bumpy, other, 1e-9).has_value());
+    EXPECT_FALSE(find(sphere, other, 1e-3).has_value());
+  }
+  const Solid copy = moved(sphere, random_motion(random, 10));
+  const auto motion = find(sphere, copy, 1e-9);
+  ASSERT_TRUE(motion.has_value());
+  EXPECT_FALSE(motion->is_mirrored);
+}
+
+TEST(congruence, closest_pairs_are_those_of_all_pairs) {
+  std::mt19937 random(10);
+  std::uniform_real_distribution<double> real(-1, 1);
+  for (const std::size_t count : {2U, 3U, 10U, 300U}) {
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < count; ++i) points.push_back({real(random), real(random), real(random)});
+    double least = 10;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < i; ++j) least = std::min(least, length(points[i] - points[j]));
+    const detail::ClosestPair found = detail::closest_pair(points);
+    EXPECT_EQ(found.distance, least);
+    EXPECT_EQ(length(points[found.first] - points[found.second]), least);
+    points.push_back(points[count / 2]);
+    EXPECT_EQ(detail::closest_pair(points).distance, 0);
   }
 }
 
