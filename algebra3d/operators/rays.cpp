@@ -60,8 +60,8 @@ Maybe<RayRows> hits_of_box(const Box3& box, const Point3d& from, const Vector3d&
 Result<Maybe<double>> thickness_of(Context& context, const Volume3d& solid) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FacetThickness> all, facet_thicknesses(solid, context.monitor()));
   if (all.empty()) return Maybe<double>(Undefined{"the empty solid has no thickness"});
-  const auto least = std::ranges::min_element(all, {}, &FacetThickness::squared_thickness);
-  return Maybe<double>(least->squared_thickness.nearest_root());
+  const auto least = std::ranges::min_element(all, {}, &FacetThickness::thickness);
+  return Maybe<double>(least->thickness);
 }
 
 using ThicknessRows = Rows<std::int64_t, Point3d, std::optional<double>, std::int64_t>;
@@ -71,8 +71,8 @@ Result<ThicknessRows> thickness_rows(Context& context, const Volume3d& solid) {
   std::vector<ThicknessRows::Cells> rows;
   rows.reserve(all.size());
   for (const FacetThickness& facet : all)
-    rows.emplace_back(row_number(facet.face), Point3d{facet.centroid},
-                      if_finite(facet.squared_thickness.nearest_root()), row_number(facet.opposite));
+    rows.emplace_back(row_number(facet.face), Point3d{centroid_of(solid.mesh().corners(facet.face))},
+                      if_finite(facet.thickness), row_number(facet.opposite));
   return ThicknessRows(std::move(rows));
 }
 

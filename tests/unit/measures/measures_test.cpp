@@ -1,14 +1,19 @@
 // Clashes and measures of solids with slanted faces, by hand; what cannot be counted in cells.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "algebra3d/arrangement/arrangement.h"
 #include "algebra3d/measures/clash.h"
 #include "algebra3d/measures/common_volume.h"
 #include "algebra3d/measures/contact_area.h"
+#include "algebra3d/measures/detail/ray_sections.h"
 #include "algebra3d/measures/hausdorff_distance.h"
 #include "algebra3d/measures/ray_hits.h"
 #include "algebra3d/measures/thickness.h"
@@ -127,15 +132,60 @@ TEST(RayHits, BothEndsOfTheRangeOfDoubles) {
   }
 }
 
+/// Against the sections of all triangles with each ray.
+void expect_exact_thickness(const Volume3d& solid) {
+  const auto all = facet_thicknesses(solid);
+  for (const FacetThickness& facet : *all) {
+    const TriangleRef triangle = solid.mesh().corners(facet.face);
+    const RationalVec3 a = triangle[0].rational(), u = triangle[1].rational() - a, v = triangle[2].rational() - a;
+    const Ray ray{a + Rational(1, 3) * (u + v), cross(v, u)};
+    const auto sections = sections_of(ray, solid.geometry());
+    const auto first = std::ranges::find_if(sections, [](const RaySection& s) { return s.first.sign() > 0; });
+    ASSERT_NE(first, sections.end());
+    EXPECT_EQ(facet.opposite, first->face);
+    EXPECT_EQ(facet.thickness, (first->first * first->first * dot(ray.direction, ray.direction)).nearest_root());
+  }
+}
+
+/// A prism over a regular polygon: the rays from its sides end in the diagonals of the sides across.
+Volume3d prism_solid(unsigned n, double radius, double height, const Vec3& centre, const RationalVec3& shift = {}) {
+  PointArray points;
+  std::vector<IndexTriangle> triangles;
+  for (unsigned i = 0; i < n; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / n;
+    for (const double z : {0.0, height})
+      points.push_back(
+          ExactPoint(RationalVec3(centre + Vec3{radius * std::cos(angle), radius * std::sin(angle), z}) + shift));
+    const unsigned a = 2 * i, b = 2 * ((i + 1) % n);
+    triangles.insert(triangles.end(), {{a, b, a + 1}, {b, b + 1, a + 1}});
+    if (i > 1) triangles.insert(triangles.end(), {{0, a, a - 2}, {1, a - 1, a + 1}});
+  }
+  return Volume3d::trusted(TriangleMesh(std::move(points), triangles));
+}
+
+TEST(Thickness, IsThatOfExactRays) {
+  for (const unsigned n : {3U, 4U, 7U, 8U, 40U})
+    for (const Vec3& centre : {Vec3{0, 0, 0}, Vec3{0.1, 0.2, 0.3}, Vec3{1e6, -1e5, 3}}) {
+      SCOPED_TRACE(std::to_string(n) + " at " + std::to_string(centre.x));
+      expect_exact_thickness(prism_solid(n, 2, 0.7, centre));
+    }
+  expect_exact_thickness(box_solid({0.1, 0.2, 0.3}, {0.7, 0.5, 1.9}));
+  expect_exact_thickness(box_solid({1e-30, 0, 0}, {1, 1e-20, 1}));
+  // Corners that are no doubles.
+  expect_exact_thickness(
+      prism_solid(12, 2, 0.7, {0, 0, 0}, RationalVec3(Rational(1, 3), Rational(1, 7), Rational(1, 11))));
+}
+
 TEST(Thickness, ASlantedWall) {
   // Behind the slanted face of the corner, the ray from (7/3, 7/3, 7/3) ends in the origin.
   const Volume3d solid = tetrahedron_solid({7, 0, 0}, {0, 7, 0}, {0, 0, 7}, {0, 0, 0});
   const auto all = facet_thicknesses(solid);
-  const auto slanted = std::ranges::find_if(*all, [](const FacetThickness& facet) {
-    return facet.centroid == ExactPoint(RationalVec3(Rational(7, 3), Rational(7, 3), Rational(7, 3)));
+  const auto slanted = std::ranges::find_if(*all, [&](const FacetThickness& facet) {
+    return centroid_of(solid.mesh().corners(facet.face)) ==
+           ExactPoint(RationalVec3(Rational(7, 3), Rational(7, 3), Rational(7, 3)));
   });
   ASSERT_NE(slanted, all->end());
-  EXPECT_EQ(slanted->squared_thickness, Rational(49, 3));
+  EXPECT_EQ(slanted->thickness, Rational(49, 3).nearest_root());
 }
 
 }  // namespace

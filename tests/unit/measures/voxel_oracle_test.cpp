@@ -204,7 +204,7 @@ TEST(VoxelOracle, ThicknessIsAWholeNumberOfCells) {
                          normal = cross(triangle[1].rational() - p, triangle[2].rational() - p);
       const std::size_t axis = normal.x.sign() != 0 ? 0 : normal.y.sign() != 0 ? 1 : 2;
       std::array<std::vector<int>, 3> candidates;
-      const RationalVec3 centroid = facet.centroid.rational();
+      const RationalVec3 centroid = centroid_of(triangle).rational();
       for (std::size_t i = 0; i < 3; ++i) {
         const Rational unit = (centroid[i] - frame.shift) / frame.factor;
         const int below = static_cast<int>(std::floor(unit.nearest_double()));
@@ -221,7 +221,7 @@ TEST(VoxelOracle, ThicknessIsAWholeNumberOfCells) {
             for (; set.has(cell); ++count) cell[axis] += normal[axis].sign() > 0 ? -1 : 1;
             least = std::min(least, count);
           }
-      EXPECT_EQ(facet.squared_thickness, Rational(least * least) * frame.factor * frame.factor);
+      EXPECT_EQ(facet.thickness, (Rational(least * least) * frame.factor * frame.factor).nearest_root());
     }
     if (testing::Test::HasFailure()) return;
   }
