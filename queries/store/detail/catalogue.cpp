@@ -112,7 +112,7 @@ Status Catalogue::read_readable() {
   const auto version = connection_.integer("PRAGMA user_version");
   version_ = version ? *version : kDatabaseVersion;
   for (const auto& read : std::initializer_list<std::function<Status()>>{
-           [&] { return version ? Status() : Status(version.error()); }, [&] { return read_entries(false); },
+           [&] { return version ? check_version() : Status(version.error()); }, [&] { return read_entries(false); },
            [&] { return damage_.empty() ? Status() : read_entries(true); },
            [&] { return version_ > 1 ? read_types() : Status(); }, [&] { return check_sum(); }}) {
     Status status = read();
@@ -131,10 +131,23 @@ Status Catalogue::read_all() {
     return Error{ErrorCode::database_version,
                  "{}: the database has version {}, this program reads versions up to {}; use a newer algebra3d",
                  connection_.file(), version_, kDatabaseVersion};
+  ALGEBRA3D_RETURN_IF_ERROR(check_version());
   Status status = read_entries();
   if (status && version_ > 1) status = read_types();
   if (status) status = check_sum();
   return status ? status : in_catalogue(status.error());
+}
+
+// An upgrade would add tables that are there.
+Status Catalogue::check_version() {
+  if (version_ >= kFirstVersionWithIndexPages) return {};
+  ALGEBRA3D_ASSIGN_OR_RETURN(
+      const std::int64_t count,
+      connection_.integer(fmt::format("SELECT count(*) FROM sqlite_schema WHERE name = '{}'", kIndexPagesTable)));
+  if (count == 0) return {};
+  return corrupt(connection_, fmt::format("the header says that the database has version {}, but it has the table {}, "
+                                          "which came with version {}; the header was changed",
+                                          version_, kIndexPagesTable, kFirstVersionWithIndexPages));
 }
 
 Status Catalogue::read_entries(bool backwards) {
@@ -198,11 +211,11 @@ std::uint64_t Catalogue::sum() const {
 
 Status Catalogue::upgrade() {
   ALGEBRA3D_RETURN_IF_ERROR(load());
-  if (version_ == kDatabaseVersion) return {};
+  if (version_ >= kLastVersionWithoutPageSums) return {};
   if (version_ == 1) ALGEBRA3D_RETURN_IF_ERROR(upgrade_from_version1());
   ALGEBRA3D_RETURN_IF_ERROR(connection_.execute(kCreateIndexPages));
-  ALGEBRA3D_RETURN_IF_ERROR(connection_.execute(fmt::format("PRAGMA user_version = {}", kDatabaseVersion)));
-  version_ = kDatabaseVersion;
+  ALGEBRA3D_RETURN_IF_ERROR(connection_.execute(fmt::format("PRAGMA user_version = {}", kLastVersionWithoutPageSums)));
+  version_ = kLastVersionWithoutPageSums;
   return flush();
 }
 

@@ -79,6 +79,7 @@ class Catalogue {
 
  private:
   algebra3d::Status upgrade_from_version1();
+  algebra3d::Status check_version();
   algebra3d::Status read_all();
   algebra3d::Status read_entries(bool backwards = false);
   algebra3d::Status read_readable();

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "algebra3d/base/open_databases.h"
 #include "queries/store/database_creation.h"
 #include "queries/store/database_draft.h"
+#include "queries/store/detail/page_sums.h"
 #include "queries/store/detail/tables.h"
 
 namespace queries {
@@ -83,7 +85,13 @@ Status check_header(const fs::path& file) {
   if (!is_ours(application))
     return foreign(file, application == 0 ? "a SQLite database of another program"
                                           : fmt::format("a SQLite database of application {:#x}", application));
-  return check_version(file, big_endian(header, kUserVersionOffset));
+  const std::uint32_t version = big_endian(header, kUserVersionOffset);
+  ALGEBRA3D_RETURN_IF_ERROR(check_version(file, version));
+  if (page_format(std::as_bytes(std::span(header))).is_consistent()) return {};
+  return Error{ErrorCode::database_corrupt,
+               "{}: the header says that the database has version {}, but its pages have {} checksums, unlike those of "
+               "that version; the header was changed",
+               file.string(), version, version < kFirstVersionWithPageSums ? "room for" : "no room for"};
 }
 
 Status check_missing(const fs::path& file, OpenMode mode) {
@@ -196,7 +204,7 @@ Result<std::unique_ptr<SqliteConnection>> connect(const fs::path& file, OpenMode
   ALGEBRA3D_RETURN_IF_ERROR(check_names(file));
   const Access access = writes ? Access::read_write : read_access(file);
   ALGEBRA3D_ASSIGN_OR_RETURN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
-  if (mode == OpenMode::read_damaged) connection->tolerate_missing_pages();
+  if (mode == OpenMode::read_damaged) connection->tolerate_damaged_pages();
   if (writes && connection->is_read_only())
     return Error{ErrorCode::database_read_only, "{}: the file cannot be written; open it with --read-only",
                  file.string()};

@@ -28,15 +28,15 @@ void Database::close() {
 Status Database::upgrade() {
   if (is_read_only_) return {};
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t version, connection_->integer("PRAGMA user_version"));
-  if (version == kDatabaseVersion) return {};
+  if (version >= kLastVersionWithoutPageSums) return {};
   ALGEBRA3D_RETURN_IF_ERROR(connection_->execute("BEGIN IMMEDIATE"));
   // Another process may have been faster.
   const auto found = connection_->integer("PRAGMA user_version");
   Status status = found ? catalogue_.upgrade() : Status(found.error());
   if (status) status = connection_->execute("COMMIT");
-  if (status && *found != kDatabaseVersion)
+  if (status && *found < kLastVersionWithoutPageSums)
     opening_notice_ = fmt::format("{}: the database was upgraded from version {} to {}; older programs cannot open it",
-                                  file_.string(), *found, kDatabaseVersion);
+                                  file_.string(), *found, kLastVersionWithoutPageSums);
   if (!status && connection_->in_transaction()) static_cast<void>(connection_->execute("ROLLBACK"));
   catalogue_.forget();
   return status;
@@ -200,7 +200,7 @@ Status Database::restore_order(const IndexPlace& place) {
 // statement that has only read has nothing to commit.
 Status Database::end_in_sqlite() {
   Status status = connection_->execute(is_explicit_ ? kEndStatement : "COMMIT");
-  const bool may_go_back = !is_explicit_ && !has_written_ && !orders_to_restore_.empty();
+  const bool may_go_back = !is_explicit_ && !has_written_;
   if (status || !may_go_back || status.error().code != ErrorCode::database_corrupt) return status;
   return connection_->in_transaction() ? connection_->execute("ROLLBACK") : Status();
 }

@@ -210,7 +210,7 @@ Status IntegrityCheck::check_schema() {
 // Compared with tables that are made now, as for a new database. Those of an older version are others.
 Status IntegrityCheck::check_columns() {
   auto version = database_->connection().integer("PRAGMA user_version");
-  if (!version || *version != kDatabaseVersion) return {};
+  if (!version || *version < kLastVersionWithoutPageSums) return {};
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto model, SqliteConnection::open_temporary());
   for (const char* sql : kCreateTables) ALGEBRA3D_RETURN_IF_ERROR(model->execute(sql));
   ALGEBRA3D_RETURN_IF_ERROR(model->execute(kCreateShapeLevels));

@@ -4,6 +4,8 @@
 #include <thread>
 #include <utility>
 
+#include "queries/store/detail/checked_vfs.h"
+#include "queries/store/detail/page_sums.h"
 #include "queries/store/detail/sqlite_error.h"
 
 namespace queries {
@@ -64,7 +66,7 @@ Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open(const std::file
                                                                  int busy_milliseconds) {
   sqlite3* handle = nullptr;
   const std::string name = name_for_sqlite(file, access);
-  const int code = sqlite3_open_v2(name.c_str(), &handle, flags_of(access), nullptr);
+  const int code = sqlite3_open_v2(name.c_str(), &handle, flags_of(access), checked_vfs());
   if (code != SQLITE_OK) {
     Error error = sqlite_error(handle, code, file.string(), "opening the database");
     sqlite3_close(handle);
@@ -88,6 +90,8 @@ Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open_temporary() {
   sqlite3* handle = nullptr;
   int code = sqlite3_open_v2("", &handle, flags_of(Access::create), nullptr);
   if (code == SQLITE_OK) code = SqliteStatement::add_row_function(handle);
+  int reserved_bytes = kPageSumBytes;
+  if (code == SQLITE_OK) code = sqlite3_file_control(handle, "main", SQLITE_FCNTL_RESERVE_BYTES, &reserved_bytes);
   if (code == SQLITE_OK)
     return std::unique_ptr<SqliteConnection>(new SqliteConnection(handle, "temporary file", Access::create));
   Error error = sqlite_error(handle, code, "temporary file", "making it");
@@ -193,7 +197,8 @@ Result<std::int64_t> SqliteConnection::integer(std::string_view sql) {
 
 // With a schema that may be written, SQLite no longer compares the number of pages with the header's, nor parses all of
 // the schema or none; the pages that are there it reads as ever.
-void SqliteConnection::tolerate_missing_pages() {
+void SqliteConnection::tolerate_damaged_pages() {
+  tolerate_page_faults(handle_);
   sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
   sqlite3_db_config(handle_, SQLITE_DBCONFIG_WRITABLE_SCHEMA, 1, nullptr);
 }
@@ -203,7 +208,15 @@ Result<std::string> SqliteConnection::image() {
   const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> bytes(sqlite3_serialize(handle_, "main", &size, 0),
                                                                       &sqlite3_free);
   if (bytes == nullptr) return error(SQLITE_NOMEM, "copying the database");
+  const std::span<std::byte> pages = std::as_writable_bytes(std::span(bytes.get(), static_cast<std::size_t>(size)));
+  const std::size_t page_bytes = pages.size() < kFileHeaderBytes ? 0 : page_format(pages).page_bytes;
+  for (std::size_t page = 0; page_bytes > 0 && (page + 1) * page_bytes <= pages.size(); ++page)
+    set_page_sum(pages.subspan(page * page_bytes, page_bytes), static_cast<std::uint32_t>(page + 1));
   return std::string(bytes.get(), bytes.get() + size);
+}
+
+std::set<PageFault> SqliteConnection::page_faults() const {
+  return queries::page_faults(handle_);
 }
 
 }  // namespace queries

@@ -14,6 +14,7 @@
 #include <sqlite3.h>
 
 #include "algebra3d/base/open_databases.h"
+#include "queries/store/detail/checked_pages.h"
 #include "queries/store/detail/sqlite_statement.h"
 
 namespace queries {
@@ -33,7 +34,8 @@ class SqliteConnection {
   /// `busy_milliseconds`: how long statements wait for locks of other connections, before the error database_busy.
   static algebra3d::Result<std::unique_ptr<SqliteConnection>> open(const std::filesystem::path& file, Access access,
                                                                    int busy_milliseconds);
-  /// Opens a new database that is deleted with its connection: in memory, or in a temporary file once it is large.
+  /// Opens a new database that is deleted with its connection: in memory, or in a temporary file once it is large. Its
+  /// pages have room for checksums.
   static algebra3d::Result<std::unique_ptr<SqliteConnection>> open_temporary();
   ~SqliteConnection();
   SqliteConnection(const SqliteConnection&) = delete;
@@ -54,11 +56,14 @@ class SqliteConnection {
   /// The first column of the first row, an integer. Error if there is no row.
   algebra3d::Result<std::int64_t> integer(std::string_view sql);
 
-  /// All bytes of the database, as a file would have them.
+  /// All bytes of a temporary database, as a file would have them: with the checksums of pages.
   algebra3d::Result<std::string> image();
 
-  /// Makes a truncated file readable as far as it goes. For read-only use.
-  void tolerate_missing_pages();
+  /// Makes a truncated or damaged file readable as far as it goes: also pages with wrong checksums, which are noted. For
+  /// read-only use.
+  void tolerate_damaged_pages();
+  /// The pages with wrong checksums that were read.
+  std::set<PageFault> page_faults() const;
 
   /// Sets the flag that ends running statements with the error `interrupted`; null for none.
   void end_when(const std::atomic<bool>* cancel);

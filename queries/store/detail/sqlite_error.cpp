@@ -1,7 +1,10 @@
 #include "queries/store/detail/sqlite_error.h"
 
 #include <cerrno>
+#include <optional>
 #include <string>
+
+#include "queries/store/detail/checked_vfs.h"
 
 namespace queries {
 namespace {
@@ -85,11 +88,26 @@ std::string ascii_text(std::string_view text) {
   return result;
 }
 
+std::string page_fault_text(const PageFault& fault) {
+  return fmt::format("page {}{} is not what algebra3d has written: its checksum is wrong", fault.page,
+                     fault.is_in_log ? " in the log (-wal)" : "");
+}
+
+Error page_fault_error(std::string_view file, const PageFault& fault) {
+  return {ErrorCode::database_corrupt,
+          "{}: {}; bytes of the file were changed, or another program has written to it; use a saved copy, or see by "
+          "check database what is not damaged",
+          file, page_fault_text(fault)};
+}
+
 Error sqlite_error(sqlite3* connection, int code, std::string_view file, std::string_view doing) {
   if (code == SQLITE_BUSY_SNAPSHOT)
     return {ErrorCode::database_busy,
             "{}: {}: another process changed the database while this statement was reading it; run it again", file,
             doing};
+  const bool is_damage = (code & 0xff) == SQLITE_CORRUPT;
+  if (const auto fault = is_damage && connection != nullptr ? take_page_fault(connection) : std::nullopt)
+    return page_fault_error(file, *fault);
   const ErrorCode kind = error_code(connection, code);
   if (kind == ErrorCode::database_busy)
     return {kind, "{}: {}: another process is writing to the database; try again when it has finished", file, doing};

@@ -9,10 +9,15 @@ namespace queries {
 inline constexpr std::int64_t kApplicationId = 0x41334442;
 /// Application id of a database under construction, until it gets its name: "A3DR".
 inline constexpr std::int64_t kDraftApplicationId = 0x41334452;
-/// Version of the tables, docs/file_format.md. Newer versions are refused, older ones upgraded at the first write.
-inline constexpr std::int64_t kDatabaseVersion = 3;
+/// Version of new databases, docs/file_format.md. Newer versions are refused.
+inline constexpr std::int64_t kDatabaseVersion = 4;
+/// The last version whose pages have no checksums, and otherwise as the one above. Older files are upgraded to it at the
+/// first write: room for checksums is made with a file only.
+inline constexpr std::int64_t kLastVersionWithoutPageSums = 3;
 /// The first version with stored spatial indexes.
 inline constexpr std::int64_t kFirstVersionWithIndexPages = 3;
+/// The table that came with it.
+inline constexpr const char* kIndexPagesTable = "index_pages";
 
 inline constexpr const char* kCreateCatalogue =
     "CREATE TABLE catalogue(id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE COLLATE BINARY, type TEXT NOT NULL, "

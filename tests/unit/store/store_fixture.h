@@ -16,6 +16,7 @@
 #include "algebra3d/types/all.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
+#include "queries/store/detail/checked_vfs.h"
 #include "queries/store/store_options.h"
 #include "queries/streams/relation.h"
 
@@ -182,10 +183,14 @@ class StoreTest : public testing::Test {
   void write_bytes(const std::filesystem::path& file, std::string_view content) const {
     std::ofstream(file, std::ios::binary) << content;
   }
-  /// What another SQLite client reads or does: the first column of the first row as text.
-  std::string sql(const std::string& statement) {
+  /// Runs SQL on the file, behind the back of the store, and leaves pages with right checksums: the first column of the
+  /// first row as text.
+  std::string sql(const std::string& statement) { return sql_in(checked_vfs(), statement); }
+  /// The same as another SQLite client does it, which knows nothing of checksums.
+  std::string foreign_sql(const std::string& statement) { return sql_in(nullptr, statement); }
+  std::string sql_in(const char* vfs, const std::string& statement) {
     sqlite3* handle = nullptr;
-    EXPECT_EQ(sqlite3_open(path().c_str(), &handle), SQLITE_OK);
+    EXPECT_EQ(sqlite3_open_v2(path().c_str(), &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, vfs), SQLITE_OK);
     std::string result;
     char* message = nullptr;
     sqlite3_exec(
