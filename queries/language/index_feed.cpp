@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "algebra3d/base/diagnostics.h"
+#include "queries/streams/index_object.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
 
@@ -51,9 +52,9 @@ int rank(IndexUse use) {
   }
 }
 
-/// The tuples that an index finds, and its name.
+/// What an index finds, and its name.
 struct Found {
-  std::vector<TupleId> ids;
+  IndexCandidates tuples;
   std::string index;
 };
 
@@ -68,17 +69,36 @@ Result<std::optional<Found>> found_by_index(const Relation& relation, const std:
     // An index that cannot be read is passed over: the relation is there.
     const Result<Datum> index = objects.current_index(choices[i].index.name);
     if (!index) continue;
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto ids, index_candidates(*index, choices[i].index.type, *questions[i], tuple_count));
-    if (ids && pays(ids->size(), tuple_count)) return std::optional(Found{*std::move(ids), choices[i].index.name});
+    ALGEBRA3D_ASSIGN_OR_RETURN(auto tuples,
+                               index_candidates(*index, choices[i].index.type, *questions[i], tuple_count));
+    if (tuples && pays(tuples->ids.size(), tuple_count))
+      return std::optional(Found{*std::move(tuples), choices[i].index.name});
   }
   return std::optional<Found>();
+}
+
+/// The tuples of a relation that an index has found. Each must be as the index says: the filter would pass over one
+/// that is not.
+Result<TupleStreamPtr> selected(Relation& relation, IndexCandidates found) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr tuples, relation.select(std::exchange(found.ids, {})));
+  const auto& attributes = relation.tuple_type().attributes();
+  const auto attribute = static_cast<std::size_t>(
+      std::ranges::find(attributes, found.attribute, &TypeExpr::Attribute::name) - attributes.begin());
+  if (attribute == attributes.size())
+    return Error{ErrorCode::internal, "{}: the relation has no attribute '{}'", relation.name(), found.attribute};
+  return make_stream(
+      [tuples = std::move(tuples), found = std::move(found), attribute, name = relation.name()]() -> Result<TuplePtr> {
+        ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, tuples->next());
+        if (tuple == nullptr || fits(found, tuple->attributes[attribute])) return tuple;
+        return index_disagrees(name, found.attribute, tuple->id, true);
+      });
 }
 
 /// The tuples of a relation that an index finds, or all of them.
 Result<TupleStreamPtr> tuples_of(Relation& relation, const std::vector<IndexChoice>& choices,
                                  const std::vector<std::optional<IndexQuestion>>& questions, ObjectSource& objects) {
   ALGEBRA3D_ASSIGN_OR_RETURN(auto found, found_by_index(relation, choices, questions, objects));
-  return found ? relation.select(std::move(found->ids)) : relation.scan();
+  return found ? selected(relation, std::move(found->tuples)) : relation.scan();
 }
 
 std::vector<std::optional<IndexQuestion>> questions_of(const std::vector<IndexChoice>& choices, const Frame* frame,
@@ -120,7 +140,7 @@ Result<IndexFeedPlan> IndexFeedNode::plan(Context& context) const {
   const Relation& relation = *datum.relation();
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto found,
                              found_by_index(relation, choices_, questions_of(choices_, nullptr, context), objects_));
-  if (found) return IndexFeedPlan{found->ids.size(), fmt::format("by the index {}", found->index)};
+  if (found) return IndexFeedPlan{found->tuples.ids.size(), fmt::format("by the index {}", found->index)};
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t count, relation.count());
   return IndexFeedPlan{static_cast<std::uint64_t>(count),
                        fmt::format("a scan: not {}, which would find too many tuples or cannot tell", text())};

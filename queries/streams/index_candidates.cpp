@@ -12,7 +12,7 @@ namespace queries {
 namespace {
 
 using algebra3d::Box3;
-using Candidates = std::optional<std::vector<TupleId>>;
+using Candidates = std::optional<IndexCandidates>;
 
 bool is_spatial_use(IndexUse use) {
   return use == IndexUse::meets || use == IndexUse::is_inside || use == IndexUse::contains || use == IndexUse::is_near;
@@ -33,8 +33,9 @@ Result<Candidates> spatial_candidates(const IndexQuestion& question, const Spati
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t entry_count, index.size());
   if (question.use == IndexUse::is_inside && entry_count != tuple_count) return Candidates();
   if (question.use == IndexUse::contains && window_of(question.operand).is_empty()) return Candidates();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto found, ids_in_window(index, window_for(question)));
-  return Candidates(std::vector<TupleId>(found.begin(), found.end()));
+  const Box3 window = window_for(question);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto found, ids_in_window(index, window));
+  return Candidates({std::vector<TupleId>(found.begin(), found.end()), index.attribute(), window});
 }
 
 /// An operand as a key of the index; nothing if it cannot be one.
@@ -57,7 +58,7 @@ Result<Candidates> ordered_candidates(const IndexQuestion& question, const TypeE
   if (question.use == IndexUse::at_most) low.reset();
   ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<TupleId> ids, index.entries().range(low, high));
   std::ranges::sort(ids);
-  return Candidates(std::move(ids));
+  return Candidates({std::move(ids), index.attribute(), std::nullopt});
 }
 
 }  // namespace
@@ -74,8 +75,12 @@ bool can_serve(const TypeExpr& index, IndexUse use, const TypeExpr& operand, con
   return operand == key || (key.is("real") && operand.is("int"));
 }
 
-Result<std::optional<std::vector<TupleId>>> index_candidates(const Datum& index, const TypeExpr& index_type,
-                                                             const IndexQuestion& question, std::uint64_t tuple_count) {
+bool fits(const IndexCandidates& candidates, const Value& value) {
+  return !candidates.window || window_of(value).intersects(*candidates.window);
+}
+
+Result<std::optional<IndexCandidates>> index_candidates(const Datum& index, const TypeExpr& index_type,
+                                                        const IndexQuestion& question, std::uint64_t tuple_count) {
   // Then no tuple fulfils the condition, but why is told where it is asked.
   if (!question.operand.is_defined() || (question.limit && !question.limit->is_defined())) return Candidates();
   if (is_spatial_use(question.use)) return spatial_candidates(question, *index.index(), tuple_count);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "algebra3d/registry/registry.h"
@@ -33,10 +34,18 @@ struct IndexQuestion {
   std::optional<Value> limit;  ///< of IndexUse::is_near and between
 };
 
-/// The ids of the tuples for which a condition may hold, ascending: all of those for which it does, and others. Nothing
-/// if the index cannot tell. `index` is an index object of type `index_type` on a relation of `tuple_count` tuples.
+/// The ids of the tuples for which a condition may hold, ascending: all of those for which it does, and others.
+struct IndexCandidates {
+  std::vector<TupleId> ids;
+  std::string attribute;                  ///< of the index
+  std::optional<algebra3d::Box3> window;  ///< that the boxes of the tuples meet; none: of an ordered index
+};
+/// Whether the value of a tuple is one that the search in the index can have found; if not, the file is damaged.
+bool fits(const IndexCandidates& candidates, const Value& value);
+
+/// Asks an index object of type `index_type` on a relation of `tuple_count` tuples. Nothing if the index cannot tell.
 /// Errors: those of loading the operand.
-Result<std::optional<std::vector<TupleId>>> index_candidates(const Datum& index, const TypeExpr& index_type,
-                                                             const IndexQuestion& question, std::uint64_t tuple_count);
+Result<std::optional<IndexCandidates>> index_candidates(const Datum& index, const TypeExpr& index_type,
+                                                        const IndexQuestion& question, std::uint64_t tuple_count);
 
 }  // namespace queries

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
+
+#include "algebra3d/base/error.h"
 
 namespace queries {
 
@@ -21,5 +25,9 @@ class IndexObject {
   std::string relation_;
   std::string attribute_;
 };
+
+/// The error for a tuple that the index of an attribute has, and whose row is not in the file, or has another value.
+algebra3d::Error index_disagrees(std::string_view relation, std::string_view attribute, std::int64_t tuple,
+                                 bool has_row);
 
 }  // namespace queries

@@ -1,6 +1,7 @@
 // creatertree, bulkloadrtree, windowintersects, windowintersectsS, distancescan, nodes: R-trees on relations.
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 
 #include "algebra3d/registry/operator.h"
@@ -150,7 +151,12 @@ TypeMapping map_windowintersects(const Registry& registry) {
           ALGEBRA3D_ASSIGN_OR_RETURN(const IndexSearch search, index_search(given, "windowintersects"));
           const Value& window = given[2].value();
           ALGEBRA3D_ASSIGN_OR_RETURN(auto ids, ids_in_window(*search.index, window_of(window)));
-          TupleStreamPtr tuples = fetched(search.relation, one_by_one(std::move(ids)));
+          const auto meets = [attribute = search.attribute, box = window_of(window)](const Tuple& found,
+                                                                                     std::uint64_t) {
+            return window_of(found.attributes[attribute]).intersects(box);
+          };
+          TupleStreamPtr tuples =
+              fetched(search.relation, search.index, one_by_one(std::move(ids)), std::identity(), meets);
           if (!predicate) return Datum{std::move(tuples)};
           ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, window.loaded());
           return Datum{meeting(std::move(tuples), search.attribute, *predicate, loaded, context)};
@@ -243,13 +249,17 @@ TypeMapping map_distancescan(const Registry& registry) {
             ALGEBRA3D_ASSIGN_OR_RETURN(const Value to, given[2].value().loaded());
             return Datum{exact_distance_scan(std::move(search), to, left, context)};
           }
+          using Neighbor = NearestEntries::Neighbor;
           return Datum{fetched(
-              search.relation,
-              [nearest = NearestEntries(search.index, box), left]() mutable -> Result<std::optional<std::uint64_t>> {
-                if (left == 0) return std::optional<std::uint64_t>();
+              search.relation, search.index,
+              [nearest = NearestEntries(search.index, box), left]() mutable -> Result<std::optional<Neighbor>> {
+                if (left == 0) return std::optional<Neighbor>();
                 --left;
-                ALGEBRA3D_ASSIGN_OR_RETURN(const auto next, nearest.next());
-                return next ? std::optional(next->payload) : std::nullopt;
+                return nearest.next();
+              },
+              &Neighbor::payload,
+              [attribute = search.attribute, box](const Tuple& own, const Neighbor& found) {
+                return has_box_at(own.attributes[attribute], box, found.distance);
               })};
         }};
   };

@@ -63,11 +63,13 @@ Result<Datum> found(const std::vector<Datum>& given, const Bounds& bounds, const
   // Nothing lies beside an undefined bound.
   for (std::optional<Value>* each : {&low, &high}) {
     if (!*each) continue;
-    if (!(*each)->is_defined()) return Datum{fetched(given[1].relation(), one_by_one(std::vector<TupleId>()))};
+    if (!(*each)->is_defined()) return Datum{make_stream([]() -> Result<TuplePtr> { return TuplePtr(); })};
     ALGEBRA3D_ASSIGN_OR_RETURN(*each, (*each)->loaded());
   }
   ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<TupleId> ids, index->entries().range(low, high));
-  return Datum{fetched(given[1].relation(), one_by_one(std::move(ids)))};
+  // The keys in the index are proved by the rows when they are found: StoredOrder.
+  const auto fits = [](const Tuple&, TupleId) { return true; };
+  return Datum{fetched(given[1].relation(), index, one_by_one(std::move(ids)), std::identity(), fits)};
 }
 
 TypeMapping map_search(Bounds bounds) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "queries/streams/index_object.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -13,13 +14,22 @@ Error not_stored() {
 
 }  // namespace
 
+Error index_disagrees(std::string_view relation, std::string_view attribute, std::int64_t tuple, bool has_row) {
+  return {ErrorCode::database_corrupt,
+          "{}: the index of '{}' has the tuple {}, {}; see by check database what is damaged",
+          relation,
+          attribute,
+          tuple,
+          has_row ? "whose row has another value" : "whose row is not in the file"};
+}
+
 Result<TupleStreamPtr> Relation::select(std::vector<TupleId> ids) {
   return make_stream([this, ids = std::move(ids), position = std::size_t{0}]() mutable -> Result<TuplePtr> {
-    while (position < ids.size()) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, fetch(ids[position++]));
-      if (tuple != nullptr) return tuple;
-    }
-    return TuplePtr();
+    if (position == ids.size()) return TuplePtr();
+    const TupleId id = ids[position++];
+    ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, fetch(id));
+    if (tuple == nullptr) return Error{ErrorCode::internal, "{}: there is no tuple {}", name(), id};
+    return tuple;
   });
 }
 

@@ -23,8 +23,8 @@ class Relation {
   virtual Result<TupleStreamPtr> scan() = 0;
   /// The tuple with this id, or null.
   virtual Result<TuplePtr> fetch(TupleId id) = 0;
-  /// A stream of the tuples with these ids, which are ascending; ids that are not there are left out. It shows the
-  /// relation as `scan` does. The relation outlives it.
+  /// A stream of the tuples with these ids, which are ascending, in the relation, and come from an index of it. It
+  /// shows the relation as `scan` does. The relation outlives it. Errors: database_corrupt for an id without a row.
   virtual Result<TupleStreamPtr> select(std::vector<TupleId> ids);
   /// True if what `fetch` gives of this tuple now can be read until the statement ends, also the values that it defers,
   /// whatever becomes of the tuple.

@@ -127,9 +127,8 @@ int CheckedLog::prove_predecessor(sqlite3_int64 frame) {
 
 int CheckedLog::set_frame_sum(sqlite3_int64 frame) {
   constexpr std::uint32_t kMagic = 0x377f0682;  // its last bit: words are big-endian
-  const auto before = frame == kLogHeaderBytes
-                          ? kSumsInLogHeader
-                          : frame - static_cast<sqlite3_int64>(frame_bytes() - kSumsInFrame);
+  const auto before =
+      frame == kLogHeaderBytes ? kSumsInLogHeader : frame - static_cast<sqlite3_int64>(frame_bytes() - kSumsInFrame);
   std::array<std::byte, 4> magic{};
   std::array<std::byte, 8> last{};
   if (const int code = file_.read(magic, 0); code != SQLITE_OK) return code;

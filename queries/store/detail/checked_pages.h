@@ -33,8 +33,12 @@ class CheckedPages {
   bool is_tolerant() const { return is_tolerant_; }
   /// Of the last page that failed; forgets it.
   std::optional<PageFault> take_last() { return std::exchange(last_, std::nullopt); }
-  /// All that failed, in order.
+  /// All that failed since `forget`, in order.
   const std::set<PageFault>& all() const { return all_; }
+  void forget() {
+    last_.reset();
+    all_.clear();
+  }
 
   /// Between its beginning and its end a checkpoint copies pages from the log into the file as they are: a damaged one
   /// is told where it is read.

@@ -299,6 +299,10 @@ void tolerate_page_faults(sqlite3* connection) {
   if (CheckedPages* const pages = pages_of(connection)) pages->tolerate();
 }
 
+void forget_page_faults(sqlite3* connection) {
+  if (CheckedPages* const pages = pages_of(connection)) pages->forget();
+}
+
 std::set<PageFault> page_faults(sqlite3* connection) {
   const CheckedPages* const pages = pages_of(connection);
   return pages != nullptr ? pages->all() : std::set<PageFault>();

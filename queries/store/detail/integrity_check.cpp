@@ -1,11 +1,13 @@
 #include "queries/store/detail/integrity_check.h"
 
+#include <algorithm>
 #include <array>
 
 #include "algebra3d/types/codec.h"
 #include "queries/store/detail/frozen_index.h"
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/index_pages.h"
+#include "queries/store/detail/sqlite_error.h"
 #include "queries/store/detail/stored_object.h"
 #include "queries/store/detail/tables.h"
 
@@ -36,6 +38,7 @@ Result<std::vector<Finding>> IntegrityCheck::run() {
   const auto& entries = database_->catalogue().entries();
   for (const auto& [name, entry] : entries)
     done_.total += 1 + (entry.type.is_relation() ? static_cast<std::uint64_t>(entry.tuple_count) : 0);
+  database_->connection().forget_pages();
   ALGEBRA3D_RETURN_IF_ERROR(check_catalogue());
   ALGEBRA3D_RETURN_IF_ERROR(check_pages());
   for (const auto& [name, entry] : entries) ALGEBRA3D_RETURN_IF_ERROR(check_object(entry));
@@ -47,6 +50,7 @@ Result<std::vector<Finding>> IntegrityCheck::run() {
   ALGEBRA3D_RETURN_IF_ERROR(check_index_pages());
   ALGEBRA3D_RETURN_IF_ERROR(check_levels());
   ALGEBRA3D_RETURN_IF_ERROR(check_abandoned());
+  add_page_faults();
   add_readable_objects();
   for (const auto& [name, count] : finding_counts_)
     if (count > kFindingsPerObject)
@@ -65,6 +69,7 @@ Status IntegrityCheck::add(Finding finding, const Error& error) {
   for (const std::string& prefix :
        {finding.object + ": ", database_->file().string() + ": ", fmt::format("tuple {}: ", finding.tuple)})
     if (prefix != ": " && message.starts_with(prefix)) message.remove_prefix(prefix.size());
+  if (message.ends_with(kPageFaultRemedy)) message.remove_suffix(kPageFaultRemedy.size());
   finding.message += message;
   add(std::move(finding));
   return {};
@@ -93,6 +98,16 @@ Status IntegrityCheck::check_catalogue() {
     if (!has_row) return add({.message = kCatalogueFinding}, has_row.error());
     if (!*has_row) return {};
     abandoned_.insert(statement->column(0).integer);
+  }
+}
+
+// Those that no finding has named: in a database that does not open, they are read as they are.
+void IntegrityCheck::add_page_faults() {
+  for (const PageFault& fault : database_->connection().page_faults()) {
+    const std::string text = page_fault_text(fault);
+    const bool is_told = std::ranges::any_of(
+        findings_, [&](const Finding& each) { return each.message.find(text) != std::string::npos; });
+    if (!is_told) add({.message = "the file: " + text});
   }
 }
 

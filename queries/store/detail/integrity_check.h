@@ -36,12 +36,15 @@ class IntegrityCheck {
   Status check_schema();
   bool is_stored_order(const std::string& name) const;
   Status check_stored_orders();
+  Status check_stored_order(const RelationLayout& layout, std::size_t attribute);
+  const CatalogueEntry* order_definition(const RelationLayout& layout, std::size_t attribute) const;
   Status check_columns();
   Status check_columns_of(SqliteConnection& model, const std::string& table, const Finding& place);
   Status check_meta();
   Status check_indexes(SqliteConnection& model);
   Status check_abandoned();
   Result<bool> has_rows(std::int64_t number);
+  void add_page_faults();
   void add_page_finding(const Finding& place, std::string_view line);
   std::vector<std::pair<std::string, Finding>> tables();
 
@@ -62,6 +65,7 @@ class IntegrityCheck {
   Result<Value> proved(const Value& value);
   void check_totals(const Walk& walk);
   void check_trees(Walk& walk);
+  bool is_lost_tree(const CatalogueEntry& relation, std::size_t attribute, std::int64_t owner);
   Status check_tree(const Entries& boxes, const SpatialIndex::Tree& tree, const Finding& place);
 
   Status check_numbers(std::string_view table, std::string_view column);

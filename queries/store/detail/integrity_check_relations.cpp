@@ -4,6 +4,7 @@
 
 #include "algebra3d/types/codec.h"
 #include "queries/store/detail/frozen_order.h"
+#include "queries/store/detail/index_pages.h"
 #include "queries/store/detail/integrity_check.h"
 #include "queries/store/detail/stored_tree.h"
 #include "queries/store/detail/stored_value.h"
@@ -225,10 +226,16 @@ void IntegrityCheck::check_trees(Walk& walk) {
     const auto owner = tree_owner(database_->catalogue(), *walk.layout, attribute);
     if (!owner || database_->catalogue().version() < kFirstVersionWithIndexPages) continue;
     const auto is_stored = has_tree(database_->connection(), *owner, relation_state(walk.entry, attribute));
-    if (is_stored && !*is_stored) continue;
     const auto index = std::ranges::find_if(database_->catalogue().entries(),
                                             [&](const auto& each) { return each.second.id == *owner; });
     const Finding place{.object = index->first, .message = "the stored index"};
+    if (is_stored && !*is_stored) {
+      if (is_lost_tree(walk.entry, attribute, *owner))
+        add({.object = place.object,
+             .message = place.message + " is not there: another program has erased it; it is made anew when it is next "
+                                        "used"});
+      continue;
+    }
     const auto stored =
         is_stored ? load_tree(database_, *owner) : Result<std::shared_ptr<SpatialIndex::Tree>>(is_stored.error());
     if (!stored && stored.error().code == ErrorCode::database_version) continue;
@@ -242,6 +249,17 @@ void IntegrityCheck::check_trees(Walk& walk) {
            .attribute = walk.layout->attributes()[attribute].name,
            .message = "the ordered index in memory does not have the values of the relation"});
   }
+}
+
+/// Whether a tree that was stored when its index was made has no pages at all. Files of older versions may have none
+/// yet, and one that the running transaction has made is not written yet.
+bool IntegrityCheck::is_lost_tree(const CatalogueEntry& relation, std::size_t attribute, std::int64_t owner) {
+  if (database_->catalogue().version() < kDatabaseVersion) return false;
+  const auto unstored = database_->indexes().unstored();
+  const IndexCache::Place place{relation.table_number, attribute};
+  if (std::ranges::any_of(unstored, [&](const auto& each) { return each.place == place; })) return false;
+  const auto header = read_index_page(database_->connection(), {owner, 0});
+  return header && !*header;
 }
 
 /// Compares a tree with the sorted boxes of the rows. Errors: those of reading the tree.

@@ -158,7 +158,10 @@ Result<bool> IntegrityCheck::check_pages_of(std::string_view sql, const Finding&
 void IntegrityCheck::add_page_finding(const Finding& place, std::string_view line) {
   if (line.empty() || line.starts_with("*** in database")) return;
   Finding found = place;
-  found.message += plain_words(line);
+  std::string words = plain_words(line);
+  for (const PageFault& fault : database_->connection().page_faults())
+    if (words.starts_with(fmt::format("page {} is damaged", fault.page))) words = page_fault_text(fault);
+  found.message += words;
   const bool is_told =
       !findings_.empty() && findings_.back().object == found.object && findings_.back().message == found.message;
   if (is_told) return;
@@ -247,28 +250,54 @@ Status IntegrityCheck::check_indexes(SqliteConnection& model) {
   }
 }
 
-// One that is not there is made when it is asked. Whether it has the values of the rows, SQLite's own check has told.
+// Whether it has the values of the rows, SQLite's own check has told.
 Status IntegrityCheck::check_stored_orders() {
-  for (const auto& [number, layout] : layouts_) {
-    for (std::size_t attribute = 0; attribute < layout->attributes().size(); ++attribute) {
-      const std::string name = layout->order_name(attribute);
-      auto columns = database_->connection().use(
-          "SELECT i.tbl_name, c.name, (SELECT count(*) FROM pragma_index_info(i.name)) FROM sqlite_schema AS i, "
-          "pragma_index_info(i.name) AS c WHERE i.type = 'index' AND i.name = ?");
-      const Finding place{.object = layout->relation(), .attribute = layout->attributes()[attribute].name};
-      if (!columns) return add(place, columns.error());
-      const auto has_row = columns->bind(1, std::string_view(name)).step();
-      if (!has_row) return add(place, has_row.error());
-      if (!*has_row) continue;
-      const bool is_right =
-          sqlite3_stricmp(std::string(columns->column(0).bytes).c_str(), layout->table().c_str()) == 0 &&
-          columns->column(1).bytes == layout->column(layout->attributes()[attribute].value) &&
-          columns->column(2).integer == 1;
-      Finding wrong = place;
-      wrong.message = fmt::format("the index {} is not as it was made", name);
-      if (!is_right) add(std::move(wrong));
-    }
+  for (const auto& [number, layout] : layouts_)
+    for (std::size_t attribute = 0; attribute < layout->attributes().size(); ++attribute)
+      ALGEBRA3D_RETURN_IF_ERROR(check_stored_order(*layout, attribute));
+  return {};
+}
+
+/// An object that is an ordered index on an attribute; null if there is none.
+const CatalogueEntry* IntegrityCheck::order_definition(const RelationLayout& layout, std::size_t attribute) const {
+  for (const auto& [name, entry] : database_->catalogue().entries())
+    if (entry.type.is("btree") && entry.has_value && entry.index_relation == layout.relation() &&
+        entry.index_attribute == layout.attributes()[attribute].name)
+      return &entry;
+  return nullptr;
+}
+
+// Files of older versions get their indexes when these are first asked. One that was partial, or in another order,
+// would be passed over by our questions.
+Status IntegrityCheck::check_stored_order(const RelationLayout& layout, std::size_t attribute) {
+  const AttributeColumns& columns = layout.attributes()[attribute];
+  if (!columns.has_native_order()) return {};
+  const std::string name = layout.order_name(attribute);
+  const Finding place{.object = layout.relation(), .attribute = columns.name};
+  auto found = database_->connection().use(
+      "SELECT i.tbl_name, c.name, c.\"desc\", c.coll, l.\"unique\", l.partial, "
+      "(SELECT count(*) FROM pragma_index_info(i.name)) FROM sqlite_schema AS i, pragma_index_xinfo(i.name) AS c, "
+      "pragma_index_list(i.tbl_name) AS l WHERE i.type = 'index' AND i.name = ? AND l.name = i.name AND c.seqno = 0");
+  if (!found) return add(place, found.error());
+  const auto has_row = found->bind(1, std::string_view(name)).step();
+  if (!has_row) return add(place, has_row.error());
+  if (!*has_row) {
+    const CatalogueEntry* const index = order_definition(layout, attribute);
+    const bool is_made_later = database_->catalogue().version() < kDatabaseVersion;
+    if (index != nullptr && !is_made_later)
+      add({.object = index->name,
+           .message = fmt::format("the stored index {} is not there: another program has dropped it; it is made anew "
+                                  "when it is next used",
+                                  name)});
+    return {};
   }
+  const bool is_right = sqlite3_stricmp(std::string(found->column(0).bytes).c_str(), layout.table().c_str()) == 0 &&
+                        found->column(1).bytes == layout.column(columns.value) && found->column(2).integer == 0 &&
+                        found->column(3).bytes == "BINARY" && found->column(4).integer == 0 &&
+                        found->column(5).integer == 0 && found->column(6).integer == 1;
+  Finding wrong = place;
+  wrong.message = fmt::format("the index {} is not as it was made", name);
+  if (!is_right) add(std::move(wrong));
   return {};
 }
 

@@ -32,9 +32,7 @@ struct PageFormat {
     return page_bytes > 0 && (reserved_bytes == kPageSumBytes || version >= kFirstVersionWithPageSums);
   }
   /// False if the header contradicts itself.
-  bool is_consistent() const {
-    return (reserved_bytes == kPageSumBytes) == (version >= kFirstVersionWithPageSums);
-  }
+  bool is_consistent() const { return (reserved_bytes == kPageSumBytes) == (version >= kFirstVersionWithPageSums); }
 };
 /// `header`: at least kFileHeaderBytes.
 PageFormat page_format(std::span<const std::byte> header);

@@ -20,17 +20,15 @@ Result<TuplePtr> RelationSelection::next() {
   if (database_->changes().is_gone(layout_->table_number(), time_))
     return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted while it was read",
                  layout_->relation()};
-  while (position_ < ids_.size()) {
-    const TupleId id = ids_[position_++];
-    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteConnection * source, database_->source_of(*layout_, id, time_));
-    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, source->use(layout_->fetch_sql()));
-    statement.bind(1, id);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
-    if (!has_row) continue;
-    ALGEBRA3D_RETURN_IF_ERROR(reader_->take(statement));
-    return reader_->tuple();
-  }
-  return TuplePtr();
+  if (position_ == ids_.size()) return TuplePtr();
+  const TupleId id = ids_[position_++];
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteConnection * source, database_->source_of(*layout_, id, time_));
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, source->use(layout_->fetch_sql()));
+  statement.bind(1, id);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  if (!has_row) return Database::missing(*layout_, id);
+  ALGEBRA3D_RETURN_IF_ERROR(reader_->take(statement));
+  return reader_->tuple();
 }
 
 }  // namespace queries

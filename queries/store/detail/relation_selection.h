@@ -10,7 +10,7 @@
 namespace queries {
 
 /// A stream of the tuples of a stored relation with given ids, as they were at the first `next`, like a RelationScan
-/// that knows which tuples to read. Ids that are not in the relation are left out.
+/// that knows which tuples to read. Errors: database_corrupt for an id without a row.
 class RelationSelection final : public TupleStream {
  public:
   /// `ids` is ascending.

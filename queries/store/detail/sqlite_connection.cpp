@@ -215,6 +215,11 @@ Result<std::string> SqliteConnection::image() {
   return std::string(bytes.get(), bytes.get() + size);
 }
 
+void SqliteConnection::forget_pages() {
+  forget_page_faults(handle_);
+  sqlite3_db_release_memory(handle_);
+}
+
 std::set<PageFault> SqliteConnection::page_faults() const {
   return queries::page_faults(handle_);
 }

@@ -59,10 +59,12 @@ class SqliteConnection {
   /// All bytes of a temporary database, as a file would have them: with the checksums of pages.
   algebra3d::Result<std::string> image();
 
-  /// Makes a truncated or damaged file readable as far as it goes: also pages with wrong checksums, which are noted. For
-  /// read-only use.
+  /// Makes a truncated or damaged file readable as far as it goes: also pages with wrong checksums, which are noted.
+  /// For read-only use.
   void tolerate_damaged_pages();
-  /// The pages with wrong checksums that were read.
+  /// Drops the pages that are in memory, so that they are read and proved again.
+  void forget_pages();
+  /// The pages with wrong checksums that were read since `forget_pages`.
   std::set<PageFault> page_faults() const;
 
   /// Sets the flag that ends running statements with the error `interrupted`; null for none.

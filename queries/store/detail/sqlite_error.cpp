@@ -94,10 +94,7 @@ std::string page_fault_text(const PageFault& fault) {
 }
 
 Error page_fault_error(std::string_view file, const PageFault& fault) {
-  return {ErrorCode::database_corrupt,
-          "{}: {}; bytes of the file were changed, or another program has written to it; use a saved copy, or see by "
-          "check database what is not damaged",
-          file, page_fault_text(fault)};
+  return {ErrorCode::database_corrupt, "{}: {}{}", file, page_fault_text(fault), kPageFaultRemedy};
 }
 
 Error sqlite_error(sqlite3* connection, int code, std::string_view file, std::string_view doing) {

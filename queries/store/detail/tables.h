@@ -11,8 +11,8 @@ inline constexpr std::int64_t kApplicationId = 0x41334442;
 inline constexpr std::int64_t kDraftApplicationId = 0x41334452;
 /// Version of new databases, docs/file_format.md. Newer versions are refused.
 inline constexpr std::int64_t kDatabaseVersion = 4;
-/// The last version whose pages have no checksums, and otherwise as the one above. Older files are upgraded to it at the
-/// first write: room for checksums is made with a file only.
+/// The last version whose pages have no checksums, and otherwise as the one above. Older files are upgraded to it at
+/// the first write: room for checksums is made with a file only.
 inline constexpr std::int64_t kLastVersionWithoutPageSums = 3;
 /// The first version with stored spatial indexes.
 inline constexpr std::int64_t kFirstVersionWithIndexPages = 3;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algebra3d/spatial_relations/nearest_points.h"
+#include "queries/streams/detail/index_operands.h"
 #include "queries/streams/detail/nearest_entries.h"
 #include "queries/streams/detail/nearest_search.h"
 #include "queries/streams/detail/spatial_attribute.h"
@@ -48,6 +49,9 @@ class ExactDistanceScan final : public TupleStream {
   static constexpr std::size_t kLargestBatch = 1024;
 
   static bool is_after(const NearTuple& a, const NearTuple& b) { return b.is_before(a); }
+  bool is_as_far(const Tuple& tuple, const rtree::Neighbor<std::uint64_t>& entry) const {
+    return has_box_at(tuple.attributes[search_.attribute], window_of(to_), entry.distance);
+  }
 
   /// The next candidates by their boxes, more and more at a time, with their distances.
   Status take_candidates() {
@@ -55,7 +59,9 @@ class ExactDistanceScan final : public TupleStream {
     std::vector<TuplePtr> tuples;
     std::vector<ValuePair> pairs;
     while (pending_ && tuples.size() < batch_) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, search_.relation->fetch(static_cast<TupleId>(pending_->payload)));
+      ALGEBRA3D_ASSIGN_OR_RETURN(
+          TuplePtr tuple, indexed_tuple(*search_.relation, *search_.index, static_cast<TupleId>(pending_->payload),
+                                        [&](const Tuple& each) { return is_as_far(each, *pending_); }));
       ALGEBRA3D_ASSIGN_OR_RETURN(pending_, candidates_.next());
       // A frozen index may know tuples that have changed since.
       if (tuple == nullptr || window_of(tuple->attributes[search_.attribute]).is_empty()) continue;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "queries/streams/index_object.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
 
@@ -49,15 +52,30 @@ Status check_fits(const Index& index, const Relation& relation, std::string_view
                relation.name()};
 }
 
-/// A stream of the tuples with the given ids; `next_id` returns a Result of an optional id. Ids that are no longer in
-/// the relation are skipped (frozen indexes).
-template <typename NextId>
-TupleStreamPtr fetched(RelationPtr relation, NextId next_id) {
-  return make_stream([relation = std::move(relation), next_id = std::move(next_id)]() mutable -> Result<TuplePtr> {
+/// The tuple that a search in an index has found, or null if it is gone. Of an index that follows its relation, a tuple
+/// without a row, or whose row has a key for which `fits(tuple)` is false, is an error: database_corrupt. A frozen
+/// index may know tuples that have changed since, and so may a search that began before its statement changed them.
+template <typename Fits>
+Result<TuplePtr> indexed_tuple(Relation& relation, const IndexObject& index, TupleId id, Fits fits) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, relation.fetch(id));
+  const bool is_right = tuple != nullptr && fits(*tuple);
+  if (is_right || !index.is_definition() || !relation.keeps(id)) return tuple;
+  return index_disagrees(relation.name(), index.attribute(), id, tuple != nullptr);
+}
+
+/// A stream of the tuples that a search in an index has found; `next` returns a Result of an optional value, whose id
+/// is `id_of_found(value)`, and `fits(tuple, value)` is as for `indexed_tuple`. Tuples that are gone are skipped.
+template <typename Index, typename Next, typename IdOfFound, typename Fits>
+TupleStreamPtr fetched(RelationPtr relation, std::shared_ptr<Index> index, Next next, IdOfFound id_of_found,
+                       Fits fits) {
+  return make_stream([relation = std::move(relation), index = std::move(index), next = std::move(next), id_of_found,
+                      fits]() mutable -> Result<TuplePtr> {
     while (true) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const auto id, next_id());
-      if (!id) return TuplePtr();
-      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, relation->fetch(static_cast<TupleId>(*id)));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const auto found, next());
+      if (!found) return TuplePtr();
+      const auto id = static_cast<TupleId>(std::invoke(id_of_found, *found));
+      ALGEBRA3D_ASSIGN_OR_RETURN(
+          TuplePtr tuple, indexed_tuple(*relation, *index, id, [&](const Tuple& each) { return fits(each, *found); }));
       if (tuple != nullptr) return tuple;
     }
   });

@@ -1,6 +1,11 @@
 #include "queries/streams/detail/nearest_entries.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
+
+#include "queries/streams/detail/spatial_attribute.h"
 
 namespace queries {
 
@@ -29,6 +34,16 @@ Result<std::optional<NearestEntries::Neighbor>> NearestEntries::next() {
   }
   if (found && *found) ++count_;
   return found;
+}
+
+bool has_box_at(const Value& value, const algebra3d::Box3& from, double distance) {
+  constexpr double kRounding = 0x1p-40;
+  const algebra3d::Box3 box = window_of(value);
+  if (box.is_empty()) return false;
+  constexpr double kLargest = std::numeric_limits<double>::max(), kSmallest = std::numeric_limits<double>::min();
+  const double told = std::min(distance, kLargest);
+  const double found = std::min(algebra3d::distance(box, from), kLargest);
+  return std::abs(found - told) <= kRounding * told + kSmallest;
 }
 
 }  // namespace queries
