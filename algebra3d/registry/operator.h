@@ -172,6 +172,7 @@ struct Operator {
   bool is_pure = true;        ///< no side effect, and equal results for equal arguments; so no file access
   bool reads_files = false;   ///< an undefined result means that a file yields no value
   bool writes_files = false;
+  bool changes_relations = false;         ///< stored ones
   std::vector<std::string> sources = {};  ///< keys of docs/references.md
   std::vector<Overload> overloads = {};   ///< none of a relational operator
   /// Factory of an operator on values of every type: makes the overload for a type that is not registered, such as one

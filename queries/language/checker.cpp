@@ -141,7 +141,7 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
   }
   auto bound = bind_operator(registry_, op, types, context_);
   if (!bound) return std::move(bound).error().at(place);
-  return make_stream_call(std::move(bound).value(), std::move(nodes), place);
+  return make_stream_call(op, std::move(bound).value(), std::move(nodes), place);
 }
 
 Result<TypedPtr> Checker::checked_argument(const Argument& argument, const TypedPtr& checked,
@@ -159,7 +159,11 @@ Result<TypedPtr> Checker::checked_argument(const Argument& argument, const Typed
       type.literal = int_literal(*argument.value);
       // Outside of all functions nothing depends on a parameter.
       if (scopes_.empty() || is_literal(*argument.value))
-        type.constant = [node, &context = context_] { return node->evaluate_value(nullptr, context); };
+        type.constant = [node, &context = context_] {
+          Context checking = context;
+          if (checking.unchanging.empty()) checking.unchanging = "a command is being checked";
+          return node->evaluate_value(nullptr, checking);
+        };
       return node;
     }
     case PlaceKind::function: {

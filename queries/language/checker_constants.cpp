@@ -64,11 +64,11 @@ Path odd_one_out(const NestedList& list) {
 
 // Where in a list that is no value of the type the first wrong element stands, as far as that can be told: an atom that
 // is no number among numbers, or else an element that is no value alone either.
-Path wrong_element(const algebra3d::Type& type, const NestedList& list) {
+Path wrong_element(const algebra3d::Type& type, const NestedList& list, const Context& surroundings) {
   if (Path odd = odd_one_out(list); !odd.empty()) return odd;
   if (!list.is_list() || list.elements().size() < 2) return {};
   algebra3d::Diagnostics unheard;
-  Context context{unheard, nullptr, {}};
+  Context context = surroundings.with(unheard);
   const auto is_list_alone = [&](const NestedList& element) {
     return element.is_list() && value_from_nested(type, NestedList::list(element), context).ok();
   };
@@ -90,7 +90,8 @@ Result<TypedPtr> Checker::constant(const TypeExpr& type, const TypedLiteral& lit
   if (value_type == nullptr)
     return Error(ErrorCode::type_error, "a constant cannot be of type {}", type.text()).at(place);
   auto value = algebra3d::value_from_nested(*value_type, list, context_);
-  if (!value) return std::move(value).error().at(place_of_element(literal, wrong_element(*value_type, list), place));
+  if (!value)
+    return std::move(value).error().at(place_of_element(literal, wrong_element(*value_type, list, context_), place));
   return make_constant(type, Datum{std::move(value).value()}, place);
 }
 
@@ -114,7 +115,7 @@ Result<Datum> Checker::relation_constant(const TypeExpr& type, const TypedLitera
         Error error = std::move(value).error();
         error.message =
             fmt::format("rel: tuple {}, attribute {}: {}", tuples.size() + 1, attributes[index].name, error.message);
-        Path path = wrong_element(*attribute_type, row.elements()[index]);
+        Path path = wrong_element(*attribute_type, row.elements()[index], context_);
         path.insert(path.begin(), {tuples.size(), index});
         return std::move(error).at(place_of_element(literal, path, place));
       }

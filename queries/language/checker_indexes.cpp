@@ -81,7 +81,7 @@ Result<TypedPtr> Checker::indexed_feed(const Application& filter) {
 std::unique_ptr<IndexChoice> Checker::index_choice(const ObjectSource::IndexName& index,
                                                    const IndexCondition& condition) {
   Diagnostics unheard;
-  Context context{unheard, context_.cancel, context_.folder, context_.memory};
+  Context context = context_.with(unheard);
   Checker silent(registry_, objects_, context);
   silent.scopes_ = scopes_;
   const auto operand = silent.check(*condition.operand);

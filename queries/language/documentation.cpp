@@ -56,7 +56,9 @@ std::string cost_text(const Operator& op) {
   std::string text(describe(op.cost));
   if (op.reads_files) text += "; reads files";
   if (op.writes_files) text += "; writes files";
-  if (!op.is_pure && !op.reads_files && !op.writes_files) text += "; not a function of its arguments alone";
+  if (op.changes_relations) text += "; changes stored relations";
+  if (!op.is_pure && !op.reads_files && !op.writes_files && !op.changes_relations)
+    text += "; not a function of its arguments alone";
   return text;
 }
 

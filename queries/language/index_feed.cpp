@@ -20,7 +20,7 @@ namespace {
 std::optional<IndexQuestion> question_of(const IndexChoice& choice, const Frame* frame, Context& context) {
   // Notes are left to the filter, which evaluates its operands again.
   algebra3d::Diagnostics unheard;
-  Context own{unheard, context.cancel, context.folder, context.memory};
+  Context own = context.with(unheard);
   Result<Value> operand = choice.operand->evaluate_value(frame, own);
   if (!operand) return std::nullopt;
   IndexQuestion question{choice.use, std::move(operand).value(), std::nullopt};

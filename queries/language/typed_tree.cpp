@@ -200,9 +200,10 @@ class TableCallNode final : public TypedNode {
 
 class StreamCallNode final : public TypedNode {
  public:
-  StreamCallNode(BoundOperator bound, std::vector<TypedPtr> arguments, SourcePlace place)
-      : TypedNode(bound.type, std::move(place)), bound_(std::move(bound)), arguments_(std::move(arguments)) {}
+  StreamCallNode(const algebra3d::Operator& op, BoundOperator bound, std::vector<TypedPtr> arguments, SourcePlace place)
+      : TypedNode(bound.type, std::move(place)), op_(op), bound_(std::move(bound)), arguments_(std::move(arguments)) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override {
+    if (op_.changes_relations) ALGEBRA3D_RETURN_IF_ERROR(context.check_changing(op_.name + " changes a relation"));
     ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Datum> values, evaluate_all(arguments_, frame, context));
     auto result = bound_.run(std::move(values), context);
     if (!result) return std::move(result).error().at(place());
@@ -210,6 +211,7 @@ class StreamCallNode final : public TypedNode {
   }
 
  private:
+  const algebra3d::Operator& op_;
   BoundOperator bound_;
   std::vector<TypedPtr> arguments_;
 };
@@ -376,8 +378,9 @@ TypedPtr make_value_call(ResolvedCall call, std::vector<TypedPtr> arguments, Sou
   return std::make_shared<ValueCallNode>(call, std::move(arguments), std::move(place));
 }
 
-TypedPtr make_stream_call(BoundOperator bound, std::vector<TypedPtr> arguments, SourcePlace place) {
-  return std::make_shared<StreamCallNode>(std::move(bound), std::move(arguments), std::move(place));
+TypedPtr make_stream_call(const algebra3d::Operator& op, BoundOperator bound, std::vector<TypedPtr> arguments,
+                          SourcePlace place) {
+  return std::make_shared<StreamCallNode>(op, std::move(bound), std::move(arguments), std::move(place));
 }
 
 TypedPtr make_list(std::vector<TypedPtr> elements, SourcePlace place) {

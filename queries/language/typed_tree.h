@@ -90,7 +90,8 @@ TypedPtr make_parameter(TypeExpr type, std::size_t level, std::size_t index, Sou
 TypedPtr make_attribute(TypeExpr type, TypedPtr tuple, std::size_t index, SourcePlace place);
 TypedPtr make_value_call(algebra3d::ResolvedCall call, std::vector<TypedPtr> arguments, SourcePlace place);
 /// `arguments` holds one node per place; a list of functions is a list node.
-TypedPtr make_stream_call(BoundOperator bound, std::vector<TypedPtr> arguments, SourcePlace place);
+TypedPtr make_stream_call(const algebra3d::Operator& op, BoundOperator bound, std::vector<TypedPtr> arguments,
+                          SourcePlace place);
 TypedPtr make_list(std::vector<TypedPtr> elements, SourcePlace place);
 /// Maximum depth of evaluation in nested function calls; beyond it: error limit_exceeded.
 inline constexpr int kMaxCallLevels = 2000;

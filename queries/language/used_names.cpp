@@ -32,6 +32,7 @@ class Collector {
     for (const ExpressionPtr& argument : call.arguments) visit(*argument);
   }
   void look_at(const Application& application) {
+    used_.operators.insert(application.name);
     if (application.is_call) used_.calls.insert(application.name);
     for (const Argument& argument : application.arguments) {
       if (argument.value != nullptr) visit(*argument.value);

@@ -82,7 +82,9 @@ Status Session::set_memory(const Value& value, const SourcePlace& place) {
 
 Status Session::run(const SetOption& command, Presenter&, Context& context) {
   static const std::map<std::string, bool SessionOptions::*, std::less<>> switches = {
-      {"timing", &SessionOptions::shows_timing}, {"paging", &SessionOptions::uses_pager}};
+      {"timing", &SessionOptions::shows_timing},
+      {"paging", &SessionOptions::uses_pager},
+      {"restoreReads", &SessionOptions::restore_reads}};
   ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, evaluate_alone(*command.value, context));
   if (command.name == "memory") return set_memory(value, command.value->place);
   const auto found = switches.find(command.name);

@@ -7,6 +7,7 @@
 #include "queries/language/parser.h"
 #include "queries/language/syntax_tree.h"
 #include "queries/session/detail/definitions.h"
+#include "queries/session/detail/effects.h"
 #include "queries/session/detail/objects.h"
 #include "queries/session/session.h"
 
@@ -35,6 +36,13 @@ Result<std::string> function_text(const Expression& value, Store& store, const a
 // All of them: a name that is left out here could be lost without a word.
 std::string named_in_note(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, ", "));
+}
+
+Status check_derivable(const Expression& value, Store& store, const algebra3d::Registry& registry) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto change, find_change(value, store, registry));
+  if (!change) return {};
+  return Error{ErrorCode::wrong_usage,
+               "derive: the expression {}, which it would do again whenever it is evaluated; use let", change->text()};
 }
 
 /// The status of a command that gives a name, with the position of the name if that exists already.
@@ -104,36 +112,45 @@ Status Session::run(const DeriveObject& command, Presenter&, Context& context) {
   });
 }
 
+// A name of a file is evaluated by the checker, which refuses one that would write something in other words.
+Result<TypedPtr> Session::checked_definition(const Expression& value, bool is_derived, Objects& objects,
+                                             Context& context) {
+  auto node = Checker(registry_, objects, context).check(value);
+  if (!node && is_derived) ALGEBRA3D_RETURN_IF_ERROR(check_derivable(value, *store_, registry_));
+  return node;
+}
+
 // Functions and derived objects keep the nested-list form of what was written: it is read back whatever notation the
 // command was in.
 Status Session::define(const std::string& final_name, const Expression& value, bool is_derived, Context& context,
                        const std::string& interim) {
   const std::string& name = interim.empty() ? final_name : interim;
-  Objects objects(registry_, store_.get(), context);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(value));
-  const TypeExpr& type = node->type();
+  Context own = context;
+  if (is_derived) own.unchanging = "a derived object is evaluated again whenever it is restored";
+  Objects objects(registry_, store_.get(), own);
+  const auto node = checked_definition(value, is_derived, objects, own);
+  if (!node) return node.error();
+  const TypeExpr& type = (*node)->type();
   if (!can_be_stored(type, registry_)) return cannot_be_stored(is_derived ? "derive" : "let", type);
   if (is_derived || type.is_function())
     ALGEBRA3D_RETURN_IF_ERROR(
         check_no_circle({final_name, is_derived && !type.is_function(), used_names(value)}, *store_, registry_));
   if (type.is_function()) {
+    ALGEBRA3D_RETURN_IF_ERROR(check_operator_name(final_name, value, *store_, registry_));
     report_operator(registry_.find_operator(final_name), is_derived ? "derive" : "let", context);
     ALGEBRA3D_ASSIGN_OR_RETURN(const std::string text, function_text(value, *store_, registry_));
     return store_->create_function(name, type, text);
   }
   std::string kept_text;
   if (is_derived) {
+    ALGEBRA3D_RETURN_IF_ERROR(check_derivable(value, *store_, registry_));
     ALGEBRA3D_ASSIGN_OR_RETURN(kept_text, text_to_keep(value, registry_));
   }
   const OwnResult result(context);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, node->evaluate(nullptr, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, (*node)->evaluate(nullptr, own));
   judge(result, datum);
-  if (is_derived && store_->has_written())
-    return Error{
-        ErrorCode::wrong_usage,
-        "derive: the expression changes a relation, which it would do again whenever it is evaluated; use let"};
   ALGEBRA3D_RETURN_IF_ERROR(is_derived ? store_->create_derived(name, type, kept_text) : store_->create(name, type));
-  return store_->assign(name, datum, context);
+  return store_->assign(name, datum, own);
 }
 
 Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
@@ -155,6 +172,7 @@ Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
                    existing->type.text(), node->type().text()};
     if (existing->type.is_function()) {
       ALGEBRA3D_RETURN_IF_ERROR(check_no_circle({command.name, false, used_names(*command.value)}, *store, registry_));
+      ALGEBRA3D_RETURN_IF_ERROR(check_operator_name(command.name, *command.value, *store, registry_));
       ALGEBRA3D_ASSIGN_OR_RETURN(const std::string text, function_text(*command.value, *store, registry_));
       ALGEBRA3D_RETURN_IF_ERROR(store->remove(command.name));
       return store->create_function(command.name, existing->type, text);

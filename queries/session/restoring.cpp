@@ -5,16 +5,19 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/file_content.h"
+#include "algebra3d/types/file_atom.h"
 #include "queries/language/checker.h"
 #include "queries/language/list_pieces.h"
 #include "queries/language/nested_reader.h"
 #include "queries/language/parser.h"
 #include "queries/language/syntax_tree.h"
+#include "queries/session/detail/effects.h"
 #include "queries/session/detail/objects.h"
+#include "queries/session/detail/restore_guard.h"
 #include "queries/session/detail/saved_list.h"
+#include "queries/session/detail/saved_text.h"
 #include "queries/session/session.h"
-#include "queries/session/variables.h"
+#include "queries/store/database_creation.h"
 #include "queries/store/database_draft.h"
 #include "queries/store/store_options.h"
 #include "queries/streams/mapping.h"
@@ -28,28 +31,6 @@ Error told_of(const std::filesystem::path& file, const std::filesystem::path& in
   if (at != std::string::npos) error.message.replace(at, interim.string().size(), file.string());
   return error;
 }
-
-/// The text of a saved list, with the values of variables where it has any.
-class SavedText {
- public:
-  static Result<SavedText> open(const std::filesystem::path& file, const std::atomic<bool>* cancel) {
-    auto content = algebra3d::FileContent::read(file, cancel);
-    if (!content) return std::move(content).error();
-    return SavedText(std::move(content).value());
-  }
-  std::string_view text() const { return is_copied_ ? std::string_view(copy_) : file_.bytes(); }
-
- private:
-  explicit SavedText(algebra3d::FileContent file) : file_(std::move(file)) {
-    const std::string_view bytes = file_.bytes();
-    is_copied_ = !bytes.starts_with(kSavedHere) && bytes.find("$(") != std::string_view::npos;
-    if (is_copied_) copy_ = with_variables(bytes);
-  }
-
-  algebra3d::FileContent file_;
-  std::string copy_;
-  bool is_copied_ = false;
-};
 
 /// Whether an error of an expression tells of the machine or the database, so that others would meet it, too.
 bool ends_restoring(ErrorCode code) {
@@ -73,13 +54,29 @@ bool may_wait_for_another(ErrorCode code) {
          code == ErrorCode::not_evaluable;
 }
 
+/// Asks for each file in a value that was refused because of one, so that the guard knows all. Recursion follows the
+/// nesting, which the parser of lists bounds. NOLINTNEXTLINE(misc-no-recursion)
+void ask_for_files(const NestedList& list, const Context& context) {
+  if (algebra3d::is_file_atom(list)) static_cast<void>(algebra3d::file_atom_content(list, context));
+  if (!list.is_list()) return;
+  for (const NestedList& element : list.elements()) ask_for_files(element, context);
+}
+
 }  // namespace
 
-/// Reads objects out of a saved list into the store. Lives for one statement.
+/// Reads objects out of a saved list into the store. Lives for one statement. What it evaluates changes nothing else,
+/// and reads the files that the guard allows; after a refusal it goes on, so that the guard knows all files, and the
+/// result is to be dropped.
 class Session::Restorer {
  public:
-  Restorer(const algebra3d::Registry& registry, Store& store, ListPieces& pieces, Context& context)
-      : registry_(registry), store_(store), pieces_(pieces), context_(context), objects_(registry, &store, context) {}
+  Restorer(const algebra3d::Registry& registry, Store& store, ListPieces& pieces, RestoreGuard& guard,
+           const Context& context)
+      : registry_(registry),
+        store_(store),
+        pieces_(pieces),
+        guard_(guard),
+        context_(within(context, guard)),
+        objects_(registry, &store, context_) {}
 
   /// `(DATABASE name (DESCRIPTIVE ALGEBRA) (TYPES ...) (OBJECTS ...))`
   Status database();
@@ -101,6 +98,12 @@ class Session::Restorer {
     Datum value;
   };
 
+  static Context within(Context context, RestoreGuard& guard) {
+    context.reads = &guard;
+    context.unchanging = "a saved file is being restored";
+    return context;
+  }
+
   Status section();
   Status dependent_objects();
   Status named_type();
@@ -108,6 +111,12 @@ class Session::Restorer {
   Status value_of(const std::string& name, const TypeExpr& type);
   Status relation_value(const std::string& name, const TypeExpr& type);
   Status rest_of_object();
+  /// The value of a list, undefined if it names a refused file.
+  Result<Value> read_value(const algebra3d::Type& type, const NestedList& list);
+  Status restore_function(const std::string& name, const TypeExpr& type, const NestedList& list,
+                          const SourcePlace& place);
+  void leave_out(const std::string& name, const std::string& reason);
+  Status tell_of_functions();
   Result<Evaluated> evaluate(const Dependent& dependent);
   Status store(const Dependent& dependent, const Evaluated& evaluated);
   Result<TypeExpr> type();
@@ -116,10 +125,12 @@ class Session::Restorer {
   const algebra3d::Registry& registry_;
   Store& store_;
   ListPieces& pieces_;
-  Context& context_;
+  RestoreGuard& guard_;
+  Context context_;
   Objects objects_;
   std::vector<Dependent> dependents_;  // to be made when the others are there
   std::vector<std::string> left_out_;
+  std::vector<std::pair<std::string, ExpressionPtr>> functions_;
 };
 
 Result<std::string> Session::Restorer::symbol(std::string_view what) {
@@ -225,15 +236,27 @@ Status Session::Restorer::value_of(const std::string& name, const TypeExpr& type
     dependents_.push_back({name, std::move(list), type, place, false});
     return {};
   }
-  if (type.is_function()) {
-    ALGEBRA3D_RETURN_IF_ERROR(NestedReader(registry_, place).expression(list));
-    return store_.create_function(name, type, list.print());
-  }
+  if (type.is_function()) return restore_function(name, type, list, place);
   ALGEBRA3D_RETURN_IF_ERROR(store_.create(name, type));
   const algebra3d::Type* value_type = registry_.value_type(type);
   if (value_type == nullptr) return Error{ErrorCode::unknown_name, "unknown type {}", type.text()};
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value value, algebra3d::value_from_nested(*value_type, list, context_));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Value value, read_value(*value_type, list));
   return store_.assign(name, Datum{std::move(value)}, context_);
+}
+
+Result<Value> Session::Restorer::read_value(const algebra3d::Type& type, const NestedList& list) {
+  const std::size_t refusals_before = guard_.refusal_count();
+  auto value = algebra3d::value_from_nested(type, list, context_);
+  if (value || guard_.refusal_count() == refusals_before) return value;
+  ask_for_files(list, context_);
+  return Value(type);
+}
+
+Status Session::Restorer::restore_function(const std::string& name, const TypeExpr& type, const NestedList& list,
+                                           const SourcePlace& place) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr function, NestedReader(registry_, place).expression(list));
+  functions_.emplace_back(name, std::move(function));
+  return store_.create_function(name, type, list.print());
 }
 
 Status Session::Restorer::relation_value(const std::string& name, const TypeExpr& type) {
@@ -256,7 +279,7 @@ Status Session::Restorer::relation_value(const std::string& name, const TypeExpr
                    row.print_short()};
     auto tuple = std::make_shared<Tuple>();
     for (std::size_t index = 0; index < types.size(); ++index) {
-      auto value = algebra3d::value_from_nested(*types[index], row.elements()[index], context_);
+      auto value = read_value(*types[index], row.elements()[index]);
       if (!value)
         return Error{ErrorCode::invalid_value, "tuple {}, attribute {}: {}", number,
                      type.element().attributes()[index].name, value.error().message};
@@ -272,35 +295,57 @@ Status Session::Restorer::relation_value(const std::string& name, const TypeExpr
 // cannot, since something that it uses was renamed, made anew without a value, or lies in a file that is gone, must not
 // keep the rest away.
 Status Session::Restorer::dependent_objects() {
+  ALGEBRA3D_RETURN_IF_ERROR(tell_of_functions());
   std::vector<std::string> reasons;
   for (bool is_new = true; is_new;) {
     is_new = false;
     reasons.clear();
     std::vector<Dependent> later;
     for (Dependent& dependent : std::exchange(dependents_, {})) {
+      const std::size_t refusals_before = guard_.refusal_count();
       const auto evaluated = evaluate(dependent);
       if (evaluated) {
         ALGEBRA3D_RETURN_IF_ERROR(store(dependent, *evaluated));
         is_new = true;
         continue;
       }
+      if (guard_.refusal_count() > refusals_before) continue;
       const ErrorCode code = evaluated.error().code;
       if (ends_restoring(code)) return Error(evaluated.error()).at(dependent.place);
-      std::string reason =
-          "restore: '" + dependent.name + "' is left out, it cannot be derived again: " + evaluated.error().message;
       if (may_wait_for_another(code)) {
-        reasons.push_back(std::move(reason));
+        reasons.push_back(evaluated.error().message);
         later.push_back(std::move(dependent));
       } else {
-        context_.diagnostics.report(std::move(reason));
-        left_out_.push_back(dependent.name);
+        leave_out(dependent.name, evaluated.error().message);
       }
     }
     dependents_ = std::move(later);
   }
-  for (std::string& reason : reasons) context_.diagnostics.report(std::move(reason));
-  for (const Dependent& dependent : dependents_) left_out_.push_back(dependent.name);
+  for (std::size_t i = 0; i < dependents_.size(); ++i) {
+    if (guard_.refusal_count() > 0) guard_.add_untried(dependents_[i].name);
+    leave_out(dependents_[i].name, reasons[i]);
+  }
   std::ranges::sort(left_out_);
+  return {};
+}
+
+// After a refusal all is dropped in the end.
+void Session::Restorer::leave_out(const std::string& name, const std::string& reason) {
+  left_out_.push_back(name);
+  if (guard_.has_refused()) return;
+  context_.diagnostics.report("restore: '" + name + "' is left out, it cannot be derived again: " + reason);
+}
+
+// A function is not evaluated now. One that changes something keeps its name, unless an operator has it: then every
+// call fails.
+Status Session::Restorer::tell_of_functions() {
+  for (const auto& [name, function] : functions_) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto change, find_change(*function, store_, registry_));
+    if (!change) continue;
+    const Status callable = check_operator_name(name, *function, store_, registry_);
+    context_.diagnostics.show(callable ? "restore: the function '" + name + "' " + change->text() + " when it is called"
+                                       : "restore: calls will fail: " + callable.error().message);
+  }
   return {};
 }
 
@@ -308,6 +353,8 @@ Result<Session::Restorer::Evaluated> Session::Restorer::evaluate(const Dependent
   Objects objects(registry_, &store_, context_);
   ALGEBRA3D_ASSIGN_OR_RETURN(const ExpressionPtr expression,
                              NestedReader(registry_, dependent.place).expression(dependent.expression));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto change, find_change(*expression, store_, registry_));
+  if (change) return Error{ErrorCode::wrong_usage, "its expression {}", change->text()};
   ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context_).check(*expression));
   ALGEBRA3D_ASSIGN_OR_RETURN(Datum value, node->evaluate(nullptr, context_));
   const auto* single = std::get_if<Value>(&value.content);
@@ -327,15 +374,17 @@ Status Session::run(const RestoreObject& command, Presenter&, Context& context) 
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
   ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, command.name_place));
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(command.file));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(path, context.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(path, command.file, context.cancel));
   return in_transaction(true, [&]() -> Status {
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
     if (existing)
       return Error(ErrorCode::name_exists, "there is an object '{}' already; delete it first", command.name)
           .at(command.name_place);
-    ListPieces pieces(saved.text(), command.file);
-    Restorer restorer(registry_, *store, pieces, context);
+    ListPieces pieces(saved.text(), saved.name());
+    RestoreGuard guard(saved, options_.restore_reads);
+    Restorer restorer(registry_, *store, pieces, guard, context);
     ALGEBRA3D_RETURN_IF_ERROR(restorer.object(command.name));
+    ALGEBRA3D_RETURN_IF_ERROR(guard.verdict(options_.is_shared, context));
     if (restorer.left_out().empty()) return {};
     return Error{ErrorCode::not_evaluable, "restore: '{}' cannot be derived again; nothing was restored", command.name};
   });
@@ -348,13 +397,13 @@ Status Session::run(const RestoreDatabase& command, Presenter&, Context& context
   ALGEBRA3D_RETURN_IF_ERROR(require_closed());
   if (options_.read_only) return Error{ErrorCode::database_read_only, "restore database: the session is read-only"};
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(command.file));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(path, context.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(path, command.file, context.cancel));
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto file, database_file(command.name));
   std::error_code error;
   const bool is_new = !std::filesystem::exists(file, error);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto left_out,
-                             is_new ? restore_new(file, saved.text(), command.file, context)
-                                    : restore_into(file, OpenMode::read_write, saved.text(), command.file, context));
+  if (!is_new) ALGEBRA3D_RETURN_IF_ERROR(check_not_open_elsewhere(file, "restore"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto left_out, is_new ? restore_new(file, saved, context)
+                                                         : restore_into(file, OpenMode::read_write, saved, context));
   ALGEBRA3D_ASSIGN_OR_RETURN(store_, Store::open(file, OpenMode::read_write, registry_));
   if (left_out.empty()) return {};
   return Error{ErrorCode::not_evaluable,
@@ -363,27 +412,28 @@ Status Session::run(const RestoreDatabase& command, Presenter&, Context& context
                command.name, fmt::join(left_out, ", ")};
 }
 
-Result<std::vector<std::string>> Session::restore_new(const std::filesystem::path& file, std::string_view text,
-                                                      const std::string& name, Context& context) {
+Result<std::vector<std::string>> Session::restore_new(const std::filesystem::path& file, const SavedText& saved,
+                                                      Context& context) {
   remove_database_leftovers(file);
   ALGEBRA3D_ASSIGN_OR_RETURN(DatabaseDraft draft, DatabaseDraft::create(file, kRestoreEnding));
-  auto left_out = restore_into(draft.path(), OpenMode::draft, text, name, context);
+  auto left_out = restore_into(draft.path(), OpenMode::draft, saved, context);
   if (!left_out) return told_of(file, draft.path(), std::move(left_out).error());
   ALGEBRA3D_RETURN_IF_ERROR(draft.publish(false));
   return left_out;
 }
 
 Result<std::vector<std::string>> Session::restore_into(const std::filesystem::path& file, OpenMode mode,
-                                                       std::string_view text, const std::string& name,
-                                                       Context& context) {
+                                                       const SavedText& saved, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(store_, Store::open(file, mode, registry_));
   std::vector<std::string> left_out;
   const Status status = in_transaction(true, [&]() -> Status {
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto before, store_->objects());
     ALGEBRA3D_RETURN_IF_ERROR(empty_database());
-    ListPieces pieces(text, name);
-    Restorer restorer(registry_, *store_, pieces, context);
+    ListPieces pieces(saved.text(), saved.name());
+    RestoreGuard guard(saved, options_.restore_reads);
+    Restorer restorer(registry_, *store_, pieces, guard, context);
     ALGEBRA3D_RETURN_IF_ERROR(restorer.database());
+    ALGEBRA3D_RETURN_IF_ERROR(guard.verdict(false, context));
     left_out = restorer.left_out();
     const bool loses_some = std::ranges::any_of(
         before, [&](const ObjectInfo& info) { return std::ranges::find(left_out, info.name) != left_out.end(); });

@@ -10,6 +10,7 @@
 #include "queries/session/detail/inquiry.h"
 #include "queries/session/detail/objects.h"
 #include "queries/session/plan.h"
+#include "queries/store/database_creation.h"
 #include "queries/store/store_options.h"
 
 namespace queries {
@@ -45,7 +46,11 @@ Session::~Session() = default;
 Status Session::open_file(const std::filesystem::path& file) {
   ALGEBRA3D_RETURN_IF_ERROR(require_closed());
   const OpenMode writing = options_.creates ? OpenMode::open_or_create : OpenMode::read_write;
-  return open_store(file, options_.read_only ? OpenMode::read_only : writing);
+  const OpenMode mode = options_.read_only ? OpenMode::read_only : writing;
+  const bool makes = mode == OpenMode::open_or_create && makes_database(file);
+  ALGEBRA3D_RETURN_IF_ERROR(open_store(file, mode));
+  has_made_database_ = makes;
+  return {};
 }
 
 Status Session::open_store(const std::filesystem::path& file, OpenMode mode) {
@@ -163,10 +168,11 @@ Status Session::run(const Query& command, Presenter& presenter, Context& context
 Status Session::run(const Explain& command, Presenter& presenter, Context& context) {
   return in_transaction(false, [&]() -> Status {
     PlanRecorder recorder;
-    Objects objects(registry_, store_.get(), context);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node,
-                               Checker(registry_, objects, context, &recorder).check(*command.value));
-    if (command.runs) ALGEBRA3D_RETURN_IF_ERROR(run_to_end(*node, context));
+    Context own = context;
+    if (!command.runs) own.unchanging = "`explain` without `query` runs nothing";
+    Objects objects(registry_, store_.get(), own);
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, own, &recorder).check(*command.value));
+    if (command.runs) ALGEBRA3D_RETURN_IF_ERROR(run_to_end(*node, own));
     return presenter.present_inquiry(plan_list(recorder));
   });
 }

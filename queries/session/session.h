@@ -22,6 +22,8 @@
 
 namespace queries {
 
+class SavedText;  // detail/saved_text.h
+
 /// Receives the result of a statement while the statement runs; the presenter pulls relations from the database.
 class Presenter {
  public:
@@ -58,6 +60,9 @@ struct SessionOptions {
   /// Options for the shell, changed by `set`: print the time of each statement, and page long results.
   bool shows_timing = false;
   bool uses_pager = true;
+  /// Whether `restore` reads the files outside of the saved file's folder, and the environment variables, that a saved
+  /// file names; changed by `set`.
+  bool restore_reads = false;
   /// Folders for the reports of statements that end with the error internal: the first that takes one gets it.
   /// None: no reports are written.
   std::vector<std::filesystem::path> failure_folders = {};
@@ -84,6 +89,8 @@ class Session {
 
   /// Opens a database file, and creates it if it does not exist (unless read-only).
   Status open_file(const std::filesystem::path& file);
+  /// Whether `open_file` has created the database; its name may be mistyped, so the user is to be told.
+  bool has_made_database() const { return has_made_database_; }
   /// Runs one command. Reasons of undefined values and remarks go to `context.diagnostics`. Never throws: exhausted
   /// memory becomes error out_of_memory. After an error the database is as before the command. The message of an error
   /// internal names the report, a script that repeats the failure, or says why there is none.
@@ -161,11 +168,12 @@ class Session {
   Result<std::vector<Finding>> findings(Presenter& presenter, Context& context);
   Result<std::filesystem::path> database_file(const std::string& name) const;
   /// Restores objects from a file. Returns the names of the objects that had to be left out.
-  Result<std::vector<std::string>> restore_into(const std::filesystem::path& file, OpenMode mode, std::string_view text,
-                                                const std::string& name, Context& context);
-  Result<std::vector<std::string>> restore_new(const std::filesystem::path& file, std::string_view text,
-                                               const std::string& name, Context& context);
+  Result<std::vector<std::string>> restore_into(const std::filesystem::path& file, OpenMode mode,
+                                                const SavedText& saved, Context& context);
+  Result<std::vector<std::string>> restore_new(const std::filesystem::path& file, const SavedText& saved,
+                                               Context& context);
   Status empty_database();
+  Result<TypedPtr> checked_definition(const Expression& value, bool is_derived, Objects& objects, Context& context);
   /// The value is stored under the name `interim` first, if given.
   Status define(const std::string& name, const Expression& value, bool is_derived, Context& context,
                 const std::string& interim = {});
@@ -184,6 +192,7 @@ class Session {
   algebra3d::WorkMemory memory_;
   std::unique_ptr<Store> store_;
   std::string_view failed_result_;
+  bool has_made_database_ = false;
   /// A database that is too damaged to open. Only `check database` and closing it are possible.
   struct Damaged {
     std::filesystem::path file;

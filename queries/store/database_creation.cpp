@@ -21,9 +21,11 @@ Error deleted_already(const fs::path& file) {
   return {ErrorCode::database_missing, "{}: another process has deleted the database already", file.string()};
 }
 
-Status open_elsewhere(const fs::path& file) {
+Status open_elsewhere(const fs::path& file, std::string_view verb) {
   return Error{ErrorCode::database_open,
-               "{}: another process has the database open; delete it when that process has closed it", file.string()};
+               "{}: another process has the database open; {} it when that process has "
+               "closed it",
+               file.string(), verb};
 }
 
 /// Whether this descriptor's file is free of SQLite's locks, which are then held by it: in a database with a log, each
@@ -48,6 +50,26 @@ Status create_database_file(const fs::path& file, bool replaces_empty) {
   return status;
 }
 
+bool makes_database(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (status.type() == fs::file_type::not_found) return true;
+  return status.type() == fs::file_type::regular && fs::file_size(file, error) == 0 && !error;
+}
+
+// What cannot be opened here is told where the database is opened.
+Status check_not_open_elsewhere(const fs::path& name, std::string_view verb) {
+  std::error_code error;
+  const fs::path file = fs::canonical(name, error);
+  if (error) return {};
+  if (algebra3d::open_database_with(file)) return open_elsewhere(file, verb);
+  const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);  // NOLINT(*-vararg)
+  if (descriptor < 0) return {};
+  const bool is_free = lock_out_others(descriptor);
+  ::close(descriptor);
+  return is_free ? Status() : open_elsewhere(file, verb);
+}
+
 // No change through SQLite: a full disk, or damage, must not keep a database from being deleted. A process that waits
 // for the lock to open the database finds that the file has moved.
 Status delete_database_file(const fs::path& name) {
@@ -56,13 +78,13 @@ Status delete_database_file(const fs::path& name) {
   const fs::path file = fs::canonical(name, error);
   if (error == std::errc::no_such_file_or_directory) return deleted_already(name);
   if (error) return algebra3d::write_error(name, error.value());
-  if (algebra3d::open_database_with(file)) return open_elsewhere(file);
+  if (algebra3d::open_database_with(file)) return open_elsewhere(file, "delete");
   const Status known = check_database_header(file);
   if (!known && known.error().code == ErrorCode::database_missing) return deleted_already(name);
   ALGEBRA3D_RETURN_IF_ERROR(known);
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);  // NOLINT(*-vararg)
   if (descriptor < 0) return errno == ENOENT ? deleted_already(name) : algebra3d::write_error(file, errno);
-  Status status = lock_out_others(descriptor) ? Status() : open_elsewhere(file);
+  Status status = lock_out_others(descriptor) ? Status() : open_elsewhere(file, "delete");
   for (const char* ending : {"-wal", "-shm", "-journal", ""}) {
     const std::string doomed = file.string() + ending;
     if (status && ::unlink(doomed.c_str()) != 0 && errno != ENOENT) status = algebra3d::write_error(doomed, errno);

@@ -5,6 +5,7 @@
 #include "queries/language/checker.h"
 #include "queries/language/syntax_tree.h"
 #include "queries/session/detail/definitions.h"
+#include "queries/session/detail/effects.h"
 
 namespace queries {
 namespace {
@@ -81,6 +82,7 @@ Result<Datum> Session::Objects::function_of(const ObjectInfo& info) {
 
 Result<Datum> Session::Objects::checked_function(const ObjectInfo& info) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const ExpressionPtr expression, kept_expression(info, registry_));
+  ALGEBRA3D_RETURN_IF_ERROR(check_operator_name(info.name, *expression, *store_, registry_));
   ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr function, Checker(registry_, *this, context_).check(*expression));
   if (!(function->type() == info.type))
     return Error{ErrorCode::type_error, "{}: the function was {} when it was defined and is {} now", info.name,

@@ -9,6 +9,7 @@
 #include "queries/language/checker.h"
 #include "queries/language/syntax_tree.h"
 #include "queries/session/detail/definitions.h"
+#include "queries/session/detail/effects.h"
 #include "queries/session/detail/objects.h"
 
 namespace queries {
@@ -81,12 +82,21 @@ class Session::UnusableSearch {
     if (info.function_text.empty() && info.derived_text.empty()) return {};
     ALGEBRA3D_ASSIGN_OR_RETURN(const ExpressionPtr expression, kept_expression(info, registry_));
     ALGEBRA3D_RETURN_IF_ERROR(check_names(used_names(*expression)));
+    ALGEBRA3D_RETURN_IF_ERROR(check_changes(info, *expression));
     Without objects(objects_, hidden_);
     ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context_).check(*expression));
     if (info.type.is_function() && !(node->type() == info.type))
       return Error{ErrorCode::type_error, "the function was {} when it was defined and is {} now", info.type.text(),
                    node->type().text()};
     return {};
+  }
+
+  // What would change something is left out by `restore`; a function fails where it is called.
+  Status check_changes(const ObjectInfo& info, const Expression& expression) {
+    if (info.type.is_function()) return check_operator_name(info.name, expression, store_, registry_);
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto change, find_change(expression, store_, registry_));
+    if (!change) return {};
+    return Error{ErrorCode::wrong_usage, "its expression {}", change->text()};
   }
 
   // A call of a function that is gone may be one of an operator now, and mean something else.
@@ -110,7 +120,8 @@ class Session::UnusableSearch {
 
 Result<UnusableDefinitions> Session::unusable_definitions(Context& context, const GoneNames& gone) {
   algebra3d::Diagnostics unheard;
-  Context quiet = {unheard, context.cancel, context.folder};
+  Context quiet = context.with(unheard);
+  quiet.unchanging = "definitions are only checked";
   return UnusableSearch(registry_, *store_, gone, quiet).run();
 }
 

@@ -52,6 +52,7 @@ class TestSession : public Presenter {
 
   std::string run(const std::string& command) {
     answer_.clear();
+    has_written_ = false;
     diagnostics_.clear();
     Context context{diagnostics_, nullptr, folder_};
     const Status status = session_.execute(command, {"test", 1, 1}, *this, context);
@@ -63,10 +64,13 @@ class TestSession : public Presenter {
     return text;
   }
   Session& session() { return session_; }
+  /// Whether the statement has changed the database, as it was when its result was shown.
+  bool has_written() const { return has_written_; }
 
   Status present(const TypeExpr& type, const Datum& value, Context& context) override {
     ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, value_list(type, value, context));
     answer_ = list.print();
+    has_written_ = session_.store() != nullptr && session_.store()->has_written();
     return {};
   }
   Status present_inquiry(const NestedList& result) override {
@@ -79,6 +83,7 @@ class TestSession : public Presenter {
   std::filesystem::path folder_;
   algebra3d::Diagnostics diagnostics_;
   std::string answer_;
+  bool has_written_ = false;
 };
 
 }  // namespace queries

@@ -60,6 +60,7 @@ TEST_P(EveryOperator, says_what_it_costs_and_touches) {
   EXPECT_FALSE(op.family.empty());
   EXPECT_NE(op.cost, algebra3d::Cost::unknown);
   EXPECT_TRUE(!op.is_pure || (!op.reads_files && !op.writes_files)) << "what touches files is not pure";
+  EXPECT_TRUE(!op.is_pure || !op.changes_relations) << "what changes relations is not pure";
   EXPECT_EQ(op.cost == algebra3d::Cost::file, op.reads_files || op.writes_files);
   // What is called so is about files.
   EXPECT_EQ(op.name.starts_with("import"), op.reads_files && op.name.starts_with("import"));
