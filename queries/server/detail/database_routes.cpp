@@ -58,9 +58,9 @@ Result<std::string> json_of_objects(Store& store, const algebra3d::Registry& reg
 }
 
 std::string json_of(const algebra3d::Operator& op) {
-  return fmt::format(R"("name":{},"family":{},"syntax":{},"doc":{},"signatures":{})", json_string(op.name),
+  return fmt::format(R"("name":{},"family":{},"syntax":{},"doc":{},"signatures":{},"changes":{})", json_string(op.name),
                      json_string(op.family), json_string(op.written()), json_string(op.doc),
-                     json_strings(op.all_signatures()));
+                     json_strings(op.all_signatures()), op.writes_files || op.changes_relations);
 }
 
 std::string json_of_examples(const std::vector<algebra3d::QueryExample>& examples) {

@@ -119,6 +119,8 @@ export interface OperatorInfo {
   readonly syntax: string;
   readonly doc: string;
   readonly signatures: readonly string[];
+  /** Whether it writes files or changes stored relations. */
+  readonly changes: boolean;
 }
 
 export interface OperatorHelp extends OperatorInfo {

@@ -1,7 +1,8 @@
 import { effect, signal, type ReadonlySignal } from "@preact/signals";
 import { messageOf } from "../api/errors";
-import { isQuery, titleOf, type Outcome } from "../state/outcome";
+import { titleOf, type Outcome } from "../state/outcome";
 import type { SceneView } from "../scene/api";
+import { isHarmless } from "../state/link_consent";
 import { decodeView, encodeView, makeView, parametersOf, sceneOf, type LinkView } from "../state/permalink";
 import { foreignStatements, linkOf, restoreSides, type LinkCompare } from "../state/workbench_link";
 import { cellOf, type Step } from "../state/workbench";
@@ -58,7 +59,7 @@ export async function openLink(app: App, hash: string): Promise<void> {
     app.store.notices.add("error", messageOf(error));
     return;
   }
-  if (statementsOf(view).every((text) => isHarmless(app, text))) await restoreView(app, view);
+  if (needsNoConsent(app, view)) await restoreView(app, view);
   else pendingLink.value = view;
 }
 
@@ -67,11 +68,15 @@ export function statementsOf({ statements, compare }: LinkView): readonly string
   return [...statements.map(({ text }) => text), ...(compare ? foreignStatements(compare) : [])];
 }
 
-/** A query that a person has run here before, or that only shows an object. */
-function isHarmless({ store }: App, text: string): boolean {
-  const name = /^\s*query\s+`?(\w+)`?\s*$/.exec(text)?.[1];
-  if (name && store.catalogue.objects.value.some((object) => object.name === name)) return true;
-  return isQuery(text) && store.history.knows(text);
+function needsNoConsent({ store }: App, { statements, compare }: LinkView): boolean {
+  const { catalogue, history } = store;
+  const known = {
+    objects: catalogue.objects.value,
+    operators: catalogue.operators.value,
+    knows: (text: string) => history.knows(text),
+  };
+  const foreign = (compare ? foreignStatements(compare) : []).map((text) => ({ text, shown: [] }));
+  return [...statements, ...foreign].every((statement) => isHarmless(statement, known));
 }
 
 /** Runs the statements of a view and brings back what was shown. */

@@ -91,12 +91,10 @@ const kWords = new Set(
 
 /** Whether a statement can only be one of the operations above, or takes a parameter as it is: it changes nothing. */
 export function isWorkbenchStatement(text: string): boolean {
-  const words =
-    text
-      .replace(/"[^"]*"/g, "")
-      .replace(/\$\w+/g, "")
-      .match(/[A-Za-z_]\w*/g) ?? [];
-  return text.startsWith("query ") && !text.includes(";") && words.every((word) => kWords.has(word));
+  // Strings are options. Any other, such as one with a quote in it, could hide code from this look.
+  const code = text.replace(/"[a-z-]*"/g, "").replace(/\$\w+/g, "");
+  const words = code.match(/[A-Za-z_]\w*/g) ?? [];
+  return code.startsWith("query ") && /^[\w\s.,()[\]+-]*$/.test(code) && words.every((word) => kWords.has(word));
 }
 
 /** A number in the notation of the language, with all its digits. */

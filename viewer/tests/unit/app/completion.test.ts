@@ -13,7 +13,7 @@ const parts: DatabaseObject = {
 };
 const known: Known = {
   keywords: ["query", "let"],
-  operators: [{ name: "volume", family: "measures", syntax: "volume(_)", doc: "Volume.", signatures: [] }],
+  operators: [{ name: "volume", family: "measures", syntax: "volume(_)", doc: "Volume.", signatures: [], changes: false }],
   types: [{ name: "volume3d", doc: "A solid." }],
   objects: [parts],
   columns: [{ name: "Price", type: "real", shape: false }],

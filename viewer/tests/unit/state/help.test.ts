@@ -9,9 +9,9 @@ const area = {
   family: "measures",
   syntax: "area(_)",
   doc: "The area of a region.",
-  signatures: [],
+  signatures: [], changes: false,
 };
-const box = { name: "bbox", family: "boxes", syntax: "bbox(_)", doc: "The bounding box.", signatures: [] };
+const box = { name: "bbox", family: "boxes", syntax: "bbox(_)", doc: "The bounding box.", signatures: [], changes: false };
 
 async function makeCatalogue() {
   const answers: Record<string, unknown> = {

@@ -45,6 +45,7 @@ test("operators whose name begins with the pattern come first", () => {
     family: "measures",
     syntax: "",
     signatures: [],
+    changes: false,
   });
   const operators = [
     operator("mesh2volume", "A solid."),

@@ -33,6 +33,10 @@ test.each([
   "let x = $a",
   "query importSTL('a.stl')",
   "query $a exportSTL[\"x\", 'a.stl', TRUE]",
+  // Where a string ends, the language and a simple look do not agree.
+  String.raw`query ("\"" = "") or (R feed R deletedirect count > 0) or ("" = "")`,
+  String.raw`query ('"' = '') or (R feed R deletedirect count > 0) or ('"' = '')`,
+  "query <text>\"</text---> = (R feed R deletedirect count > 0) = \"\"",
 ])("%s is none", (statement) => {
   expect(isWorkbenchStatement(statement)).toBe(false);
 });
