@@ -13,6 +13,7 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/nearest_rounding.h"
 
 namespace algebra3d {
@@ -60,9 +61,10 @@ namespace scheduler_detail {
 
 void run_both(const std::function<void()>& first, const std::function<void()>& second) {
   ForkGuard::prepare();
-  const auto rounding_to_nearest = [](const std::function<void()>& work) {
-    return [&work] {
+  const auto rounding_to_nearest = [scope = detail::interruption_scope](const std::function<void()>& work) {
+    return [&work, scope] {
       const NearestRounding rounding;
+      const AdoptedInterruption interruption(scope);
       work();
     };
   };
@@ -76,10 +78,12 @@ void run_both(const std::function<void()>& first, const std::function<void()>& s
 void run_ranges(std::size_t count, std::size_t grain,
                 const std::function<void(std::size_t begin, std::size_t end)>& visit) {
   ForkGuard::prepare();
-  tbb::this_task_arena::isolate([&] {
+  tbb::this_task_arena::isolate([&, scope = detail::interruption_scope] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                         const NearestRounding rounding;
+                        const AdoptedInterruption interruption(scope);
+                        poll_interruption();
                         visit(range.begin(), range.end());
                       });
   });

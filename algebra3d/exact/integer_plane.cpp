@@ -9,6 +9,7 @@
 #include <new>
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/reference_count.h"
 #include "algebra3d/exact/counters.h"
 #include "algebra3d/exact/detail/homogeneous.h"
@@ -106,6 +107,7 @@ IntegerPlane IntegerPlane::of(const ExactPlane& plane) {
 
 int IntegerPlane::side(const PointRef& point) const {
   detail::count_call();
+  poll_interruption();
   const int rounded = detail::filter_rounded_side(form_.get()->rounded, point.approx);
   if (rounded == detail::kUndecided) return side_by_integers(point);
   return is_flipped_ ? -rounded : rounded;

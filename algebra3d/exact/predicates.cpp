@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/detail/homogeneous.h"
 #include "algebra3d/exact/detail/pair_coordinates.h"
 #include "algebra3d/exact/detail/predicates_integers.h"
@@ -84,6 +85,7 @@ int orient2d_by_expansions(double ax, double ay, double bx, double by, double cx
 int decide_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   if (has_zero_row_or_column(b - a, c - a, d - a)) return 0;
   count_filter_failure();
+  poll_interruption();
   const auto x = scale_to_integers<4>({a.x, b.x, c.x, d.x});
   const auto y = scale_to_integers<4>({a.y, b.y, c.y, d.y});
   const auto z = scale_to_integers<4>({a.z, b.z, c.z, d.z});
@@ -97,6 +99,7 @@ int decide_orient2d(Projection plane, const Vec3& a, const Vec3& b, const Vec3& 
   const std::size_t i = first_axis(plane), j = second_axis(plane);
   if ((a[i] == b[i] || a[j] == c[j]) && (a[j] == b[j] || a[i] == c[i])) return 0;  // both products are exactly 0
   count_filter_failure();
+  poll_interruption();
   const auto x = scale_to_integers<3>({a[i], b[i], c[i]});
   const auto y = scale_to_integers<3>({a[j], b[j], c[j]});
   if (x && y) return determinant_sign(x->integers, y->integers);
@@ -107,6 +110,7 @@ int decide_orient2d(Projection plane, const Vec3& a, const Vec3& b, const Vec3& 
 }
 
 int orient3d_of_rationals(const PointRef& a, const PointRef& b, const PointRef& c, const PointRef& d) {
+  poll_interruption();
   const std::array<const PointRef*, 4> points{&a, &b, &c, &d};
   int sign = filter_rounded_orient3d(a.approx, b.approx, c.approx, d.approx);
   if (sign == kUndecided)
@@ -114,10 +118,12 @@ int orient3d_of_rationals(const PointRef& a, const PointRef& b, const PointRef& 
                               : determinant3<Interval>(interval_of, points).sign();
   if (sign != kUndecided) return sign;
   count_filter_failure();
+  poll_interruption();
   return orient3d_by_rationals(points);
 }
 
 int orient2d_of_rationals(Projection plane, const PointRef& a, const PointRef& b, const PointRef& c) {
+  poll_interruption();
   const std::array<const PointRef*, 3> points{&a, &b, &c};
   int sign = filter_rounded_orient2d(plane, a.approx, b.approx, c.approx);
   if (sign == kUndecided)
@@ -125,6 +131,7 @@ int orient2d_of_rationals(Projection plane, const PointRef& a, const PointRef& b
                               : determinant2<Interval>(interval_of, plane, points).sign();
   if (sign != kUndecided) return sign;
   count_filter_failure();
+  poll_interruption();
   return orient2d_by_rationals(plane, points);
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/counters.h"
 #include "algebra3d/exact/detail/rational_big.h"
 
@@ -77,6 +78,7 @@ Rational RationalAccess::take(Owner big) {
 }
 
 Rational RationalAccess::quotient(mpz_srcptr numerator, mpz_srcptr denominator) {
+  poll_interruption();
   Owner result = make();
   mpz_set(mpq_numref(result->value), numerator);
   mpz_set(mpq_denref(result->value), denominator);
@@ -205,6 +207,7 @@ Rational multiply_small(bool negative, std::uint64_t n1, std::uint64_t d1, std::
 
 template <typename Operation>
 Rational with_gmp(Operation operation, const Rational& a, const Rational& b) {
+  poll_interruption();
   const RationalAccess::View s(a);
   const RationalAccess::View t(b);
   RationalAccess::Owner result = RationalAccess::make();
@@ -249,6 +252,7 @@ std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
            : left > right ? std::strong_ordering::greater
                           : std::strong_ordering::equal;
   }
+  poll_interruption();
   return mpq_cmp(RationalAccess::View(a).get(), RationalAccess::View(b).get()) <=> 0;
 }
 

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <string>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/detail/rational_big.h"
 #include "algebra3d/exact/rational.h"
 #include "algebra3d/exact/rational_text.h"
@@ -84,6 +85,7 @@ std::size_t digit_count(std::string_view text) {
 }
 
 std::optional<Rational> Rational::parse(std::string_view text) {
+  poll_interruption();
   const bool negative = take(text, '-');
   RationalAccess::Owner big = RationalAccess::make();
   if (!set_unsigned(big->value, text)) return std::nullopt;
@@ -92,6 +94,7 @@ std::optional<Rational> Rational::parse(std::string_view text) {
 }
 
 std::string Rational::text() const {
+  poll_interruption();
   if (big_ == nullptr) {
     std::string result = std::to_string(numerator_);
     if (denominator_ != 1) result += '/' + std::to_string(denominator_);

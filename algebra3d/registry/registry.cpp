@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "algebra3d/base/diagnostics.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/registry/conversion.h"
 #include "algebra3d/registry/detail/guarded.h"
 #include "algebra3d/registry/detail/host_name.h"
@@ -97,7 +98,10 @@ class RepeatableRows final : public RowSource {
   RepeatableRows(RowSourcePtr rows, const ResolvedCall& call, std::span<const Value> arguments)
       : rows_(std::move(rows)), call_(call), arguments_(arguments.begin(), arguments.end()) {}
   Result<std::optional<Row>> next(Context& context) override {
-    auto row = guarded(*call_.op, [&] { return rows_->next(context); });
+    auto row = guarded(*call_.op, [&] {
+      poll_interruption();
+      return rows_->next(context);
+    });
     if (!row) note_failed_call(call_, arguments_, row.error(), context);
     return row;
   }
@@ -254,7 +258,10 @@ const Overload* Registry::overload_for(const Operator& op, const TypeExpr& term)
 Result<Value> Registry::call(const ResolvedCall& call, std::span<Value> arguments, Context& context) {
   const Overload& overload = *call.overload;
   if (!prepare(overload, arguments)) return Value(*overload.result);
-  auto outcome = guarded(*call.op, [&] { return overload.function(arguments, context); });
+  auto outcome = guarded(*call.op, [&] {
+    poll_interruption();
+    return overload.function(arguments, context);
+  });
   if (!outcome) {
     note_failed_call(call, arguments, outcome.error(), context);
     return std::move(outcome).error();

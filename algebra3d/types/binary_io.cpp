@@ -4,6 +4,8 @@
 #include <bit>
 #include <cassert>
 
+#include "algebra3d/base/interruption_scope.h"
+
 namespace algebra3d {
 
 void ByteWriter::fixed(std::uint64_t value, int width) {
@@ -32,7 +34,10 @@ void ByteWriter::planes(std::span<const std::uint64_t> values, int min_width) {
   std::size_t end = bytes_.size();
   bytes_.resize(end + values.size() * static_cast<std::size_t>(width));
   for (int plane = width - 1; plane >= 0; --plane)
-    for (const std::uint64_t value : values) bytes_[end++] = static_cast<char>(value >> (8 * plane));
+    for (const std::uint64_t value : values) {
+      poll_interruption_at(end);
+      bytes_[end++] = static_cast<char>(value >> (8 * plane));
+    }
 }
 
 std::uint64_t ByteReader::fixed(std::size_t width) {
@@ -99,6 +104,7 @@ PlaneReader ByteReader::plane_reader(std::size_t count, int min_width, int max_w
 
 void PlaneReader::fill() {
   assert(filled_ < count_);
+  poll_interruption();
   const std::size_t size = std::min(kBlock, count_ - filled_);
   block_.fill(0);
   for (std::size_t start = filled_; start < planes_.size(); start += count_)

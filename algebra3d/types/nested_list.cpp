@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/types/utf8.h"
 
@@ -43,6 +44,7 @@ class Printer {
   };
 
   void begin(const NestedList& list) {
+    poll_interruption();
     if (list.is_list()) {
       const auto& elements = list.elements();
       text_ += '(';

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/exact/rational.h"
 #include "algebra3d/types/expression_list.h"
@@ -101,6 +102,7 @@ class Parser {
 
   Result<NestedList> run() {
     do {
+      poll_interruption();
       ALGEBRA3D_RETURN_IF_ERROR(skip_blanks());
       ALGEBRA3D_RETURN_IF_ERROR(read_token());
     } while (!open_.empty());

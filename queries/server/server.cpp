@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <thread>
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/polled_input.h"
 #include "algebra3d/base/temporary_folder.h"
 #include "queries/server/detail/api.h"
 #include "queries/server/detail/http_listener.h"
@@ -24,20 +23,24 @@ using algebra3d::Result;
 using algebra3d::Status;
 
 constexpr std::size_t kShortestToken = 16;
+constexpr std::size_t kLongestTokenFile = std::size_t{1} << 20U;
 
 std::string first_line(const std::string& text) {
   return text.substr(0, text.find_first_of("\r\n"));
 }
 
 // The token; empty for none.
-Result<std::string> token_of(const ServerOptions& options) {
+Result<std::string> token_of(const ServerOptions& options, const std::atomic<bool>& end) {
   std::string token;
   if (!options.token_file.empty()) {
-    std::ifstream file(options.token_file);
-    std::ostringstream content;
-    content << file.rdbuf();
-    if (!file) return Error{ErrorCode::wrong_usage, "--token-file: '{}' cannot be read", options.token_file.string()};
-    token = first_line(content.str());
+    const auto file = algebra3d::PolledInput::open(options.token_file);
+    auto content = file ? algebra3d::PolledInput(file->number(), &end).read_all(kLongestTokenFile, "the file")
+                        : algebra3d::Result<std::string>(file.error());
+    if (!content && content.error().code == ErrorCode::interrupted) return std::move(content).error();
+    if (!content)
+      return Error{ErrorCode::wrong_usage, "--token-file: '{}' cannot be read: {}", options.token_file.string(),
+                   content.error().message};
+    token = first_line(*content);
   } else if (const char* const given = std::getenv("ALGEBRA3D_TOKEN"); given != nullptr) {
     token = given;
   }
@@ -81,7 +84,7 @@ Status serve(const ServerOptions& options, const algebra3d::Registry& registry, 
              const std::function<void(const std::string&)>& ready,
              const std::function<void(const std::string&)>& note) {
   const ServerLimits limits;
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string token, token_of(options));
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::string token, token_of(options, stop));
   if (!is_loopback(options.listen) && token.empty())
     return Error{ErrorCode::wrong_usage,
                  "--listen {}: without a token the server listens to loopback addresses only; give one by --token-file "

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/base/atomic_file.h"
+#include "algebra3d/types/value_text.h"
 #include "queries/language/scanner.h"
 #include "queries/session/detail/objects.h"
 #include "queries/session/detail/saved_list.h"
@@ -90,7 +91,9 @@ class ObjectWriter {
     if (info.type.is("rtree3")) return write_index(info, *value.index(), "creatertree");
     if (info.type.is("btree")) return write_index(info, *value.ordered_index(), "createbtree");
     ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.value().loaded());
-    return file_.write(" ", loaded.to_nested().print(), " ()");
+    std::string text;
+    append_text(loaded, text);
+    return file_.write(" ", text, " ()");
   }
 
   void warn_of_tuple_numbers(const ObjectInfo& info) {
@@ -111,7 +114,7 @@ class ObjectWriter {
       for (const Value& attribute : tuple->attributes) {
         ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, attribute.loaded());
         if (!row.empty()) row += ' ';
-        loaded.to_nested().print_to(row);
+        append_text(loaded, row);
       }
       ALGEBRA3D_RETURN_IF_ERROR(file_.write("\n      (", row, ")"));
     }

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "queries/language/checker.h"
 #include "queries/language/parser.h"
 #include "queries/session/detail/failure_report.h"
@@ -83,10 +84,14 @@ Status Session::execute(std::string_view text, const SourcePlace& start, Present
 
 Status Session::run_caught(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context) {
   try {
+    const algebra3d::InterruptionScope interruption(context.cancel);
     ALGEBRA3D_ASSIGN_OR_RETURN(const Command command, parse_command(text, registry_, start, &options_.parameters));
     if (presenter.takes_queries_only() && !std::holds_alternative<Query>(command.content))
       return Error(ErrorCode::type_error, "expected a query; other commands have no value").at(command.place);
     return run(command, presenter, context);
+  } catch (const algebra3d::Interrupted&) {
+    if (store_ != nullptr) store_->rollback();
+    return algebra3d::Monitor::interrupted().at(start);
   } catch (const std::bad_alloc&) {
     if (store_ != nullptr) store_->rollback();
     return Error(ErrorCode::out_of_memory, "memory is exhausted").at(start);
@@ -123,7 +128,8 @@ Status Session::in_transaction(bool writes, const std::function<Status()>& work)
   if (damaged_) return damaged_->error;
   if (store_ == nullptr) return work();
   ALGEBRA3D_RETURN_IF_ERROR(store_->begin(writes));
-  Status status = work();
+  Status status = algebra3d::as_interrupted(work);
+  const algebra3d::UninterruptedScope uninterrupted;
   if (status) status = store_->commit();
   if (!status) store_->rollback();
   return status;

@@ -6,11 +6,12 @@
 #include <cctype>
 #include <cerrno>
 #include <charconv>
-#include <fstream>
 #include <system_error>
 
+#include "algebra3d/base/polled_input.h"
 #include "queries/shell/detail/command_table.h"
 #include "queries/shell/detail/file_arguments.h"
+#include "queries/shell/detail/interruption.h"
 #include "queries/shell/detail/statement_runner.h"
 
 namespace queries {
@@ -128,9 +129,10 @@ RunResult StatementRunner::run_file(const std::string& file, CommandReader::Skip
   if (is_device(file)) return refuse("cannot read the script '" + file + "': it is a device");
   if (const std::string why = why_no_script(file); !why.empty())
     return refuse("cannot read the script '" + file + "': " + why);
-  errno = 0;
-  std::ifstream script(file);
-  if (!script) return refuse("cannot read the script '" + file + "': " + std::generic_category().message(errno));
+  const auto opened = algebra3d::PolledInput::open(file);
+  if (!opened) return refuse("cannot read the script '" + file + "': " + opened.error().message);
+  algebra3d::PolledInput input(opened->number(), &Interruption::flag());
+  std::istream script(&input);
   const auto path = std::filesystem::weakly_canonical(file, error);
   if (std::ranges::find(scripts_, path) != scripts_.end()) return refuse("the script '" + file + "' includes itself");
   if (scripts_.size() == kMaxScriptDepth)

@@ -6,12 +6,12 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <optional>
 #include <sstream>
 
+#include "algebra3d/base/polled_input.h"
 #include "algebra3d/base/signal_block.h"
 #include "algebra3d/base/stack_thread.h"
 #include "algebra3d/base/work_memory.h"
@@ -89,10 +89,16 @@ std::vector<std::filesystem::path> failure_folders(const Options& options) {
   return {".", algebra3d::WorkMemory::default_folder()};
 }
 
+RunResult run_standard_input(StatementRunner& runner) {
+  algebra3d::PolledInput input(STDIN_FILENO, &Interruption::flag());
+  std::istream commands(&input);
+  return runner.run_script(commands, "stdin");
+}
+
 int run_scripts(const Options& options, StatementRunner& runner) {
   int worst = kOk;
   for (const std::string& name : options.scripts) {
-    const RunResult result = name == "-" ? runner.run_script(std::cin, "stdin") : runner.run_file(name);
+    const RunResult result = name == "-" ? run_standard_input(runner) : runner.run_file(name);
     if (result == RunResult::interrupted) return kInterrupted;
     if (result == RunResult::failed) worst = kFailed;
     if (result == RunResult::failed && options.failure_rules.stops_on_error) return worst;
@@ -120,7 +126,7 @@ int run_statements(const Options& options, Session& session, StatementRunner& ru
     if (status != kOk || options.scripts.empty()) return status;
   }
   if (!options.scripts.empty()) return run_scripts(options, runner);
-  if (isatty(STDIN_FILENO) == 0) return exit_status(runner.run_script(std::cin, "stdin"));
+  if (isatty(STDIN_FILENO) == 0) return exit_status(run_standard_input(runner));
   return run_interactive(session, runner, out) ? kOk : kInterrupted;
 }
 

@@ -1,7 +1,6 @@
 #include "queries/test_runner/test_runner.h"
 
 #include <algorithm>
-#include <fstream>
 #include <future>
 #include <iterator>
 #include <memory>
@@ -10,6 +9,7 @@
 #include "algebra3d/base/temporary_folder.h"
 #include "queries/test_runner/detail/test_file.h"
 #include "queries/test_runner/detail/test_run.h"
+#include "queries/test_runner/detail/text_of_file.h"
 
 namespace queries {
 namespace {
@@ -17,14 +17,8 @@ namespace {
 using algebra3d::Registry;
 namespace fs = std::filesystem;
 
-Result<std::string> read_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || fs::is_directory(file)) return Error{ErrorCode::file_missing, "cannot read '{}'", file.string()};
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
-Result<std::vector<TestStep>> read_steps(const fs::path& file) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string content, read_file(file));
+Result<std::vector<TestStep>> read_steps(const fs::path& file, const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string content, read_text(file, cancel));
   if (file.extension() == ".examples") return read_example_steps(content, file.string());
   return read_test_steps(content, file.string());
 }
@@ -101,7 +95,7 @@ void add_up(std::vector<VariedChecks>& total, const std::vector<VariedChecks>& m
 }  // namespace
 
 Result<TestOutcome> run_test_file(const fs::path& file, const Registry& registry, const TestOptions& options) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<TestStep> steps, read_steps(file));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<TestStep> steps, read_steps(file, options.cancel));
   const PlannedRun plan{file, steps, registry, options};
   ALGEBRA3D_ASSIGN_OR_RETURN(TestOutcome outcome, run_once(plan, nullptr));
   if (!options.varies || !outcome.skipped.empty()) return outcome;

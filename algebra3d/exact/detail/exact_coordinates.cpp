@@ -5,6 +5,7 @@
 #include <compare>
 #include <new>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/counters.h"
 #include "algebra3d/exact/detail/homogeneous.h"
 #include "algebra3d/exact/detail/rational_big.h"
@@ -37,6 +38,7 @@ const ExactCoordinates* ExactCoordinates::allocate(const HomogeneousPoint& numbe
 }
 
 SharedCoordinates ExactCoordinates::make(HomogeneousPoint& numbers, Vec3& approx) {
+  poll_interruption();
   detail::shorten(numbers, kLongestUnreducedPoint);
   make_denominator_positive(numbers);
   std::array<std::int8_t, 3> beyond{};
@@ -91,6 +93,7 @@ std::size_t ExactCoordinates::heap_bytes() const {
 
 bool operator==(const ExactCoordinates& a, const ExactCoordinates& b) {
   if (&a == &b) return true;
+  poll_interruption();
   if (a.beyond_ != b.beyond_) return false;
   const bool have_one_denominator = mpz_cmp(a[3], b[3]) == 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {

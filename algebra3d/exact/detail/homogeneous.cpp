@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/detail/exact_coordinates.h"
 #include "algebra3d/exact/detail/exact_sum_integers.h"
 #include "algebra3d/exact/detail/fixed_width.h"
@@ -26,25 +27,6 @@ void count_determinant(const std::array<HomogeneousView, Count>& points) {
   std::uint64_t length = 0;
   for (const HomogeneousView& numbers : points) length += length_of(numbers);
   if (length > Count * kShort) exact_work += length * length;
-}
-
-/// Brings three fractions to one denominator.
-void set_from_fractions(HomogeneousPoint& point, const std::array<mpz_srcptr, 3>& numerators,
-                        const std::array<mpz_srcptr, 3>& denominators) {
-  // The coordinates of a constructed point mostly have one denominator, or one that divides the largest.
-  mpz_ptr w = point[3];
-  mpz_set(w, denominators[0]);
-  for (std::size_t axis = 1; axis < 3; ++axis)
-    if (mpz_cmp(w, denominators[axis]) != 0) mpz_lcm(w, w, denominators[axis]);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    mpz_ptr coordinate = point[axis];
-    if (mpz_cmp(w, denominators[axis]) == 0) {
-      mpz_set(coordinate, numerators[axis]);
-    } else {
-      mpz_divexact(coordinate, w, denominators[axis]);
-      mpz_mul(coordinate, coordinate, numerators[axis]);
-    }
-  }
 }
 
 /// a d - b c.
@@ -104,10 +86,28 @@ void join(HomogeneousPoint& result, const Vec3& p, const Vec3& q, const Vec3& r)
   }
 }
 
+void HomogeneousPoint::set_fractions(const std::array<mpz_srcptr, 3>& numerators,
+                                     const std::array<mpz_srcptr, 3>& denominators) {
+  // The coordinates of a constructed point mostly have one denominator, or one that divides the largest.
+  mpz_ptr const divisor = w.get_mpz_t();
+  mpz_set(divisor, denominators[0]);
+  for (std::size_t axis = 1; axis < 3; ++axis)
+    if (mpz_cmp(divisor, denominators[axis]) != 0) mpz_lcm(divisor, divisor, denominators[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    mpz_ptr coordinate = (*this)[axis];
+    if (mpz_cmp(divisor, denominators[axis]) == 0) {
+      mpz_set(coordinate, numerators[axis]);
+    } else {
+      mpz_divexact(coordinate, divisor, denominators[axis]);
+      mpz_mul(coordinate, coordinate, numerators[axis]);
+    }
+  }
+}
+
 void HomogeneousPoint::set(const RationalVec3& point) {
   const RationalAccess::View vx(point.x), vy(point.y), vz(point.z);
-  set_from_fractions(*this, {vx.numerator(), vy.numerator(), vz.numerator()},
-                     {vx.denominator(), vy.denominator(), vz.denominator()});
+  set_fractions({vx.numerator(), vy.numerator(), vz.numerator()},
+                {vx.denominator(), vy.denominator(), vz.denominator()});
 }
 
 /// Doubles are integers times a power of two.
@@ -166,6 +166,7 @@ void dot(mpz_class& result, const HomogeneousView& a, const HomogeneousView& b) 
 }
 
 std::strong_ordering compare_quotients(mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr d) {
+  poll_interruption();
   thread_local mpz_class one, other;
   if (mpz_size(a) > kShort) exact_work += std::uint64_t{2} * mpz_size(a) * mpz_size(d);
   mpz_mul(one.get_mpz_t(), a, d);

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/registry/operator.h"
 
 namespace algebra3d {
@@ -15,6 +16,8 @@ template <typename Work>
 std::invoke_result_t<const Work&> guarded(const Operator& op, const Work& work) {
   try {
     return work();
+  } catch (const Interrupted&) {
+    return Monitor::interrupted();
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& exception) {

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "algebra3d/base/indices.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d {
@@ -13,7 +14,10 @@ namespace {
 std::vector<std::uint32_t> ranks_of(const PointArray& points) {
   std::vector<std::uint32_t> order(points.size()), ranks(points.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return std::is_lt(compare(points[a], points[b])); });
+  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+    poll_interruption();
+    return std::is_lt(compare(points[a], points[b]));
+  });
   for (std::uint32_t place = 0; place < order.size(); ++place) ranks[order[place]] = place;
   return ranks;
 }
@@ -41,6 +45,7 @@ class FacetFinder {
   FacetSegment boundary(HalfedgeId h) const;
   void join_straight();
   bool is_before(const FacetSegment& a, const FacetSegment& b) const {
+    poll_interruption();
     return std::pair(ranks_[a.first], ranks_[a.second]) < std::pair(ranks_[b.first], ranks_[b.second]);
   }
   bool runs_up(const FacetSegment& s) const { return ranks_[s.first] < ranks_[s.second]; }
@@ -57,7 +62,8 @@ void FacetFinder::flood(FaceId start, std::uint32_t facet) {
   faces_.assign(1, start);
   segments_.clear();
   facet_of_[start.index()] = facet;
-  for (std::size_t next = 0; next < faces_.size(); ++next)
+  for (std::size_t next = 0; next < faces_.size(); ++next) {
+    poll_interruption();
     for (std::uint32_t corner = 0; corner < 3; ++corner) {
       const HalfedgeId h = TriangleMesh::halfedge(faces_[next], corner), other = partner(h);
       if (!other.is_valid() || !is_coplanar_across(h, other)) {
@@ -69,6 +75,7 @@ void FacetFinder::flood(FaceId start, std::uint32_t facet) {
       facet_of_[neighbour.index()] = facet;
       faces_.push_back(neighbour);
     }
+  }
 }
 
 FacetSegment FacetFinder::boundary(HalfedgeId h) const {
@@ -85,6 +92,7 @@ void FacetFinder::join_straight() {
   std::vector<bool> continues_another(segments_.size());
   const PointArray& points = mesh_.points();
   for (std::uint32_t s = 0; s < segments_.size(); ++s) {
+    poll_interruption();
     const auto [from, to] = segments_[s];
     auto candidate = std::ranges::lower_bound(segments_, FacetSegment{to, 0});
     for (; candidate != segments_.end() && candidate->first == to; ++candidate) {

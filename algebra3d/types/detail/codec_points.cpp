@@ -8,7 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/large_allocator.h"
+#include "algebra3d/exact/point_text.h"
 #include "algebra3d/exact/rational_text.h"
 
 namespace algebra3d {
@@ -45,7 +47,10 @@ RankedAxis rank_axis(const std::vector<Vec3>& points, std::size_t axis) {
   std::vector<std::pair<std::int64_t, std::uint32_t>> values;
   values.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) values.emplace_back(ordered(points[i][axis]), i);
-  std::ranges::sort(values);
+  std::ranges::sort(values, [](const auto& a, const auto& b) {
+    poll_interruption();
+    return a < b;
+  });
   RankedAxis result;
   result.ranks.resize(points.size());
   for (const auto& [value, index] : values) {
@@ -165,23 +170,32 @@ void write_exact(ByteWriter& writer, const RationalVec3& exact) {
   }
 }
 
-RationalVec3 read_exact(ByteReader& reader, const Vec3& approx) {
-  std::array<Rational, 3> exact;
-  bool any = false;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    exact[axis] = Rational(approx[axis]);
-    const std::string_view text = reader.text();
-    if (text.empty()) continue;
-    const auto value = reader.ok() ? parse_rational(text) : std::nullopt;
-    reader.require(value.has_value(), "a number p/q");
-    if (!reader.ok()) break;
-    reader.require(!value->is_double() && value->nearest_double() == approx[axis],
+/// Fails with what is wrong with a coordinate. False if it is right.
+bool tell_defect(ByteReader& reader, std::string_view text, double approx) {
+  const auto value = text.empty() ? Rational(approx) : parse_rational(text);
+  reader.require(value.has_value(), "a number p/q");
+  if (value && !text.empty())
+    reader.require(!value->is_double() && value->nearest_double() == approx,
                    "a number that is no double and rounds to the one stored");
-    exact[axis] = *value;
-    any = true;
+  return !reader.ok();
+}
+
+/// The point of three exact coordinates whose roundings are known. No point after a failure.
+ExactPoint read_exact(ByteReader& reader, const Vec3& approx) {
+  std::array<std::string_view, 3> texts;
+  ByteReader behind = reader;
+  for (std::string_view& text : texts) text = behind.text();
+  auto point = behind.ok() ? point_of_texts(texts, approx) : std::nullopt;
+  if (point) {
+    reader = behind;
+    return *std::move(point);
   }
-  reader.require(any, "a coordinate that is no double");
-  return {exact[0], exact[1], exact[2]};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string_view text = reader.text();
+    if (!reader.ok() || tell_defect(reader, text, approx[axis])) return {};
+  }
+  reader.fail("a coordinate that is no double");
+  return {};
 }
 
 void write_exact_table(ByteWriter& writer, const PointArray& points) {
@@ -189,6 +203,7 @@ void write_exact_table(ByteWriter& writer, const PointArray& points) {
   if (points.exact_count() == 0) return;
   std::uint64_t next = 0;
   for (std::size_t index = 0; index < points.size(); ++index) {
+    poll_interruption_at(index);
     if (points[index].is_double()) continue;
     writer.varint(index - next);
     next = index + 1;
@@ -209,9 +224,9 @@ PointArray read_exact_table(ByteReader& reader, std::vector<Vec3> approx) {
     if (!reader.ok()) return {};
     for (const std::size_t end = points.size() + static_cast<std::size_t>(skipped); points.size() < end;)
       points.push_back(approx[points.size()]);
-    const RationalVec3 exact = read_exact(reader, approx[points.size()]);
+    const ExactPoint exact = read_exact(reader, approx[points.size()]);
     if (!reader.ok()) return {};
-    points.push_back(ExactPoint(exact));
+    points.push_back(exact);
   }
   while (points.size() < approx.size()) points.push_back(approx[points.size()]);
   return points;
@@ -250,8 +265,7 @@ ExactPoint read_point(ByteReader& reader) {
   reader.require(is_finite(approx), "finite coordinates");
   if (!reader.ok()) return {};
   if (form == 0) return approx;
-  RationalVec3 exact = read_exact(reader, approx);
-  return reader.ok() ? ExactPoint(exact) : ExactPoint();
+  return read_exact(reader, approx);
 }
 
 void write_points(ByteWriter& writer, const PointArray& points) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/soup/weld.h"
@@ -37,6 +38,7 @@ RankedPoints rank_points(const PointArray& points) {
   std::vector<std::uint32_t> order(points.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+    poll_interruption();
     const auto by_place = compare(points[a], points[b]);
     return std::is_eq(by_place) ? a < b : std::is_lt(by_place);
   });
@@ -108,6 +110,7 @@ Result<TriangleMesh> mesh_from_nested(const NestedList& list, std::string_view t
   std::vector<std::array<ExactPoint, 3>> corners;
   corners.reserve(list.elements().size());
   for (const NestedList& element : list.elements()) {
+    poll_interruption_at(corners.size());
     ALGEBRA3D_ASSIGN_OR_RETURN(
         auto triangle, corners_from_nested(element, fmt::format("{}: triangle {}", type_name, corners.size() + 1)));
     corners.push_back(std::move(triangle));
@@ -120,11 +123,35 @@ NestedList mesh_to_nested(const TriangleMesh& mesh) {
   NestedList::List triangles;
   triangles.reserve(mesh.face_count());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    poll_interruption_at(f);
     const TriangleRef corners = mesh.corners(FaceId(f));
     triangles.push_back(
         NestedList::list(point_to_nested(corners[0]), point_to_nested(corners[1]), point_to_nested(corners[2])));
   }
   return NestedList(std::move(triangles));
+}
+
+void append_mesh_text(const TriangleMesh& mesh, std::string& text) {
+  std::string points;
+  std::vector<std::size_t> ends{0};
+  ends.reserve(mesh.vertex_count() + 1);
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    poll_interruption_at(v);
+    point_to_nested(mesh.point(VertexId(v))).print_to(points);
+    ends.push_back(points.size());
+  }
+  text += '(';
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    poll_interruption_at(f);
+    text += f == 0 ? "(" : " (";
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t v = mesh.triangle(FaceId(f))[i];
+      if (i > 0) text += ' ';
+      text.append(points, ends[v], ends[v + 1] - ends[v]);
+    }
+    text += ')';
+  }
+  text += ')';
 }
 
 std::strong_ordering compare_point_sets(const Geometry& a, const Geometry& b, Orientation orientation) {
@@ -138,6 +165,7 @@ std::strong_ordering compare_point_sets(const Geometry& a, const Geometry& b, Or
   if (const auto order = facets_a.first_of_facet <=> facets_b.first_of_facet; std::is_neq(order)) return order;
   const PointArray &points_a = a.mesh.points(), &points_b = b.mesh.points();
   for (std::size_t s = 0; s < facets_a.segments.size(); ++s) {
+    poll_interruption_at(s);
     const FacetSegment &p = facets_a.segments[s], &q = facets_b.segments[s];
     if (const auto order = compare(points_a[p.first], points_b[q.first]); std::is_neq(order)) return order;
     if (const auto order = compare(points_a[p.second], points_b[q.second]); std::is_neq(order)) return order;
@@ -153,8 +181,10 @@ std::size_t hash_point_set(const Geometry& geometry, Orientation orientation) {
   };
   const CanonicalFacets facets = canonical_facets(geometry.mesh, orientation);
   std::size_t hash = facets.facet_count();
-  for (const auto& [from, to] : facets.segments)
+  for (const auto& [from, to] : facets.segments) {
+    poll_interruption();
     hash = combine_hashes(combine_hashes(hash, hash_of(from)), hash_of(to));
+  }
   return hash;
 }
 

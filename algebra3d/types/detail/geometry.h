@@ -22,6 +22,8 @@ std::shared_ptr<const Geometry> make_geometry(TriangleMesh mesh);
 Result<TriangleMesh> mesh_from_nested(const NestedList& list, std::string_view type_name);
 /// The triangles in their order, with exact coordinates.
 NestedList mesh_to_nested(const TriangleMesh& mesh);
+/// Appends the text of that list. Cost: a number is converted once for each vertex.
+void append_mesh_text(const TriangleMesh& mesh, std::string& text);
 
 /// A total order of valid volumes (orientation counts) or surfaces as point sets, independent of the triangulation: by
 /// box (corner min, then max), then by the canonical facets (canonical_facets.h). Exact. Cost: constant if the boxes

@@ -7,12 +7,13 @@
 #include "algebra3d/types/detail/geometry.h"
 #include "algebra3d/types/detail/mesh_codec.h"
 #include "algebra3d/types/spatial.h"
+#include "algebra3d/types/value_text.h"
 
 namespace algebra3d {
 
 /// The common base of the types surface3d and volume3d: class T has a mesh that `T::prove` accepted.
 template <typename T>
-class GeometryType : public DescribedType {
+class GeometryType : public DescribedType, public DirectText {
  public:
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
     ALGEBRA3D_ASSIGN_OR_RETURN(auto mesh, mesh_from_nested(list, name()));
@@ -22,6 +23,10 @@ class GeometryType : public DescribedType {
     return Value(*this);
   }
   NestedList to_nested(const Value& value) const override { return mesh_to_nested(value.get<T>().mesh()); }
+
+  void append_text(const Value& value, std::string& text) const override {
+    append_mesh_text(value.get<T>().mesh(), text);
+  }
 
   std::strong_ordering compare(const Value& a, const Value& b) const override {
     return compare_point_sets(a.get<T>().geometry(), b.get<T>().geometry(), orientation_);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/types/detail/codec_points.h"
 #include "algebra3d/types/detail/corner_code.h"
@@ -201,6 +202,7 @@ void write_mesh(ByteWriter& writer, const TriangleMesh& mesh) {
   corners.reserve(2 * mesh.face_count());
   Front front;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    poll_interruption_at(f);
     const Triangle t = mesh.triangle(FaceId(f));
     const auto shared = find_shared_edge(front.edges(), t);
     if (shared) {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "algebra3d/base/diagnostics.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/without_exceptions.h"
 #include "algebra3d/base/working_folder.h"
 #include "queries/language/session_parameters.h"
@@ -127,7 +128,10 @@ Result<T> Execution::ask(const Connection* connection, std::function<Result<T>(R
     const algebra3d::Monitor::Report report = [this](const std::string& how_far) { note_progress(how_far); };
     Context context{
         .diagnostics = diagnostics, .cancel = cancel.get(), .folder = folder_, .memory = memory_, .report = &report};
-    Result<T> result = algebra3d::without_exceptions([&] { return work(table, context); });
+    Result<T> result = algebra3d::without_exceptions([&] {
+      const algebra3d::InterruptionScope interruption(cancel.get());
+      return work(table, context);
+    });
     if (!result) result.error().message = folder_.with_names(std::move(result.error().message));
     note_progress({});
     promise->set_value(std::move(result));

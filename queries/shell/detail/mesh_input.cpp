@@ -1,11 +1,12 @@
 #include "queries/shell/detail/mesh_input.h"
 
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
+#include <unistd.h>
+
+#include "algebra3d/base/polled_input.h"
 #include "mesh_files/unwritten_file.h"
 #include "queries/importer/file_list.h"
 
@@ -20,8 +21,8 @@ Result<MeshInput> MeshInput::open(const std::string& name, const std::atomic<boo
   MeshInput input;
   if (name == "-") {
     input.name_ = "standard input";
-    input.text_.assign(std::istreambuf_iterator<char>(std::cin), {});
-    if (std::cin.bad()) return Error{ErrorCode::io_error, "standard input cannot be read to its end"};
+    algebra3d::PolledInput bytes(STDIN_FILENO, cancel);
+    ALGEBRA3D_ASSIGN_OR_RETURN(input.text_, bytes.read_all(input.text_.max_size(), input.name_));
     return input;
   }
   input.name_ = name;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "queries/session/result_text.h"
 #include "queries/shell/detail/inquiry_text.h"
 #include "queries/shell/detail/screen.h"
 #include "queries/shell/detail/table.h"
@@ -27,8 +28,8 @@ TextTable empty_table(const TypeExpr& tuple) {
 }  // namespace
 
 Status ListPresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList result, result_list(type, value, context));
-  out_ << result.print() << "\n";
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string result, result_text(type, value, context));
+  out_ << result << "\n";
   return {};
 }
 
@@ -45,9 +46,9 @@ Status TablePresenter::present(const TypeExpr& type, const Datum& value, Context
     out_ << display_text(*single) << "\n";
     return {};
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList result, value_list(type, value, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string result, value_text(type, value, context));
   if (type.is_function() || is_index(type)) out_ << type.text() << "\n";
-  out_ << printable(result.print()) << "\n";
+  out_ << printable(result) << "\n";
   return {};
 }
 

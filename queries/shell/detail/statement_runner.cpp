@@ -188,6 +188,11 @@ RunResult StatementRunner::run_lines(std::istream& script, CommandReader& reader
     if (result == RunResult::quit && has_failed) return RunResult::failed;
     if (result != RunResult::ok) return result;
   }
+  if (Interruption::flag().load()) {
+    complain("interrupted while the script was read", {reader.file(), reader.line(), 1});
+    Interruption::reset();
+    return RunResult::interrupted;
+  }
   if (script.bad()) return complain("the script cannot be read to its end", {reader.file(), reader.line(), 1});
   if (auto last = reader.finish()) {
     const RunResult result = run_all({std::move(*last)}, has_failed);

@@ -3,6 +3,7 @@
 #include <new>
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "queries/store/detail/sqlite_connection.h"
 
 namespace queries {
@@ -69,6 +70,8 @@ class SqliteRowFunction {
       taker->row_.resize(static_cast<std::size_t>(count - 1));
       for (int i = 1; i < count; ++i) taker->row_[static_cast<std::size_t>(i - 1)] = cell_of(values[i]);
       sqlite3_result_int(context, taker->take(taker->row_) ? 1 : 0);
+    } catch (const algebra3d::Interrupted&) {
+      sqlite3_result_error_code(context, SQLITE_INTERRUPT);
     } catch (const std::bad_alloc&) {
       sqlite3_result_error_nomem(context);
     }

@@ -5,6 +5,7 @@
 
 #include "queries/language/scanner.h"
 #include "queries/language/token.h"
+#include "queries/test_runner/detail/text_of_file.h"
 
 namespace queries {
 namespace {
@@ -40,10 +41,9 @@ algebra3d::Result<std::string> with_moved_source(const RestoredSource& source, c
                                                  const TestFolders& folders) {
   const fs::path file = folders.file / source.file;
   if (is_below(file, folders.scratch)) return reading(source, file);
-  std::ifstream stream(file, std::ios::binary);
-  const std::string content(std::istreambuf_iterator<char>(stream), {});
-  const auto saved = stream ? NestedList::parse(content) : algebra3d::Result<NestedList>(NestedList());
-  if (!stream || !saved) return reading(source, file);
+  const auto content = read_text(file, nullptr);
+  const auto saved = content ? NestedList::parse(*content) : algebra3d::Result<NestedList>(NestedList());
+  if (!content || !saved) return reading(source, file);
   const fs::path copy = folders.scratch / ("moved-" + file.filename().string());
   std::ofstream written(copy, std::ios::binary);
   written << motion.image_of_constants(*saved).print() << '\n';

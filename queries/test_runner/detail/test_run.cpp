@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 
 #include "algebra3d/base/text.h"
 #include "queries/session/variables.h"
+#include "queries/test_runner/detail/text_of_file.h"
 
 namespace queries {
 namespace {
@@ -179,11 +179,9 @@ void TestRun::set_expectation(const std::string& text) {
 Expectation TestRun::expectation_from_file(const std::string& name) const {
   const std::string written = algebra3d::with_replaced(name, "$(SCRATCH)", folders_.scratch.string());
   const fs::path file = folders_.file / with_variables(written);
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || fs::is_directory(file))
-    return Expectation::with_problem("#yields: cannot read '" + file.string() + "'");
-  const std::string content(std::istreambuf_iterator<char>(stream), {});
-  auto list = NestedList::parse(with_variables(content));
+  const auto content = read_text(file, options_.cancel);
+  if (!content) return Expectation::with_problem("#yields: " + content.error().message);
+  auto list = NestedList::parse(with_variables(*content));
   if (!list) return Expectation::with_problem("#yields: " + file.string() + ": " + list.error().message);
   return Expectation::of_value(std::move(list).value());
 }

@@ -1,0 +1,50 @@
+#include "queries/session/result_text.h"
+
+#include "algebra3d/types/value_text.h"
+
+namespace queries {
+namespace {
+
+Status append_tuple(const Tuple& tuple, std::string& text) {
+  text += '(';
+  for (std::size_t i = 0; i < tuple.attributes.size(); ++i) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, tuple.attributes[i].loaded());
+    if (i > 0) text += ' ';
+    algebra3d::append_text(loaded, text);
+  }
+  text += ')';
+  return {};
+}
+
+Result<std::string> relation_text(Relation& relation, Context& context) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+  std::string text = "(";
+  while (true) {
+    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    if (tuple == nullptr) return text + ")";
+    if (text.size() > 1) text += ' ';
+    ALGEBRA3D_RETURN_IF_ERROR(append_tuple(*tuple, text));
+  }
+}
+
+}  // namespace
+
+Result<std::string> value_text(const TypeExpr& type, const Datum& value, Context& context) {
+  if (type.is_relation()) return relation_text(*value.relation(), context);
+  if (const auto* const single = std::get_if<Value>(&value.content)) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, single->loaded());
+    std::string text;
+    algebra3d::append_text(loaded, text);
+    return text;
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, value_list(type, value, context));
+  return list.print();
+}
+
+Result<std::string> result_text(const TypeExpr& type, const Datum& value, Context& context) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string text, value_text(type, value, context));
+  return "(" + type.to_nested().print() + " " + text + ")";
+}
+
+}  // namespace queries

@@ -1,0 +1,15 @@
+#include "queries/test_runner/detail/text_of_file.h"
+
+#include "algebra3d/base/file_content.h"
+
+namespace queries {
+
+algebra3d::Result<std::string> read_text(const std::filesystem::path& file, const std::atomic<bool>* cancel) {
+  auto content = algebra3d::FileContent::read(file, cancel);
+  if (content) return std::string(content->bytes());
+  algebra3d::Error& error = content.error();
+  if (error.code == algebra3d::ErrorCode::file_missing) error.message = "cannot read '" + file.string() + "'";
+  return std::move(error);
+}
+
+}  // namespace queries
