@@ -1,5 +1,6 @@
 #include "algebra3d/base/scheduler.h"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <new>
@@ -83,8 +84,10 @@ void run_ranges(std::size_t count, std::size_t grain,
                       [&](const tbb::blocked_range<std::size_t>& range) {
                         const NearestRounding rounding;
                         const AdoptedInterruption interruption(scope);
-                        poll_interruption();
-                        visit(range.begin(), range.end());
+                        for (std::size_t begin = range.begin(); begin < range.end(); begin += grain) {
+                          poll_interruption();
+                          visit(begin, std::min(begin + grain, range.end()));
+                        }
                       });
   });
 }

@@ -9,6 +9,7 @@
 
 #include "algebra3d/arrangement/coplanar_facets.h"
 #include "algebra3d/base/indices.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/mesh_attributes.h"
@@ -29,6 +30,7 @@ class PolygonCollector {
     for (const std::uint32_t corner : corners_) numbers[corner] = 0;
     PointArray used;
     for (std::size_t v = 0; v < points.size(); ++v) {
+      poll_interruption_at(v);
       if (numbers[v] == kNone) continue;
       numbers[v] = static_cast<std::uint32_t>(used.size());
       used.push_back(points[v]);
@@ -57,6 +59,7 @@ class FacetMerger {
     PolygonCollector polygons;
     std::vector<bool> is_done(outlines.size(), false);
     for (const FaceId f : faces(mesh_)) {
+      poll_interruption_at(f.index());
       const std::size_t facet = facets_.of(f).index();
       if (outlines[facet].empty()) {
         for (const std::uint32_t corner : mesh_.triangle(f)) polygons.add_corner(corner);
@@ -157,6 +160,7 @@ Result<PolygonMesh> polygon_mesh_of(const TriangleMesh& mesh, Merging merging, c
     return PolygonMesh(mesh.points(), mesh.is_empty() ? PolygonLayout() : PolygonLayout::of_degree(3), mesh.origins());
   PolygonCollector polygons;
   for (const FaceId f : faces(mesh)) {
+    poll_interruption_at(f.index());
     for (const std::uint32_t corner : mesh.triangle(f)) polygons.add_corner(corner);
     polygons.end_face();
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algebra3d/autorefinement/valid_parts.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/constructions/detail/heights.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/planar/boundary_polygons.h"
@@ -22,6 +23,7 @@ using Triangle = TriangleMesh::Triangle;
 TriangleMesh pressed_flat(const TriangleMesh& mesh) {
   std::vector<std::array<ExactPoint, 3>> triangles;
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    poll_interruption_at(f);
     const auto corners = mesh.corners(FaceId(f));
     if (orient2d(Projection::xy, corners[0], corners[1], corners[2]) > 0)
       triangles.push_back({at_height(corners[0], 0), at_height(corners[1], 0), at_height(corners[2], 0)});

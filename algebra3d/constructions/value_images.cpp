@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/mesh_image.h"
 #include "algebra3d/soup/weld.h"
@@ -109,6 +110,7 @@ LargeVector<std::uint32_t> image_corners(const AffineMap& map, const PolygonMesh
   LargeVector<std::uint32_t> corners = mesh.origins();
   if (map.orientation() >= 0) return corners;
   for (const FaceId f : faces(mesh)) {
+    poll_interruption_at(f.index());
     std::uint32_t* const first = corners.data() + mesh.halfedge(f).index();
     std::reverse(first + 1, first + mesh.degree(f));
   }
@@ -124,6 +126,7 @@ ElementSources sources_of_reversed(const PolygonMesh& image, const PolygonMesh& 
   std::iota(sources.faces.begin(), sources.faces.end(), 0U);
   std::vector<std::uint32_t> along;
   for (const FaceId f : faces(mesh)) {
+    poll_interruption_at(f.index());
     const std::uint32_t first = mesh.halfedge(f).index(), degree = mesh.degree(f);
     for (std::uint32_t i = 0; i < degree; ++i) {
       sources.halfedges.push_back(first + (degree - i) % degree);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/convex/detail/ball_filter.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/exact/predicates_filter.h"
@@ -78,6 +79,7 @@ std::optional<std::size_t> point_outside(const ExactBall& ball, const PointArray
   std::optional<std::size_t> farthest;
   double greatest = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
+    poll_interruption_at(i);
     const CentreDistances::Estimate rough = distances.rough(points[i]);
     int side = detail::compare(rough, limit);
     if (side == detail::kUndecided && !farthest) side = detail::compare(distances.fine(points[i]), limit);
@@ -121,6 +123,7 @@ RoundedBall rounded_ball(const ExactBall& ball, const PointArray& points) {
   Rational greatest;
   CentreDistances::Estimate limit = detail::estimate_of(greatest);
   for (std::size_t i = 0; i < points.size(); ++i) {
+    poll_interruption_at(i);
     if (detail::compare(distances.rough(points[i]), limit) == -1) continue;
     if (detail::compare(distances.fine(points[i]), limit) == -1) continue;
     Rational square = distances.exact(points[i]);

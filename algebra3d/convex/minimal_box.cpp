@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algebra3d/base/box_corners.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/convex/detail/hull_outline.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/exact/predicates_filter.h"
@@ -93,6 +94,7 @@ Extent extent_along(const RationalVec3& axis, const PointArray& points, double u
   const double off = 0x1p-48 * size + (points.exact_count() == 0 ? 0 : 0x1p-50 * (size + detail::largest(base) / unit));
   std::optional<Extent> extent;
   for (std::size_t i = 0; i < points.size(); ++i) {
+    poll_interruption_at(i);
     if (heights[i] > low + off && heights[i] < high - off) continue;
     Rational height = dot(points[i].rational(), axis);
     if (!extent) extent = Extent{height, height};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/display/detail/cell_numbers.h"
 #include "algebra3d/display/detail/cluster_grid.h"
@@ -83,6 +84,7 @@ std::vector<ClusterSums> sums_of_originals(const TrianglesView& fine, const Clus
   for (const PartialSums& part : parts)
     for (std::size_t i = 0; i < part.clusters.size(); ++i) sums[part.clusters[i]] += part.sums[i];
   for (std::size_t i = 0; i < fine.points.size(); ++i) {
+    poll_interruption_at(i);
     if (clusters.of_point[i] == kNone) continue;
     ClusterSums& cluster = sums[clusters.of_point[i]];
     cluster.positions = cluster.positions + fine.points[i];
@@ -125,6 +127,7 @@ Vec3 moved_into(const Box3& box, const Vec3& point) {
 std::vector<double> distances_moved(const TrianglesView& fine, const ClusteredTriangles& coarse) {
   std::vector<double> moved(coarse.points.size());
   for (std::size_t i = 0; i < fine.points.size(); ++i) {
+    poll_interruption_at(i);
     const std::uint32_t cluster = coarse.point_of[i];
     if (cluster == kNone) continue;
     const Vec3 way = fine.points[i] - coarse.points[cluster];

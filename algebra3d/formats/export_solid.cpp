@@ -10,6 +10,7 @@
 
 #include "algebra3d/base/box3.h"
 #include "algebra3d/base/diagnostics.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/base/polygon_soup.h"
 #include "algebra3d/repair/mesh_volume.h"
@@ -28,6 +29,7 @@ TriangleSoup triangle_soup_of(const TriangleMesh& mesh) {
   TriangleSoup soup;
   soup.triangles.reserve(mesh.face_count());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    poll_interruption_at(f);
     const TriangleRef corners = mesh.corners(FaceId(f));
     soup.triangles.push_back({corners[0].approx, corners[1].approx, corners[2].approx});
   }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/base/diagnostics.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/text.h"
 #include "algebra3d/formats/detail/file_attributes.h"
 #include "algebra3d/formats/mesh_file.h"
@@ -50,8 +51,10 @@ PolygonSoup soup_of(const PolygonMesh& mesh) {
   soup.points = mesh.points().approx();
   soup.corners.assign(mesh.origins().begin(), mesh.origins().end());
   soup.face_starts.reserve(mesh.face_count() + 1);
-  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    poll_interruption_at(f);
     soup.face_starts.push_back(soup.face_starts.back() + mesh.degree(FaceId(f)));
+  }
   return soup;
 }
 
@@ -64,6 +67,7 @@ std::size_t rounded_count(const PolygonMesh& mesh, CoordinateRange range) {
   if (range == CoordinateRange::doubles) return mesh.points().exact_count();
   std::size_t count = 0;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    poll_interruption_at(v);
     const PointRef point = mesh.points()[v];
     const auto is_float = [](double x) { return static_cast<double>(static_cast<float>(x)) == x; };
     const Vec3& p = point.approx;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "algebra3d/base/ascii_cursor.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/base/text.h"
 #include "algebra3d/formats/detail/closed_rings.h"
@@ -221,6 +222,7 @@ std::string wkt_of(const Polygons& polygons) {
   const bool is_multiple = polygons.face_count() > 1;
   std::string text = is_multiple ? "MULTIPOLYGON (" : "POLYGON ";
   for (std::size_t face = 0; face < polygons.face_count(); ++face) {
+    poll_interruption_at(face);
     if (face > 0) text += ", ";
     append_face(text, polygons, face);
   }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/without_exceptions.h"
 #include "algebra3d/formats/export_solid.h"
 #include "algebra3d/formats/import_solid.h"
@@ -15,6 +16,7 @@ using detail::ShapeAccess;
 
 Result<ReadSolid> read_solid(const std::filesystem::path& file, const std::string& options, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<ReadSolid> {
+    const InterruptionScope interruption(monitor.cancel());
     ALGEBRA3D_ASSIGN_OR_RETURN(const RepairOptions parsed, parse_repair_options(options));
     ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSolid imported, import_solid(file, nullptr, parsed, monitor));
     ReadSolid result;
@@ -31,6 +33,7 @@ Result<ReadSolid> read_solid(const std::filesystem::path& file, const std::strin
 
 Result<Surface> read_surface(const std::filesystem::path& file, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<Surface> {
+    const InterruptionScope interruption(monitor.cancel());
     ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSurface imported, import_surface(file, monitor));
     if (imported.refusal) return *std::move(imported.refusal);
     return ShapeAccess::outer(*std::move(imported.surface));

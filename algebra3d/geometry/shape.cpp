@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/nearest_rounding.h"
 #include "algebra3d/base/without_exceptions.h"
 #include "algebra3d/exact/exact_sum.h"
@@ -29,8 +30,10 @@ template <typename Derived, typename Content>
 Result<Derived> Shape<Derived, Content>::of_triangles(std::span<const Vec3> points,
                                                       std::span<const std::array<std::uint32_t, 3>> triangles,
                                                       const Monitor& monitor) {
-  return without_exceptions(
-      [&]() -> Result<Derived> { return ShapeAccess::outer(detail::proved<Content>(points, triangles, monitor)); });
+  return without_exceptions([&]() -> Result<Derived> {
+    const InterruptionScope interruption(monitor.cancel());
+    return ShapeAccess::outer(detail::proved<Content>(points, triangles, monitor));
+  });
 }
 
 template <typename Derived, typename Content>

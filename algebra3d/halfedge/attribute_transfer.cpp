@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algebra3d/base/indices.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/halfedge/circulators.h"
 
 namespace algebra3d {
@@ -43,6 +44,7 @@ std::vector<std::uint32_t> charts_of(const PolygonMesh& mesh, const AttributeVal
   std::vector<std::uint32_t> charts(mesh.face_count(), kNone);
   std::vector<FaceId> open;
   for (const FaceId start : faces(mesh)) {
+    poll_interruption_at(start.index());
     if (charts[start.index()] != kNone) continue;
     charts[start.index()] = start.index();
     open.push_back(start);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algebra3d/base/indices.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/topology.h"
 
@@ -241,6 +242,7 @@ std::vector<std::uint32_t> edge_numbers(const PolygonMesh& mesh) {
   std::vector<std::uint32_t> numbers(mesh.halfedge_count());
   std::uint32_t count = 0;
   for (const HalfedgeId h : edges(mesh)) {
+    poll_interruption_at(h.index());
     if (mesh.is_nonmanifold(h))
       for (const HalfedgeId along : mesh.edge_halfedges(h)) numbers[along.index()] = count;
     if (const HalfedgeId opposite = mesh.opposite(h); opposite.is_valid()) numbers[opposite.index()] = count;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/base/indices.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/large_allocator.h"
 #include "algebra3d/halfedge/circulators.h"
 
@@ -44,10 +45,12 @@ void MeshEditor::take(const PolygonMesh& mesh) {
   face_sources_.reserve(mesh.face_count());
   halfedges_.reserve(mesh.halfedge_count());
   for (const VertexId v : algebra3d::vertices(mesh)) {
+    poll_interruption_at(v.index());
     points_.emplace_back(mesh.point(v));
     vertices_.push_back({mesh.outgoing(v), true, v.index()});
   }
   for (const FaceId f : algebra3d::faces(mesh)) {
+    poll_interruption_at(f.index());
     faces_.push_back(mesh.halfedge(f));
     face_sources_.push_back(f.index());
   }
@@ -61,6 +64,7 @@ void MeshEditor::take(const PolygonMesh& mesh) {
 void MeshEditor::add_boundary(const PolygonMesh& mesh) {
   const std::size_t first = halfedges_.size();
   for (const HalfedgeId h : algebra3d::halfedges(mesh)) {
+    poll_interruption_at(h.index());
     if (mesh.opposite(h).is_valid()) continue;
     const HalfedgeId beyond(halfedges_.size());
     halfedges_[h.index()].opposite = beyond;

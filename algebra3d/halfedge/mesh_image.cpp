@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/halfedge/mesh_triangles.h"
 
 namespace algebra3d {
@@ -25,6 +26,7 @@ FacePlanes image_planes(const AffineMap& map, const TriangleMesh& mesh) {
 double volume_of_boxes(const TriangleMesh& mesh, std::span<const Vec3> points) {
   double sum = 0;
   for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    poll_interruption_at(face);
     Box3 box;
     for (const std::uint32_t corner : mesh.triangle(FaceId(face))) box.extend(points[corner]);
     const Vec3 extent = box.max - box.min;

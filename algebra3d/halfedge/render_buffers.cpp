@@ -1,6 +1,7 @@
 #include "algebra3d/halfedge/render_buffers.h"
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/halfedge/circulators.h"
 
 namespace algebra3d {
@@ -23,8 +24,10 @@ RenderBuffers with_vertices(const HalfedgeMesh<Layout>& mesh, const CornerNormal
   RenderBuffers buffers;
   buffers.origin = middle_of(mesh.points());
   buffers.mesh_vertices.resize(normals.normals.size());
-  for (const HalfedgeId h : halfedges(mesh))
+  for (const HalfedgeId h : halfedges(mesh)) {
+    poll_interruption_at(h.index());
     buffers.mesh_vertices[normals.of_corner[h.index()]] = mesh.origin(h).index();
+  }
   buffers.positions.reserve(normals.normals.size());
   for (const std::uint32_t vertex : buffers.mesh_vertices)
     buffers.positions.push_back(floats(mesh.points().approx()[vertex] - buffers.origin));
@@ -52,8 +55,10 @@ RenderBuffers render_buffers(const HalfedgeMesh<Layout>& mesh, std::span<const s
 RenderBuffers render_buffers(const TriangleMesh& mesh, const CornerNormals& normals) {
   std::vector<std::array<HalfedgeId, 3>> triangles;
   triangles.reserve(mesh.face_count());
-  for (const FaceId f : faces(mesh))
+  for (const FaceId f : faces(mesh)) {
+    poll_interruption_at(f.index());
     triangles.push_back({TriangleMesh::halfedge(f, 0), TriangleMesh::halfedge(f, 1), TriangleMesh::halfedge(f, 2)});
+  }
   return render_buffers<TriangleLayout>(mesh, triangles, normals);
 }
 

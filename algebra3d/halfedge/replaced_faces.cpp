@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/point_table.h"
 #include "algebra3d/halfedge/relinked.h"
 
@@ -58,12 +59,14 @@ TriangleMesh FaceReplacing::run(const std::vector<bool>& is_removed) {
   was.reserve(triangles.capacity());
   points_.reserve(mesh_.vertex_count() + places_.size());
   for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
+    poll_interruption_at(f);
     if (is_removed[f]) continue;
     const auto [a, b, c] = mesh_.triangle(FaceId(f));
     triangles.push_back({kept_vertex(a), kept_vertex(b), kept_vertex(c)});
     was.push_back(f);
   }
   for (std::uint32_t f = 0; f < added_.face_count(); ++f) {
+    poll_interruption_at(f);
     const auto [a, b, c] = added_.triangle(FaceId(f));
     triangles.push_back({added_vertex(a), added_vertex(b), added_vertex(c)});
     was.push_back(kNewFace);

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/polygon_mesh.h"
 #include "algebra3d/halfedge/topology.h"
@@ -18,6 +19,7 @@ FaceComponents shells_of(const HalfedgeMesh<Layout>& mesh) {
   FaceComponents shells{std::vector<std::uint32_t>(mesh.face_count(), kNoShell), 0};
   std::vector<FaceId> pending;
   for (const FaceId seed : faces(mesh)) {
+    poll_interruption_at(seed.index());
     if (shells.of_face[seed.index()] != kNoShell) continue;
     const auto number = static_cast<std::uint32_t>(shells.count++);
     shells.of_face[seed.index()] = number;
@@ -44,6 +46,7 @@ PolygonMesh separated(const HalfedgeMesh<Layout>& mesh, const FaceComponents& sh
   std::vector<std::uint32_t> its_copy(shells.count);
   std::uint32_t count = 0;
   for (const VertexId v : vertices(mesh)) {
+    poll_interruption_at(v.index());
     for (const HalfedgeId h : outgoing_halfedges(mesh, v)) {
       const std::uint32_t shell = shells.of_face[mesh.face(h).index()];
       if (last_vertex[shell] != v) {

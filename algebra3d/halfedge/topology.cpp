@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <compare>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/relinked.h"
@@ -26,6 +27,7 @@ std::vector<ComponentCounts> count_elements(const HalfedgeMesh<Layout>& mesh, co
   const auto component_of = [&](HalfedgeId h) { return components.of_face[mesh.face(h).index()]; };
   for (const std::uint32_t component : components.of_face) ++counts[component].faces;
   for (const HalfedgeId h : edges(mesh)) {
+    poll_interruption_at(h.index());
     ComponentCounts& own = counts[component_of(h)];
     ++own.edges;
     own.boundary_edges += mesh.is_boundary(h) ? 1 : 0;
@@ -33,6 +35,7 @@ std::vector<ComponentCounts> count_elements(const HalfedgeMesh<Layout>& mesh, co
   }
   std::vector<VertexId> last_vertex(components.count);
   for (const VertexId v : vertices(mesh)) {
+    poll_interruption_at(v.index());
     for (const HalfedgeId fan : mesh.fans(v)) {
       const std::uint32_t component = component_of(fan);
       ++counts[component].fans;
@@ -91,6 +94,7 @@ FaceComponents connected_components(const HalfedgeMesh<Layout>& mesh) {
   FaceComponents components{std::vector<std::uint32_t>(mesh.face_count(), kUnset), 0};
   std::vector<FaceId> pending;
   for (const FaceId seed : faces(mesh)) {
+    poll_interruption_at(seed.index());
     if (components.of_face[seed.index()] != kUnset) continue;
     const auto number = static_cast<std::uint32_t>(components.count++);
     const auto enter = [&](FaceId f) {
@@ -114,6 +118,7 @@ std::vector<BoundaryLoop> boundary_loops(const HalfedgeMesh<Layout>& mesh) {
   // Runs that are not closed must be entered at their start: at the half-edges that follow no other.
   std::vector<bool> follows(mesh.halfedge_count(), false);
   for (const HalfedgeId h : halfedges(mesh)) {
+    poll_interruption_at(h.index());
     if (!mesh.is_boundary(h)) continue;
     if (const HalfedgeId next = next_on_boundary(mesh, h); next.is_valid()) follows[next.index()] = true;
   }
@@ -121,6 +126,7 @@ std::vector<BoundaryLoop> boundary_loops(const HalfedgeMesh<Layout>& mesh) {
   std::vector<BoundaryLoop> loops;
   for (const bool closed : {false, true}) {
     for (const HalfedgeId first : halfedges(mesh)) {
+      poll_interruption_at(first.index());
       if (!mesh.is_boundary(first) || is_done[first.index()] || (!closed && follows[first.index()])) continue;
       BoundaryLoop& loop = loops.emplace_back();
       loop.is_closed = closed;
@@ -255,6 +261,7 @@ TriangleMesh flipped(const TriangleMesh& mesh) {
   std::vector<TriangleMesh::Triangle> triangles;
   triangles.reserve(mesh.face_count());
   for (const FaceId f : faces(mesh)) {
+    poll_interruption_at(f.index());
     const auto [a, b, c] = mesh.triangle(f);
     triangles.push_back({a, c, b});
   }

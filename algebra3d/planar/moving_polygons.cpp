@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/planar/detail/moving_pairs.h"
 #include "algebra3d/planar/detail/moving_segments.h"
 #include "algebra3d/planar/detail/polygon_places.h"
@@ -119,6 +120,7 @@ Polygons at(const MovingPolygons& moving, const Rational& s) {
   result.face_ends = moving.start.face_ends;
   result.corners.reserve(moving.start.corners.size());
   for (std::size_t i = 0; i < moving.start.corners.size(); ++i) {
+    poll_interruption_at(i);
     const PointRef start = moving.start.corners[i];
     const PointRef end = moving.end.corners[i];
     const auto coordinate = [&](std::size_t axis) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/balanced_sum.h"
 #include "algebra3d/exact/exact_sum_plane.h"
 #include "algebra3d/exact/expansion.h"
@@ -11,6 +12,7 @@ namespace algebra3d {
 Rational doubled_area(const Polygons& valid) {
   detail::BalancedSum sum;
   for (std::size_t face = 0; face < valid.face_count(); ++face) {
+    poll_interruption_at(face);
     const std::uint32_t outer = valid.first_cycle(face);
     for (std::uint32_t cycle = outer; cycle < valid.face_ends[face]; ++cycle) {
       const Rational area = exact_doubled_area(valid.corners, valid.first_corner(cycle), valid.cycle_ends[cycle]).abs();

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/planar/detail/constraints.h"
 #include "algebra3d/planar/detail/cycles.h"
 #include "algebra3d/planar/detail/delaunay.h"
@@ -35,6 +36,7 @@ std::vector<std::uint32_t> all_corners(const Polygons& polygons) {
 Defect defect_of_cycles(const Polygons& polygons, const planar::PolygonPlaces& places) {
   std::uint32_t cycle = 0;
   for (std::uint32_t face = 0; face < polygons.face_count(); ++face) {
+    poll_interruption_at(face);
     if (cycle == polygons.face_ends[face]) return fmt::format("face {} has no cycle", face + 1);
     for (std::uint32_t number = 1; cycle < polygons.face_ends[face]; ++cycle, ++number) {
       const std::uint32_t begin = polygons.first_corner(cycle), end = polygons.cycle_ends[cycle];
@@ -89,6 +91,7 @@ class SegmentCheck {
 Defect SegmentCheck::defect_of_corners() const {
   IdVector<VertexId, std::uint32_t> latest(points_.size(), kNone);
   for (std::uint32_t corner = 0; corner < polygons_.corners.size(); ++corner) {
+    poll_interruption_at(corner);
     std::uint32_t& cycle = latest[points_.vertex_of(corner)];
     if (cycle == places_.cycle_of(corner)) return places_.corner_name(corner) + " occurs twice";
     cycle = places_.cycle_of(corner);

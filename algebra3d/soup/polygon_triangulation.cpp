@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/point_table.h"
 #include "algebra3d/planar/sweep_triangulation.h"
 #include "algebra3d/soup/loop_triangulation.h"
@@ -89,6 +90,7 @@ TriangleSoup triangles_of(const PolygonSoup& polygons) {
   TriangleSoup soup;
   soup.name = polygons.name;
   for (std::size_t face = 0; face < polygons.face_count(); ++face) {
+    poll_interruption_at(face);
     const auto corners = polygons.face(face);
     if (corners.size() == 3) {
       soup.triangles.push_back({polygons.points[corners[0]], polygons.points[corners[1]], polygons.points[corners[2]]});

@@ -1,4 +1,5 @@
 // Attributes after a step: linear interpolation, also where a scheme smooths the positions.
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/subdivision/detail/attributes.h"
 
 #include <vector>
@@ -33,16 +34,20 @@ std::uint32_t face_mean(const PolygonMesh& mesh, FaceId f, ValuesOf values, Valu
 Numbers vertices_and_middles(const PolygonMesh& mesh, ValueBlends& blends) {
   Numbers sources;
   for (const VertexId v : vertices(mesh)) sources.push_back(v.index());
-  for (const HalfedgeId h : edges(mesh))
+  for (const HalfedgeId h : edges(mesh)) {
+    poll_interruption_at(h.index());
     sources.push_back(blends.add_between(mesh.origin(h).index(), mesh.target(h).index(), 0.5));
+  }
   return sources;
 }
 
 /// Per half-edge the middle of its corner and the next one.
 Numbers corner_middles(const PolygonMesh& mesh, ValueBlends& blends) {
   Numbers middles;
-  for (const HalfedgeId h : halfedges(mesh))
+  for (const HalfedgeId h : halfedges(mesh)) {
+    poll_interruption_at(h.index());
     middles.push_back(blends.add_between(h.index(), mesh.next(h).index(), 0.5));
+  }
   return middles;
 }
 
@@ -55,6 +60,7 @@ struct TriangleAttributes {
     const Numbers middles = corner_middles(mesh, blends);
     Numbers sources(after.halfedge_count());
     for (const HalfedgeId id : halfedges(mesh)) {
+      poll_interruption_at(id.index());
       const std::uint32_t h = id.index(), start = TriangleSplit::first_half(h);
       sources[start] = h;
       sources[start + 1] = sources[TriangleSplit::middle(h)] = middles[h];
@@ -65,8 +71,10 @@ struct TriangleAttributes {
   /// Per half-edge of the result the one that it is a half of.
   static Numbers along(const PolygonMesh& mesh, const PolygonMesh& after) {
     Numbers along(after.halfedge_count(), kNone);
-    for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
+    for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+      poll_interruption_at(h);
       along[TriangleSplit::first_half(h)] = along[TriangleSplit::second_half(h)] = h;
+    }
     return along;
   }
   static Numbers faces(const PolygonMesh& mesh, const PolygonMesh& /*after*/, ValueBlends& /*blends*/) {
@@ -87,6 +95,7 @@ struct CatmullClarkAttributes {
     const Numbers middles = corner_middles(mesh, blends);
     Numbers sources;
     for (const FaceId f : algebra3d::faces(mesh)) {
+      poll_interruption_at(f.index());
       const std::uint32_t centre = face_mean(mesh, f, ValuesOf::corners, blends);
       for (const HalfedgeId h : halfedges_of(mesh, f))
         sources.insert(sources.end(), {h.index(), middles[h.index()], centre, middles[mesh.prev(h).index()]});
@@ -96,6 +105,7 @@ struct CatmullClarkAttributes {
   static Numbers along(const PolygonMesh& mesh, const PolygonMesh& after) {
     Numbers along(after.halfedge_count(), kNone);
     for (const HalfedgeId h : halfedges(mesh)) {
+      poll_interruption_at(h.index());
       const std::size_t start = std::size_t{4} * h.index();
       along[start] = h.index();
       along[start + 3] = mesh.prev(h).index();
@@ -116,6 +126,7 @@ struct DooSabinAttributes {
     Numbers sources;
     Terms terms;
     for (const HalfedgeId corner : halfedges(mesh)) {
+      poll_interruption_at(corner.index());
       const double n = mesh.degree(mesh.face(corner));
       terms.clear();
       for (const HalfedgeId h : halfedges_of(mesh, mesh.face(corner))) {

@@ -1,3 +1,4 @@
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/subdivision/detail/ring_masks.h"
 
 #include <array>
@@ -24,8 +25,10 @@ class Turns {
   static constexpr std::size_t kKnown = 2 * kShortRing + 1;
 
   static void fill(std::vector<CirclePoint>& points) {
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      poll_interruption_at(i);
       points[i] = circle_point(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(points.size()));
+    }
   }
   static const std::array<std::vector<CirclePoint>, kKnown>& known() {
     static const auto all = [] {

@@ -10,6 +10,7 @@
 #include <xxhash.h>
 #include <zstd.h>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/rational_text.h"
 #include "algebra3d/types/binary_io.h"
 #include "algebra3d/types/detail/codec_points.h"
@@ -165,13 +166,30 @@ void append_padding(std::string& compressed, std::size_t body_bytes) {
   compressed.append(padding, '\0');
 }
 
+/// Compresses into `stored`, which has room, in pieces between which an interrupt is heard. The size, or an error code.
+std::size_t compress(ZSTD_CCtx* context, std::string& stored, const std::string& body) {
+  constexpr std::size_t kPiece = std::size_t{1} << 20U;
+  ZSTD_CCtx_reset(context, ZSTD_reset_session_and_parameters);
+  ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, kCompressionLevel);
+  ZSTD_CCtx_setPledgedSrcSize(context, body.size());
+  ZSTD_outBuffer out{stored.data(), stored.size(), 0};
+  ZSTD_inBuffer in{body.data(), 0, 0};
+  while (true) {
+    poll_interruption();
+    in.size = std::min(body.size(), in.pos + kPiece);
+    const std::size_t left =
+        ZSTD_compressStream2(context, &out, &in, in.size == body.size() ? ZSTD_e_end : ZSTD_e_continue);
+    if (ZSTD_isError(left) != 0U) return left;
+    if (left == 0 && in.pos == body.size()) return out.pos;
+  }
+}
+
 /// The body compressed, if that makes it shorter.
 std::optional<std::string> compressed_body(const std::string& body) {
   ZSTD_CCtx* const context = compression_context();
   if (body.size() < kCompressFrom || context == nullptr) return std::nullopt;
   std::string stored(ZSTD_compressBound(body.size()), '\0');
-  const std::size_t size =
-      ZSTD_compressCCtx(context, stored.data(), stored.size(), body.data(), body.size(), kCompressionLevel);
+  const std::size_t size = compress(context, stored, body);
   if (ZSTD_isError(size) != 0U) return std::nullopt;
   stored.resize(size);
   append_padding(stored, body.size());

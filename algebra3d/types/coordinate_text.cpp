@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/rational_text.h"
 
 namespace algebra3d {
@@ -81,6 +82,7 @@ Result<Rational> coordinate_from_nested(const NestedList& atom, std::string_view
 }
 
 NestedList point_to_nested(PointRef point) {
+  poll_interruption();
   if (!point.is_double()) return triple_to_nested(point.rational());
   return NestedList::list(NestedList(point.approx.x), NestedList(point.approx.y), NestedList(point.approx.z));
 }
@@ -99,6 +101,7 @@ Result<RationalVec3> triple_from_nested(const NestedList& list, std::string_view
 }
 
 Result<ExactPoint> point_from_nested(const NestedList& list, std::string_view what) {
+  poll_interruption();
   if (is_triple(list)) {
     if (const auto doubles = doubles_of(list)) return ExactPoint(*doubles);
   }
@@ -107,11 +110,13 @@ Result<ExactPoint> point_from_nested(const NestedList& list, std::string_view wh
 }
 
 NestedList planar_point_to_nested(PointRef point) {
+  poll_interruption();
   if (point.is_double()) return NestedList::list(NestedList(point.approx.x), NestedList(point.approx.y));
   return NestedList::list(coordinate_to_nested(point.coordinate(0)), coordinate_to_nested(point.coordinate(1)));
 }
 
 Result<ExactPoint> planar_point_from_nested(const NestedList& list, std::string_view what) {
+  poll_interruption();
   if (!is_pair(list)) return expected(what, "(x y)", list);
   const auto x = double_of(list.elements()[0]), y = double_of(list.elements()[1]);
   if (x && y) return ExactPoint(Vec3{*x, *y, 0});

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/types/coordinate_text.h"
@@ -147,6 +148,7 @@ class Mesh3dType final : public DescribedType {
     NestedList::List all_faces;
     all_faces.reserve(mesh.face_count());
     for (const FaceId f : faces(mesh)) {
+      poll_interruption_at(f.index());
       NestedList::List corners;
       for (const VertexId v : vertices_of(mesh, f)) corners.push_back(NestedList(std::int64_t{v.index()}));
       all_faces.emplace_back(std::move(corners));

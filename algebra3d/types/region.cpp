@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/planar/boundary_polygons.h"
 #include "algebra3d/planar/polygon_validity.h"
 #include "algebra3d/types/coordinate_text.h"
@@ -46,8 +47,10 @@ class RegionType final : public DescribedType {
   std::size_t hash(const Value& value) const override {
     const Polygons& polygons = value.get<Region>().canonical();
     std::size_t result = polygons.face_ends.size();
-    for (std::size_t i = 0; i < polygons.corners.size(); ++i)
+    for (std::size_t i = 0; i < polygons.corners.size(); ++i) {
+      poll_interruption_at(i);
       result = combine_hashes(result, polygons.corners.point(i).hash());
+    }
     return result;
   }
 
@@ -92,6 +95,7 @@ NestedList RegionType::to_nested(const Value& value) const {
   const Polygons& polygons = value.get<Region>().polygons();
   NestedList::List faces;
   for (std::size_t f = 0; f < polygons.face_count(); ++f) {
+    poll_interruption_at(f);
     NestedList::List cycles;
     for (std::uint32_t c = polygons.first_cycle(f); c < polygons.face_ends[f]; ++c) {
       NestedList::List corners;

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "algebra3d/base/indices.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/point_table.h"
@@ -54,6 +55,7 @@ bool have_same_boundary(const Replacement& replacement) {
   EdgeBalance balance;
   const auto stays = [&](HalfedgeId h) { return !replacement.removes(TriangleMesh::face(h).index()); };
   for (std::uint32_t f = 0; f < volume.face_count(); ++f) {
+    poll_interruption_at(f);
     if (!replacement.removes(f)) continue;
     for (std::uint32_t corner = 0; corner < 3; ++corner) {
       const HalfedgeId h = TriangleMesh::halfedge(FaceId(f), corner);
@@ -115,6 +117,7 @@ std::vector<FaceId> faces_of_closed_shells(const TriangleMesh& mesh) {
     if (mesh.is_boundary(HalfedgeId(i))) is_done[shells.of_face[TriangleMesh::face(HalfedgeId(i)).index()]] = true;
   std::vector<FaceId> chosen;
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    poll_interruption_at(f);
     if (is_done[shells.of_face[f]] || is_vertical(mesh.corners(FaceId(f)))) continue;
     is_done[shells.of_face[f]] = true;
     chosen.emplace_back(f);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/exact/intersection_point.h"
 #include "algebra3d/exact/vertical_line.h"
@@ -87,6 +88,7 @@ ShellTops::ShellTops(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
                      std::span<const std::uint32_t> shell_of_face, std::size_t shell_count)
     : mesh_(mesh), hierarchy_(hierarchy), shell_of_face_(shell_of_face), tops_(shell_count) {
   for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    poll_interruption_at(face);
     VertexId& top = tops_[shell_of_face[face]];
     for (std::uint32_t corner = 0; corner < 3; ++corner) {
       const VertexId vertex = mesh.origin(TriangleMesh::halfedge(FaceId(face), corner));
@@ -153,6 +155,7 @@ std::vector<int> shell_orientations(const TriangleMesh& mesh, std::span<const st
   std::vector<EstimatedSum> sums(shell_count);
   std::vector<VertexId> origins(shell_count);
   for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    poll_interruption_at(face);
     const std::uint32_t shell = shell_of_face[face];
     if (!origins[shell].is_valid()) origins[shell] = mesh.origin(TriangleMesh::halfedge(FaceId(face), 0));
     sums[shell].add(mesh.corners(FaceId(face)), mesh.point(origins[shell]));
@@ -162,9 +165,11 @@ std::vector<int> shell_orientations(const TriangleMesh& mesh, std::span<const st
   for (const EstimatedSum& sum : sums) signs.push_back(sum.sign());
   if (std::ranges::find(signs, detail::kUndecided) == signs.end()) return signs;
   std::vector<LooseTriangles> undecided(shell_count);
-  for (std::uint32_t face = 0; face < mesh.face_count(); ++face)
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    poll_interruption_at(face);
     if (const std::uint32_t shell = shell_of_face[face]; signs[shell] == detail::kUndecided)
       undecided[shell].add(mesh.corners(FaceId(face)));
+  }
   for (std::size_t shell = 0; shell < shell_count; ++shell)
     if (signs[shell] == detail::kUndecided)
       signs[shell] = exact_volume(undecided[shell].points, undecided[shell].triangles)->sign();

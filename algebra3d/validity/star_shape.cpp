@@ -30,6 +30,7 @@
 
 #include "algebra3d/validity/star_shape.h"
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/vertical_line.h"
 
 namespace algebra3d {
@@ -58,6 +59,7 @@ bool has_two_triangles_along_each_edge(const TriangleMesh& mesh, FaceId face) {
 bool is_star_shaped(const TriangleMesh& mesh, const PointRef& centre) {
   int above = 0;
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    poll_interruption_at(f);
     if (!has_two_triangles_along_each_edge(mesh, FaceId(f))) return false;
     const TriangleRef corners = mesh.corners(FaceId(f));
     if (orient3d(corners[0], corners[1], corners[2], centre) >= 0) return false;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <optional>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
@@ -122,6 +123,7 @@ Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const st
   const SoundFaces sound = check_triangles(mesh, proved, ignored);
   std::vector<Entanglement> result(mesh.face_count(), Entanglement::none);
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    poll_interruption_at(f);
     const TriangleRef corners = mesh.corners(FaceId(f));
     if (!sound[f])
       result[f] = collinear(corners[0], corners[1], corners[2]) ? Entanglement::degenerate : Entanglement::entangled;

@@ -11,6 +11,7 @@
 #include <optional>
 #include <sstream>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/polled_input.h"
 #include "algebra3d/base/signal_block.h"
 #include "algebra3d/base/stack_thread.h"
@@ -290,6 +291,17 @@ std::optional<int> take_files(Options& options, const MeshConsole& console) {
   return std::nullopt;
 }
 
+/// The exit status of a command on files, if there is one, also when it hears a signal where nothing is polled by hand.
+std::optional<int> until_interrupted(const MeshConsole& console, const std::function<std::optional<int>()>& command) {
+  const algebra3d::InterruptionScope scope(console.cancel);
+  try {
+    return command();
+  } catch (const algebra3d::Interrupted&) {
+    console.errors << "error: interrupted\n";
+    return kInterrupted;
+  }
+}
+
 const CLI::App* add_test_command(CLI::App& app, Options& options) {
   CLI::App* test = app.add_subcommand("test", "Run files of regression tests; the last line is 'N passed, N failed'");
   test->add_option("FILES", options.test_files, "Files that end in .test or .examples")->required();
@@ -346,14 +358,14 @@ int run_arguments(int argc, char** argv) {
     return status == 0 ? kOk : kWrongUsage;
   }
   const MeshConsole console{std::cout, std::cerr, &Interruption::flag()};
-  if (const auto status = meshes.run(console)) return *status;
+  if (const auto status = until_interrupted(console, [&] { return meshes.run(console); })) return *status;
   algebra3d::Registry registry = algebra3d::make_registry();
   register_stream_operators(registry);
   if (import->parsed()) return run_import(import_options, registry, &Interruption::flag());
   if (test->parsed()) return run_tests(options, registry);
   if (serve->parsed()) return run_serve(server_options, registry, Interruption::flag());
   if (help->parsed()) return run_help(app, options, registry);
-  if (const auto status = take_files(options, console)) return *status;
+  if (const auto status = until_interrupted(console, [&] { return take_files(options, console); })) return *status;
   return run_session(app, options, registry);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d::detail {
@@ -16,6 +17,7 @@ VertexId point_of_largest(const PointArray& points, const Measure& measure) {
   std::size_t best = 0;
   double largest = -1;
   for (std::size_t i = 0; i < points.size(); ++i) {
+    poll_interruption_at(i);
     const double value = measure(points.approx()[i]);
     if (!(value > largest)) continue;
     largest = value;

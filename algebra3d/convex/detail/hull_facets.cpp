@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "algebra3d/base/id_vector.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/convex/detail/hull_plane.h"
 #include "algebra3d/exact/predicates.h"
 
@@ -26,8 +27,10 @@ class FacetJoiner {
     std::ranges::sort(result.extreme_points,
                       [&](VertexId a, VertexId b) { return compare(points_[a.index()], points_[b.index()]) < 0; });
     numbers_.resize(points_.size());
-    for (std::size_t i = 0; i < result.extreme_points.size(); ++i)
+    for (std::size_t i = 0; i < result.extreme_points.size(); ++i) {
+      poll_interruption_at(i);
       numbers_[result.extreme_points[i]] = static_cast<std::uint32_t>(i);
+    }
     is_done_.resize(is_crease_.size());
     for (std::size_t h = 0; h < is_crease_.size(); ++h)
       if (is_crease_[h] && !is_done_[h]) divide_facet(HalfedgeId(h), result.triangles);

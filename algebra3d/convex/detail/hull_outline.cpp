@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/predicates_filter.h"
 #include "algebra3d/exact/principal_axes.h"
 
@@ -75,6 +76,7 @@ HullOutline::HullOutline(const TriangleMesh& hull) {
   inner_radius_ = std::numeric_limits<double>::infinity();
   std::vector<std::pair<double, Vec3>> facets;
   for (std::size_t f = 0; f < hull.face_count(); ++f) {
+    poll_interruption_at(f);
     const auto [a, b, c] = hull.triangle(FaceId(f));
     const Vec3 normal = cross(vertices[b] - vertices[a], vertices[c] - vertices[a]);
     const double area = length(normal);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/display/detail/cell_numbers.h"
 #include "algebra3d/display/detail/mesh_shapes.h"
 #include "algebra3d/display/detail/shape_parts.h"
@@ -57,6 +58,7 @@ template <typename Layout>
 DefectEdges defects_of(const HalfedgeMesh<Layout>& mesh) {
   DefectEdges edges;
   for (const HalfedgeId h : halfedges(mesh)) {
+    poll_interruption_at(h.index());
     if (mesh.opposite(h).is_valid() || first_along(mesh, h) != h) continue;
     (mesh.is_boundary(h) ? edges.boundary : edges.nonmanifold)
         .push_back({mesh.origin(h).index(), mesh.target(h).index()});

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/display/detail/shape_parts.h"
 #include "algebra3d/display/detail/task_size.h"
@@ -124,6 +125,7 @@ void add_positions(const Mesh& mesh, const CornerNormals& normals, Shape& shape)
 template <typename Mesh>
 void add_isolated_vertices(const Mesh& mesh, Shape& shape) {
   for (const VertexId v : vertices(mesh)) {
+    poll_interruption_at(v.index());
     if (!mesh.is_isolated(v)) continue;
     shape.points.push_back(add_position(shape, mesh.points().approx()[v.index()]));
     shape.vertex_ids.push_back(v.index());

@@ -7,6 +7,7 @@
 #include "algebra3d/base/context.h"
 #include "algebra3d/base/diagnostics.h"
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
@@ -21,9 +22,11 @@ namespace algebra3d::detail {
 struct Surroundings {
   Diagnostics diagnostics;
   Context context;
+  InterruptionScope interruption;
 
   explicit Surroundings(const Monitor& monitor)
-      : context{.diagnostics = diagnostics, .cancel = monitor.cancel(), .folder = {}, .report = monitor.report()} {}
+      : context{.diagnostics = diagnostics, .cancel = monitor.cancel(), .folder = {}, .report = monitor.report()},
+        interruption(monitor.cancel()) {}
   Surroundings(const Surroundings&) = delete;
   Surroundings& operator=(const Surroundings&) = delete;
   ~Surroundings() = default;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/detail/mesh_linker.h"
 #include "algebra3d/halfedge/halfedge_mesh.h"
@@ -75,6 +76,7 @@ bool ManifoldLinker<Layout>::match_halfedges() {
         unlinked(), [&](std::uint32_t h) { return match(h, mesh_.origins_[h], mesh_.target(HalfedgeId(h)).index()); });
   const std::size_t face_count = mesh_.face_count();
   for (std::size_t f = 0; f < face_count; ++f) {
+    poll_interruption_at(f);
     const std::uint32_t first = mesh_.halfedge(FaceId(f)).index();
     const std::uint32_t last = first + mesh_.degree(FaceId(f)) - 1;
     for (std::uint32_t h = first; h <= last; ++h) {
@@ -88,6 +90,7 @@ bool ManifoldLinker<Layout>::match_halfedges() {
 template <typename Layout>
 bool ManifoldLinker<Layout>::match_between_open_vertices() {
   return std::ranges::all_of(open_corners_, [&](std::uint32_t h) {
+    poll_interruption_at(h);
     const std::uint32_t to = mesh_.target(HalfedgeId(h)).index();
     return to < settled_ || match(h, mesh_.origins_[h], to);
   });

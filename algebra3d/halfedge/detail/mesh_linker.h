@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/detail/nonmanifold_tables.h"
 #include "algebra3d/halfedge/halfedge_mesh.h"
@@ -152,7 +153,10 @@ void MeshLinker<Layout>::for_each_corner_downwards(Visit visit) const {
     for (std::size_t i = corners.size(); i-- > 0;) visit(HalfedgeId(corners[i]), mesh.origins_[corners[i]]);
     return;
   }
-  for (std::size_t h = mesh.halfedge_count(); h-- > 0;) visit(HalfedgeId(h), mesh.origins_[h]);
+  for (std::size_t h = mesh.halfedge_count(); h-- > 0;) {
+    poll_interruption_at(h);
+    visit(HalfedgeId(h), mesh.origins_[h]);
+  }
 }
 
 /// Calls visit(h, a, b) for the ends of each half-edge that is to be linked, in order.
@@ -164,6 +168,7 @@ void MeshLinker<Layout>::for_each_unlinked(Visit visit) const {
   if (links != Links::none) return;
   const std::size_t face_count = mesh.face_count();
   for (std::size_t f = 0; f < face_count; ++f) {
+    poll_interruption_at(f);
     const std::uint32_t first = mesh.halfedge(FaceId(f)).index();
     const std::uint32_t last = first + mesh.degree(FaceId(f)) - 1;
     for (std::uint32_t h = first; h < last; ++h) visit(h, origins[h], origins[h + 1]);
@@ -211,6 +216,7 @@ void MeshLinker<Layout>::link_edges() {
   std::vector<Entry> entries = entries_by_smaller_end(ends);
   std::uint32_t start = 0;
   for (std::size_t v = settled; v < mesh.vertex_count(); ++v) {
+    poll_interruption_at(v);
     const std::uint32_t end = ends[v - settled];
     link_bucket(static_cast<std::uint32_t>(v), std::span(entries).subspan(start, end - start));
     start = end;
@@ -252,6 +258,7 @@ void MeshLinker<Layout>::number_nonmanifold_edges() {
   std::ranges::sort(order, {}, [&](std::uint32_t i) { return found.edge_halfedges[found.edge_starts[i]]; });
   tables.edge_halfedges.reserve(found.edge_halfedges.size());
   for (std::uint32_t number = 0; number < order.size(); ++number) {
+    poll_interruption_at(number);
     for (std::uint32_t i = found.edge_starts[order[number]]; i < found.edge_starts[order[number] + 1]; ++i) {
       const HalfedgeId h = found.edge_halfedges[i];
       mesh.opposites_[h.index()] = Mesh::kNoOpposite | number;
@@ -296,6 +303,7 @@ template <typename Layout>
 void MeshLinker<Layout>::find_nonmanifold_vertices(const std::vector<std::uint32_t>& corner_counts,
                                                    const std::vector<bool>& is_open) {
   for (std::size_t v = settled; v < mesh.vertex_count(); ++v) {
+    poll_interruption_at(v);
     if (!is_open[v - settled]) continue;
     std::uint32_t met = 0;
     walk_fan(mesh.outgoing_[v], [&](HalfedgeId) { ++met; });
@@ -314,6 +322,7 @@ void MeshLinker<Layout>::list_fans() {
   std::vector<std::pair<std::uint32_t, HalfedgeId>> fans;
   for (const bool open : {true, false}) {
     for (std::size_t h = 0; h < mesh.halfedge_count(); ++h) {
+      poll_interruption_at(h);
       const std::uint32_t v = mesh.origins_[h];
       if (!is_pending[v] || is_listed[h] || (open && mesh.opposite(HalfedgeId(h)).is_valid())) continue;
       fans.emplace_back(v, HalfedgeId(h));

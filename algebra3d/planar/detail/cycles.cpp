@@ -3,6 +3,7 @@
 #include <compare>
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d::planar {
@@ -28,6 +29,7 @@ std::vector<DirectedEdge> segments_of(const Polygons& polygons, const std::vecto
 std::vector<bool> reversed_cycles(const Polygons& polygons) {
   std::vector<bool> is_reversed(polygons.cycle_count());
   for (std::size_t face = 0; face < polygons.face_count(); ++face) {
+    poll_interruption_at(face);
     for (std::uint32_t cycle = polygons.first_cycle(face); cycle < polygons.face_ends[face]; ++cycle) {
       const int turn = rotation(polygons.corners, polygons.first_corner(cycle), polygons.cycle_ends[cycle]);
       is_reversed[cycle] = cycle == polygons.first_cycle(face) ? turn < 0 : turn > 0;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/scheduler.h"
 
 namespace algebra3d {
@@ -281,6 +282,7 @@ Status EdgeCollapser::run(const CollapseLimits& limits) {
   Stage stage(monitor_, "simplifying", before > limits.triangles ? before - limits.triangles : 0);
   for (std::size_t bucket = 0; bucket < CostBuckets::kCount; ++bucket) {
     for (std::size_t i = 0; i < queue_[bucket].size(); ++i) {
+      poll_interruption_at(i);
       if (faces_.face_count() <= limits.triangles) return {};
       if (!stage.begin_step()) return Monitor::interrupted();
       const std::vector<std::uint32_t>& entries = queue_[bucket];
@@ -299,12 +301,14 @@ TriangleMesh EdgeCollapser::result() {
     count += static_cast<std::size_t>(numbers[v] != kNone && faces_.representative(v) == v);
   std::vector<Vec3> points(count);
   for (std::uint32_t v = 0; v < numbers.size(); ++v) {
+    poll_interruption_at(v);
     if (numbers[v] == kNone || faces_.representative(v) != v) continue;
     points[numbers[v]] = sources_[v] != kNone ? mesh_.points().approx()[sources_[v]] : unframed(positions_[v]);
   }
   std::vector<TriangleMesh::Triangle> triangles;
   triangles.reserve(faces_.face_count());
   for (std::uint32_t f = 0; f < faces_.face_slots(); ++f) {
+    poll_interruption_at(f);
     if (!faces_.is_alive(f)) continue;
     const auto& [a, b, c] = faces_.corners(f);
     triangles.push_back({numbers[a], numbers[b], numbers[c]});

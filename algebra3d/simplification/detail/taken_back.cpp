@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algebra3d/base/indices.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/validity/validity.h"
 
@@ -23,6 +24,7 @@ std::vector<FaceId> all_faces(const TriangleMesh& mesh) {
 void grow(const TriangleMesh& mesh, std::vector<std::uint8_t>& flags) {
   const std::vector<std::uint8_t> before = flags;
   for (std::size_t h = 0; h < mesh.halfedge_count(); ++h) {
+    poll_interruption_at(h);
     const std::uint32_t a = mesh.origin(HalfedgeId(h)).index(), b = mesh.target(HalfedgeId(h)).index();
     flags[a] |= before[b];
     flags[b] |= before[a];

@@ -117,6 +117,7 @@ CanonicalFacets FacetFinder::run() {
   CanonicalFacets found;
   found.first_of_facet.push_back(0);
   for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+    poll_interruption_at(f);
     if (facet_of_[f] != kNone) continue;
     flood(FaceId(f), static_cast<std::uint32_t>(found.facet_count()));
     join_straight();

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/types/coordinate_text.h"
 #include "algebra3d/types/detail/codec_points.h"
 #include "algebra3d/types/detail/polygons_codec.h"
@@ -64,6 +65,7 @@ NestedList unit_to_nested(const RegionUnit& unit) {
   const auto& [start, end] = unit.polygons();
   NestedList::List faces;
   for (std::size_t f = 0; f < start.face_count(); ++f) {
+    poll_interruption_at(f);
     NestedList::List cycles;
     for (std::uint32_t c = start.first_cycle(f); c < start.face_ends[f]; ++c) {
       NestedList::List corners;

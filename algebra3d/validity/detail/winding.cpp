@@ -21,6 +21,7 @@
 #include <limits>
 
 #include "algebra3d/base/disjoint_sets.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/validity/detail/front_ray.h"
@@ -76,9 +77,11 @@ class WindingQuery {
                          {Box3::kInfinity, Box3::kInfinity, Box3::kInfinity}};
       return;
     }
-    for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+      poll_interruption_at(face);
       for (const PointRef& corner : mesh.corners(FaceId(face)))
         shell_boxes_[shells.shell_of_face[face]].extend(box_of(corner));
+    }
   }
 
   /// Winding number in front of `face`, which must not be vertical.
@@ -106,6 +109,7 @@ class WindingQuery {
 std::vector<std::uint32_t> faces_to_ask(const TriangleMesh& mesh, const ShellWindings& shells) {
   std::vector<std::uint32_t> faces(shells.first_faces.size(), kNoShell);
   for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    poll_interruption_at(face);
     std::uint32_t& chosen = faces[shells.shell_of_face[face]];
     if (chosen == kNoShell && !is_vertical(mesh.corners(FaceId(face)))) chosen = face;
   }
@@ -176,6 +180,7 @@ Result<std::vector<bool>> shells_near_others(const TriangleMesh& mesh, const She
   };
   std::vector<std::uint32_t> shell_at(mesh.vertex_count(), kNoShell);
   for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    poll_interruption_at(face);
     for (const std::uint32_t vertex : mesh.triangle(FaceId(face))) {
       if (shell_at[vertex] == kNoShell) shell_at[vertex] = shells.shell_of_face[face];
       compare_shells(shell_at[vertex], shells.shell_of_face[face]);

@@ -13,6 +13,7 @@
 #include <xxhash.h>
 
 #include "algebra3d/base/input_file.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/types/utf8.h"
 #include "mesh_files/unwritten_file.h"
 
@@ -223,6 +224,7 @@ void FileLoader::Work::run(Slot& slot, Slot::Stage stage) {
 Slot::Stage FileLoader::Work::load(Slot& slot) {
   LoadedFile& file = slot.file;
   try {
+    const algebra3d::InterruptionScope interruption(&stop_);
     auto result = reader_(slot.listed->path, &stop_);
     if (result) {
       file.solid = std::move(result->solid);
@@ -233,6 +235,8 @@ Slot::Stage FileLoader::Work::load(Slot& slot) {
     }
     if (result.error().code == ErrorCode::interrupted) return Slot::Stage::dropped;
     file.status = without_path(reason_of(result.error()), file.path);
+  } catch (const algebra3d::Interrupted&) {
+    return Slot::Stage::dropped;
   } catch (const std::bad_alloc&) {
     file.status = "memory is exhausted";
   } catch (const std::exception& exception) {
