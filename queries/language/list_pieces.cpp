@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/types/file_atom.h"
 #include "algebra3d/types/utf8.h"
 
@@ -96,6 +97,7 @@ std::size_t ListPieces::end_of_element(std::size_t begin) const {
   std::size_t depth = 0;
   std::size_t position = begin;
   do {
+    algebra3d::poll_interruption();
     if (position >= text_.size()) return std::string_view::npos;
     const char c = text_[position];
     const std::string_view rest = text_.substr(position);

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/types/file_atom.h"
 #include "algebra3d/types/utf8.h"
@@ -119,6 +120,7 @@ void Scanner::skip_blanks() {
 }
 
 Token Scanner::scan() {
+  algebra3d::poll_interruption();
   skip_blanks();
   Token token;
   token.begin = position_;
@@ -321,6 +323,7 @@ std::optional<std::string_view> Scanner::take_raw_until(char closing) {
   const std::size_t begin = position_;
   int depth = 0;
   while (position_ < source_.size()) {
+    algebra3d::poll_interruption_at(position_);
     const char c = source_[position_];
     if (depth == 0 && c == closing) return source_.substr(begin, position_ - begin);
     if (c == '"' || c == '\'') {
