@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <compare>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/planar/detail/edge_triangulation.h"
 #include "algebra3d/planar/noding.h"
 
@@ -70,8 +71,10 @@ void BoundaryTracer::cut_off(std::size_t begin, TracedFace& face) {
   for (std::size_t i = 1; i < count; ++i)
     if (points_.is_before(vertex(i), vertex(first))) first = i;
   cycle.is_hole = points_.turn(vertex(first + count - 1), vertex(first), vertex(first + 1)) < 0;
-  for (std::size_t i = first; i < first + count; ++i)
+  for (std::size_t i = first; i < first + count; ++i) {
+    poll_interruption_at(i);
     if (points_.turn(vertex(i + count - 1), vertex(i), vertex(i + 1)) != 0) cycle.vertices.push_back(vertex(i));
+  }
   for (std::size_t i = begin; i < path_.size(); ++i) place_in_path_[path_[i]] = kNone;
   path_.resize(begin);
   face.push_back(std::move(cycle));
@@ -80,6 +83,7 @@ void BoundaryTracer::cut_off(std::size_t begin, TracedFace& face) {
 void BoundaryTracer::walk(HalfedgeId start, TracedFace& face) {
   HalfedgeId h = start;
   do {
+    poll_interruption();
     is_traced_[h] = true;
     const VertexId vertex = triangulation_.origin(h);
     if (place_in_path_[vertex] != kNone) cut_off(place_in_path_[vertex], face);

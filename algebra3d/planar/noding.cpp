@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/planar/detail/constraints.h"
 #include "algebra3d/planar/detail/delaunay.h"
 #include "algebra3d/planar/segment_text.h"
@@ -30,6 +31,7 @@ std::vector<CountedEdge> counted(const PlanePoints& points, std::span<const Dire
     if (from != to) result.push_back(from < to ? CountedEdge{from, to, 1} : CountedEdge{to, from, -1});
   }
   std::sort(result.begin(), result.end(), [](const CountedEdge& a, const CountedEdge& b) {
+    poll_interruption();
     return a.from != b.from ? a.from < b.from : a.to < b.to;
   });
   std::size_t size = 0;

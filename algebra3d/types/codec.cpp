@@ -9,6 +9,7 @@
 
 #include <xxhash.h>
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/rational_text.h"
@@ -204,6 +205,37 @@ struct Buffer {
   std::string_view view() const { return {bytes.get(), size}; }
 };
 
+/// Decompresses all frames in pieces between which an interrupt is heard. The size, or an error code.
+std::size_t decompress_in_pieces(ZSTD_DCtx* context, const Buffer& buffer, std::string_view stored) {
+  constexpr std::size_t kPiece = std::size_t{1} << 20U;
+  ZSTD_outBuffer out{buffer.bytes.get(), 0, 0};
+  ZSTD_inBuffer in{stored.data(), stored.size(), 0};
+  for (std::size_t left = 1; left != 0 || in.pos < in.size;) {
+    poll_interruption();
+    const std::size_t known = in.pos + out.pos;
+    out.size = std::min(buffer.size, out.pos + kPiece);
+    left = ZSTD_decompressStream(context, &out, &in);
+    if (ZSTD_isError(left) != 0U) return left;
+    if (in.pos + out.pos == known) break;  // the bytes end within a frame, or it has more than there is room for
+  }
+  return in.pos == in.size ? out.pos : buffer.size + 1;
+}
+
+/// The same in one piece if the body is small, or if its window is larger than ours are, which would take as much memory
+/// again.
+std::size_t decompress_into(ZSTD_DCtx* context, const Buffer& buffer, std::string_view stored) {
+  constexpr std::size_t kLarge = std::size_t{16} << 20U;
+  constexpr int kLargestWindow = 22;  // its logarithm; that of kCompressionLevel is 21
+  if (buffer.size > kLarge) {
+    ZSTD_DCtx_reset(context, ZSTD_reset_session_and_parameters);
+    ZSTD_DCtx_setParameter(context, ZSTD_d_windowLogMax, kLargestWindow);
+    const std::size_t size = decompress_in_pieces(context, buffer, stored);
+    ZSTD_DCtx_reset(context, ZSTD_reset_session_and_parameters);
+    if (ZSTD_getErrorCode(size) != ZSTD_error_frameParameter_windowTooLarge) return size;
+  }
+  return ZSTD_decompressDCtx(context, buffer.bytes.get(), buffer.size, stored.data(), stored.size());
+}
+
 Result<Buffer> decompress(std::string_view stored, std::uint64_t body_bytes) {
   if (body_bytes > std::numeric_limits<std::size_t>::max() / 2) return corrupt(80, "a length within memory");
   // What the first frame says of itself is checked before anything is allocated.
@@ -213,7 +245,7 @@ Result<Buffer> decompress(std::string_view stored, std::uint64_t body_bytes) {
   ZSTD_DCtx* const context = decompression_context();
   if (buffer.bytes == nullptr || context == nullptr)
     return Error{ErrorCode::out_of_memory, "stored value: no memory for {} bytes", body_bytes};
-  const std::size_t size = ZSTD_decompressDCtx(context, buffer.bytes.get(), buffer.size, stored.data(), stored.size());
+  const std::size_t size = decompress_into(context, buffer, stored);
   if (ZSTD_isError(size) != 0U)
     return corrupt(kCodecHeaderBytes, fmt::format("compressed bytes ({})", ZSTD_getErrorName(size)));
   if (size != buffer.size)

@@ -125,8 +125,7 @@ std::vector<Work> aggregations(const Registry& registry, std::size_t count) {
       all.push_back({op->name + " " + overload.signature(), [op, &overload, values](const std::atomic<bool>& flag) {
                        return with_context(flag, [&](Context& context) -> Status {
                          Aggregation aggregation(ResolvedCall{op, &overload});
-                         for (const Value& value : values)
-                           ALGEBRA3D_RETURN_IF_ERROR(aggregation.step(value, context));
+                         for (const Value& value : values) ALGEBRA3D_RETURN_IF_ERROR(aggregation.step(value, context));
                          ALGEBRA3D_RETURN_IF_ERROR(aggregation.finish(context));
                          return {};
                        });
@@ -163,7 +162,8 @@ std::vector<Work> value_work(const Registry& registry, const LargeValues& values
     });
     add("hash", [one](Context&) { return hash(*one), Status(); });
     const auto copy = decode(*type, bytes, Origin::own_store);
-    if (copy) add("compare", [one, other = *copy](Context&) { return static_cast<void>(compare(*one, other)), Status(); });
+    if (copy)
+      add("compare", [one, other = *copy](Context&) { return static_cast<void>(compare(*one, other)), Status(); });
   }
   return all;
 }

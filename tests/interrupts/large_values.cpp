@@ -120,7 +120,8 @@ const Value* LargeValues::find(const Type& type, std::size_t argument) const {
 std::vector<Value> many_values(const Type& type, std::size_t count) {
   std::vector<Value> values;
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 place{0.7 * static_cast<double>(i % 50), 0.7 * static_cast<double>(i / 50), 0.01 * static_cast<double>(i)};
+    const Vec3 place{0.7 * static_cast<double>(i % 50), 0.7 * static_cast<double>(i / 50),
+                     0.01 * static_cast<double>(i)};
     const Sphere shape = sphere(200, place);
     if (type.name() == "volume3d")
       values.push_back(Value::of(Volume3d::trusted(mesh_of(shape, shape.triangles.size(), Coordinates::doubles))));

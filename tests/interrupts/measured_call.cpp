@@ -47,8 +47,8 @@ std::string names_of_frames() {
   if (frame_count == 0 || ::dladdr(reinterpret_cast<void*>(&names_of_frames), &self) == 0) return {};
   std::string command = fmt::format("addr2line -Cfs -e /proc/{}/exe", ::getpid());
   for (int i = 2; i < frame_count; ++i)
-    command += fmt::format(" {:#x}", static_cast<char*>(frames.at(static_cast<std::size_t>(i))) -
-                                         static_cast<char*>(self.dli_fbase) - 1);
+    command += fmt::format(
+        " {:#x}", static_cast<char*>(frames.at(static_cast<std::size_t>(i))) - static_cast<char*>(self.dli_fbase) - 1);
   const std::string lines = output_of(command);
   std::string names;
   bool is_name = true;

@@ -18,9 +18,9 @@ struct Measured {
 };
 
 struct Limits {
-  double moment = 0.05;   ///< processor seconds after which the interrupt comes
-  double traced = 0.15;   ///< processor seconds after the interrupt after which the place is noted; 0: never
-  double patience = 10;   ///< processor seconds after the interrupt after which the call is killed
+  double moment = 0.05;  ///< processor seconds after which the interrupt comes
+  double traced = 0.15;  ///< processor seconds after the interrupt after which the place is noted; 0: never
+  double patience = 10;  ///< processor seconds after the interrupt after which the call is killed
 };
 
 /// Calls `work` in a child process, with a flag that is set at the moment of `limits`. The child has copies of all

@@ -39,7 +39,8 @@ constexpr std::array kObjects = {
     "let Numbers = intstream(1, $N) transformstream extend[Key: (.Elem * 7919) mod 100003, Group: .Elem mod 50, "
     "Name: num2string(.Elem * 31)] consume",
     "let Sorted = intstream(1, $N) transformstream consume",
-    "let Boxes = intstream(1, $N / 4) transformstream extend[Box: rectangle3((.Elem mod 100) * 1.0, (.Elem mod 100) + "
+    "let Boxes = intstream(1, $N div 4) transformstream extend[Box: rectangle3((.Elem mod 100) * 1.0, (.Elem mod 100) "
+    "+ "
     "1.5, (.Elem div 100) * 1.0, (.Elem div 100) + 1.5, 0.0, 1.0)] consume",
     "let Boxes_Box = Boxes creatertree[Box]",
     "let Numbers_Key = Numbers createbtree[Key]",
@@ -70,13 +71,14 @@ constexpr std::array kStatements = {
     "let Copy = Numbers createbtree[Name]",
     "let Copy = Boxes creatertree[Box]",
     "update Doubles := Doubles translate[makeVector3D(1, 0, 0)]",
-    "query exportSTL(Doubles, 'out.stl')",
-    "query exportSTL(Fractions, 'out.stl')",
-    "query exportOBJ(Doubles, 'out.obj')",
-    "query exportOFF(Fractions, 'out.off')",
+    "query Doubles exportSTL[\"ball\", 'out.stl', FALSE]",
+    "query Fractions exportSTL[\"ball\", 'out.stl', TRUE]",
+    "query Doubles exportOBJ[\"ball\", 'out.obj']",
+    "query Fractions exportOFF['out.off', FALSE]",
     "query importSTL('doubles.stl')",
     "query importSurface('doubles.stl')",
-    "query repairSolid('doubles.stl', 'strict')",
+    "query importSTL('doubles.stl', 'strict')",
+    "query Numbers feed extend[A: getMaxVal(.Key, .Elem), B: getMinVal(.Key, .Elem)] count",
     // The statistics of the split screen.
     "query intstream(1, 1) transformstream extend[A: Doubles] projectextend[; Vertices: vertices(.A) count, Edges: "
     "edges(.A) count, Faces: faces(.A) count, Length: edges(.A) sum[Length], Area: faces(.A) sum[Area]] consume",
@@ -102,13 +104,13 @@ constexpr std::array kStatements = {
     "query Nested feed extend[N: .Members afeed aconsume] count",
     "query Nested feed unnest[Members] count",
     "query Numbers feed aggregateB[Key; fun(a: int, b: int) a + b; 0]",
-    "query Numbers feed extend_aggr[Sum: Key, fun(a: int, b: int) a + b; 0] count",
+    "query Numbers feed extend_aggr[Key; Sum: fun(a: int, b: int) a + b] count",
     "query Numbers feed avg[Key]",
-    "query Numbers feed addcounter[C, 1] attr[C]",
+    "query Numbers feed addcounter[C, 1] filter[attr(., C) < 0] count",
     "query Numbers feed addid head[100000000] tail[5] consume",
     "query Numbers feed extendstream[S: intstream(1, 5)] count",
     "query Numbers feed projectextendstream[Elem; S: intstream(1, 5)] count",
-    "query Numbers feedproject[Key] remove[Key] count",
+    "query Numbers feedproject[Key, Group] remove[Key] count",
     "query Numbers feed replaceAttr[Key: .Key + 1] rename[x] count",
     "query Numbers feed renameAttr[K: Key] tconsume",
     "query Numbers feed exist[.Key < 0]",
@@ -143,29 +145,29 @@ constexpr std::array kStatements = {
     "query realstream(0.0, 1.0, 0.000001) count",
     "query Numbers inserttuple[1, 2, 3, \"x\"] count",
     "query Numbers feed Numbers insert count",
-    "query Numbers feed addid Numbers deletedirect count",
-    "query Numbers deletesearch[.Key > 5] count",
-    "query Numbers feed addid Numbers updatedirect[Key: .Key + 1] count",
+    "query Numbers feed Numbers deletedirect count",
+    "query Numbers feed filter[.Key > 5] Numbers deletesearch count",
+    "query Numbers feed Numbers updatedirect[Key: .Key + 1] count",
     "query Numbers deletebyid[[const tid value 5]] count",
     "query Numbers updatebyid[[const tid value 5]; Key: 7] count",
-    "query Numbers feed extend[I: tupleid(.)] Numbers gettuples[I] count",
+    "query Numbers feed addid projectextend[; Id: .TID] Numbers gettuples count",
     "query Boxes_Box Boxes windowintersects[rectangle3(0.0, 1000000.0, 0.0, 1000000.0, 0.0, 1.0)] count",
-    "query Boxes_Box windowintersectsS[rectangle3(0.0, 1000000.0, 0.0, 1000000.0, 0.0, 1.0)] Boxes gettuples[Id] count",
+    "query Boxes_Box windowintersectsS[rectangle3(0.0, 1000000.0, 0.0, 1000000.0, 0.0, 1.0)] Boxes gettuples count",
     "query Boxes_Box Boxes distancescan[makePoint3D(1, 1, 1), 0] count",
     "query Boxes_Box nodes count",
     "query Boxes feed addid bulkloadrtree[Box]",
     "query Boxes feed Boxes feed {b} itSpatialJoin[Box, Box_b] count",
-    "query Boxes feed Boxes feed {b} spatialJoin[Box, Box_b] count",
-    "query Boxes feed spatialSelfJoin[Box] count",
-    "query Balls feed Balls feed {b} spatialJoin[Ball, Ball_b] count",
-    "query Balls feed spatialSelfJoin[Ball] count",
+    "query Boxes feed Boxes feed {b} spatialJoin[Box, Box_b; \"intersects\"] count",
+    "query Boxes feed spatialSelfJoin[Box; \"intersects\"] count",
+    "query Balls feed Balls feed {b} spatialJoin[Ball, Ball_b; \"intersects\"] count",
+    "query Balls feed spatialSelfJoin[Ball; \"intersects\"] count",
     "query Balls feed Balls feed {b} distanceJoin[Ball, Ball_b, 0.5] count",
     "query Balls feed distanceSelfJoin[Ball, 0.5] count",
     "query Balls feed Balls feed {b} knnJoin[Ball, Ball_b, 3] count",
     "query Balls feed knnSelfJoin[Ball, 3] count",
     "query Balls feed Balls feed {b} closestPair[Ball, Ball_b] count",
     "query Balls feed closestSelfPair[Ball] count",
-    "query Boxes feed projectextend[; P: makePoint3D(.Elem * 0.001, 0, 0)] Balls feed pointsInside[P, Ball] count",
+    "query Numbers feed projectextend[; P: makePoint3D(.Elem * 0.000001, 0.0, 0.0)] pointsInside[P, Fractions] count",
     "query Balls feed union_aggr[Ball]",
     "query importCSV('numbers.csv') count",
     "query importJSON('numbers.json') count",
@@ -191,12 +193,13 @@ StatementSweep::StatementSweep(const Registry& registry, std::filesystem::path f
   json.close();
   std::vector<std::string> statements = {"restore Fractions from 'fractions.saved'",
                                          "restore Doubles from 'doubles.saved'",
-                                         "query exportSTL(Doubles, 'doubles.stl')"};
+                                         "query Doubles exportSTL[\"ball\", 'doubles.stl', TRUE]"};
   for (const std::string_view each : kObjects) statements.push_back(with_size(each, size));
   // In a process of its own: SQLite and the threads of this one must not meet a fork.
   const Measured made = measure({.moment = 1000, .traced = 0, .patience = 1}, [&](const std::atomic<bool>&) {
     for (const std::string& statement : statements)
-      if (const std::string outcome = run(statement, nullptr, false); outcome != "done") return statement + ": " + outcome;
+      if (const std::string outcome = run(statement, nullptr, false); outcome != "done")
+        return statement + ": " + outcome;
     return std::string("done");
   });
   if (made.outcome != "done") obstacle_ = made.outcome;

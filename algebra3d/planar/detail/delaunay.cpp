@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "algebra3d/base/interruption_scope.h"
+
 namespace algebra3d::planar {
 namespace {
 
@@ -61,6 +63,7 @@ DelaunayPart DelaunayBuilder::three(VertexId a) {
 /// are joined from below.
 void DelaunayBuilder::find_lower_tangent(HalfedgeId& left, HalfedgeId& right) const {
   for (;;) {
+    poll_interruption();
     if (is_left(result_.origin(right), left))
       left = result_.next(left);
     else if (is_right(result_.origin(left), right))
@@ -73,6 +76,7 @@ void DelaunayBuilder::find_lower_tangent(HalfedgeId& left, HalfedgeId& right) co
 /// Joins the parts upwards from the edge `base`, which runs from the right part to the left one.
 void DelaunayBuilder::sew(HalfedgeId base) {
   for (;;) {
+    poll_interruption();
     const VertexId left_vertex = result_.target(base), right_vertex = result_.origin(base);
     const auto is_above = [&](HalfedgeId h) { return points_.turn(result_.target(h), left_vertex, right_vertex) > 0; };
     HalfedgeId left = result_.ccw(Subdivision::twin(base)), right = result_.cw(base);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <compare>
 
+#include "algebra3d/base/interruption_scope.h"
+
 namespace algebra3d::planar {
 namespace {
 
@@ -57,7 +59,10 @@ PlanePoints::PlanePoints(const PointArray& points, const std::vector<std::uint32
   std::vector<SortedPoint> sorted;
   sorted.reserve(indices.size());
   for (const std::uint32_t i : indices) sorted.push_back({points.approx()[i].x, points.approx()[i].y, i});
-  std::sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) { return order.by_x(a, b); });
+  std::sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) {
+    poll_interruption();
+    return order.by_x(a, b);
+  });
   // Of equal points the lowest index comes first.
   std::vector<std::uint32_t> first_of_equal(points.size(), kNone);
   std::size_t count = 0;
@@ -70,7 +75,10 @@ PlanePoints::PlanePoints(const PointArray& points, const std::vector<std::uint32
   for (std::size_t s = 0; s < strips; ++s) {
     const auto begin = sorted.begin() + static_cast<std::ptrdiff_t>(s * count / strips);
     const auto end = sorted.begin() + static_cast<std::ptrdiff_t>((s + 1) * count / strips);
-    std::sort(begin, end, [&](const auto& a, const auto& b) { return order.by_y(a, b); });
+    std::sort(begin, end, [&](const auto& a, const auto& b) {
+      poll_interruption();
+      return order.by_y(a, b);
+    });
     strip_ends_.emplace_back(end - sorted.begin());
   }
   places_.reserve(count);
