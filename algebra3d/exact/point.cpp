@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstdint>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/next_number.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/base/shrink.h"
@@ -70,6 +71,7 @@ void PointArray::push_back(const PointRef& point) {
 
 /// Stores the exact coordinates of a point whose index is larger than those of all points that have some.
 void PointArray::set_exact(std::size_t index, SharedCoordinates exact) {
+  poll_interruption();
   if (exact_.empty()) first_exact_ = index;
   exact_.resize(index - first_exact_);
   exact_.push_back(std::move(exact));

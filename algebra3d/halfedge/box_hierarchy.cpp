@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "algebra3d/base/hilbert.h"
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/base/next_number.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/boxes.h"
@@ -76,6 +77,7 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
                            const FaceOrder* known)
     : faces_(std::move(faces)), slabs_(std::make_shared<LazySlabs>()) {
   if (faces_.empty()) return;
+  poll_interruption();
   const PointArray& points = mesh.points();
   choose_scale(points, margin);
   const auto box_of_point = [&](std::size_t i) { return scaled(wide_box_of(points[i], margin)); };

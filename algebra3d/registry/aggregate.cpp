@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/registry/conversion.h"
 #include "algebra3d/registry/detail/guarded.h"
 #include "algebra3d/registry/failed_calls.h"
@@ -20,6 +21,7 @@ Status Aggregation::step(const Value& value, Context& context) {
   const Type& wanted = *call_.overload->parameters.front().type;
   keep(value, context);
   Status status = guarded(*call_.op, [&]() -> Status {
+    poll_interruption();
     if (!value.is_deferred() && &value.type() == &wanted) return state_->step(value, context);
     // Not moved out of the result: GCC 12 then takes the unused part of the value for an uninitialised read.
     const auto loaded = value.loaded();

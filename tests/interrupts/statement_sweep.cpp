@@ -113,7 +113,7 @@ constexpr std::array kStatements = {
     "query Numbers feedproject[Key, Group] remove[Key] count",
     "query Numbers feed replaceAttr[Key: .Key + 1] rename[x] count",
     "query Numbers feed renameAttr[K: Key] tconsume",
-    "query Numbers feed exist[.Key < 0]",
+    "query Numbers feed filter[.Key < 0] exist",
     "query Numbers feed filter[.Key < 0] count = 0",
     "query Numbers feed nth[7, TRUE] count",
     "query Numbers feed some[100] count",
