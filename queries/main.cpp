@@ -4,7 +4,9 @@
 #include <malloc.h>
 #endif
 
+#include "algebra3d/exact/number_memory.h"
 #include "queries/shell/program.h"
+#include "queries/store/sqlite_memory.h"
 
 namespace {
 
@@ -24,5 +26,7 @@ void set_malloc_thresholds() {
 
 int main(int argc, char** argv) {
   set_malloc_thresholds();
+  algebra3d::count_number_memory();
+  queries::count_sqlite_memory();
   return queries::run_program(argc, argv);
 }

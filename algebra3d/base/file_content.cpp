@@ -1,7 +1,7 @@
 #include "algebra3d/base/file_content.h"
 
 #include <cerrno>
-#include <cstdlib>
+#include <new>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -11,6 +11,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "algebra3d/base/memory_limit.h"
 #include "algebra3d/base/work_memory.h"
 
 namespace algebra3d {
@@ -44,7 +45,7 @@ Result<FileContent> FileContent::read(const std::filesystem::path& path, const s
 }
 
 Result<FileContent> FileContent::read(const InputFile& file, const std::atomic<bool>* cancel) {
-  return read(file, cancel, WorkMemory::default_limit());
+  return read(file, cancel, memory_left() / 3);
 }
 
 Result<FileContent> FileContent::read(const InputFile& file, const std::atomic<bool>* cancel,
@@ -60,11 +61,15 @@ Result<FileContent> FileContent::read(const InputFile& file, const std::atomic<b
 // it, and more so in small pages; so the allocator's is used again for all files but large ones, and these have huge
 // pages.
 FileContent::Data FileContent::allocated(std::size_t size) {
-  if (size < kWorthHugePages) return Data(static_cast<char*>(std::malloc(size)), ReleaseBytes{});
+  if (size < kWorthHugePages) return Data(static_cast<char*>(::operator new(size, std::nothrow)), ReleaseBytes{});
+  ProcessMemory::charge(size);
   void* const buffer = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (buffer == MAP_FAILED) return {};
+  if (buffer == MAP_FAILED) {
+    ProcessMemory::discharge(size);
+    return {};
+  }
   ::madvise(buffer, size, MADV_HUGEPAGE);  // a hint
-  return Data(static_cast<char*>(buffer), ReleaseBytes{size});
+  return Data(static_cast<char*>(buffer), ReleaseBytes{size, true});
 }
 
 Result<FileContent> FileContent::in_memory(const InputFile& file, const std::atomic<bool>* cancel) {
@@ -93,7 +98,8 @@ void ReleaseBytes::operator()(char* data) const {
   if (mapped_bytes > 0)
     ::munmap(data, mapped_bytes);
   else
-    std::free(data);
+    ::operator delete(data);
+  if (is_counted) ProcessMemory::discharge(mapped_bytes);
 }
 
 }  // namespace algebra3d

@@ -12,9 +12,10 @@
 
 namespace algebra3d {
 
-/// Releases bytes that were mapped, or allocated by malloc (if 0 bytes are mapped).
+/// Releases bytes that were mapped, or allocated by `operator new` (if 0 bytes are mapped).
 struct ReleaseBytes {
   std::size_t mapped_bytes = 0;
+  bool is_counted = false;  ///< as memory of the process: not what maps a file
   void operator()(char* data) const;
 };
 
@@ -24,7 +25,7 @@ struct ReleaseBytes {
 class FileContent {
  public:
   /// Reads the whole file. A file of more than `most_in_memory` bytes is copied to an unnamed temporary file, which is
-  /// mapped; the default is a quarter of the machine's memory. Errors: those of InputFile::for_each_block;
+  /// mapped; the default is a third of what the memory limit leaves (memory_limit.h). Errors: those of InputFile::for_each_block;
   /// out_of_memory; disk_full or io_error of the temporary file, with its folder. Cost: linear; 30 ms for 100 MB in the
   /// page cache.
   static Result<FileContent> read(const InputFile& file, const std::atomic<bool>* cancel = nullptr);

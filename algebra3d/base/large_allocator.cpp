@@ -1,7 +1,6 @@
 #include "algebra3d/base/large_allocator.h"
 
 #include <cstdint>
-#include <cstdlib>
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -32,8 +31,7 @@ void advise([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes, [
 void* allocate_large(std::size_t bytes, std::size_t alignment) {
   if (!is_large(bytes))
     return alignment <= kDefaultAlignment ? ::operator new(bytes) : ::operator new(bytes, std::align_val_t(alignment));
-  void* memory = std::aligned_alloc(kHugePage, (bytes + kHugePage - 1) / kHugePage * kHugePage);
-  if (memory == nullptr) throw std::bad_alloc();
+  void* memory = ::operator new((bytes + kHugePage - 1) / kHugePage * kHugePage, std::align_val_t(kHugePage));
   prefer_huge_pages(memory, bytes);
   return memory;
 }
@@ -48,7 +46,7 @@ void avoid_huge_pages(void* memory, std::size_t bytes) {
 
 void free_large(void* memory, std::size_t bytes, std::size_t alignment) noexcept {
   if (is_large(bytes))
-    std::free(memory);
+    ::operator delete(memory, std::align_val_t(kHugePage));
   else if (alignment <= kDefaultAlignment)
     ::operator delete(memory);
   else

@@ -15,6 +15,7 @@
 #include <tbb/task_group.h>
 
 #include "algebra3d/base/interruption_scope.h"
+#include "algebra3d/base/memory_limit.h"
 #include "algebra3d/base/nearest_rounding.h"
 
 namespace algebra3d {
@@ -62,8 +63,10 @@ namespace scheduler_detail {
 
 void run_both(const std::function<void()>& first, const std::function<void()>& second) {
   ForkGuard::prepare();
-  const auto rounding_to_nearest = [scope = detail::interruption_scope](const std::function<void()>& work) {
-    return [&work, scope] {
+  const auto rounding_to_nearest = [scope = detail::interruption_scope,
+                                    user = MemoryUser::current()](const std::function<void()>& work) {
+    return [&work, scope, user] {
+      const MemoryUserScope memory(user);
       const NearestRounding rounding;
       const AdoptedInterruption interruption(scope);
       work();
@@ -81,7 +84,8 @@ void run_ranges(std::size_t count, std::size_t grain,
   ForkGuard::prepare();
   tbb::this_task_arena::isolate([&, scope = detail::interruption_scope] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
+                      [&, user = MemoryUser::current()](const tbb::blocked_range<std::size_t>& range) {
+                        const MemoryUserScope memory(user);
                         const NearestRounding rounding;
                         const AdoptedInterruption interruption(scope);
                         for (std::size_t begin = range.begin(); begin < range.end(); begin += grain) {

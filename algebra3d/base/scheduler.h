@@ -16,7 +16,8 @@ namespace algebra3d {
 //   call is safe while thread-local state of the caller is in use.
 // - Threads start with the first parallel call, never when the library is loaded, and end before a fork; parent and
 //   child start new ones when needed. If other threads are working at a fork, the child uses one thread.
-// - Tasks round to nearest, whatever the threads did before.
+// - Tasks round to nearest, whatever the threads did before. Their memory counts for the user of the calling thread
+//   (memory_limit.h).
 // - An exception in a task is thrown by the call, after all tasks that had begun have ended.
 
 namespace scheduler_detail {

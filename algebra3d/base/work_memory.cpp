@@ -1,18 +1,15 @@
 #include "algebra3d/base/work_memory.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 
-#include <unistd.h>
-
 namespace algebra3d {
 
-std::size_t WorkMemory::default_limit() {
-  const long pages = sysconf(_SC_PHYS_PAGES);
-  const long page_bytes = sysconf(_SC_PAGESIZE);
-  constexpr std::size_t kIfUnknown = std::size_t{256} << 20U;
-  if (pages <= 0 || page_bytes <= 0) return kIfUnknown;
-  return static_cast<std::size_t>(pages) / 4 * static_cast<std::size_t>(page_bytes);
+std::size_t WorkMemory::left() const {
+  const std::size_t used = user_ != nullptr ? std::max(used_, user_->used()) : used_;
+  const std::size_t own = limit_ > used ? limit_ - used : 0;
+  return user_ != nullptr ? std::min(own, memory_left()) : own;
 }
 
 std::filesystem::path WorkMemory::default_folder() {
@@ -38,9 +35,7 @@ MemoryAccount& MemoryAccount::operator=(MemoryAccount&& other) noexcept {
 bool MemoryAccount::take(std::size_t bytes) {
   if (memory_ == nullptr) return true;
   const std::size_t wanted = used_ + bytes;
-  const std::size_t others = memory_->used_ - used_;
-  const std::size_t left = memory_->limit_ > others ? memory_->limit_ - others : 0;
-  if (wanted > kLeast && wanted > left / 2) return false;
+  if (wanted > kLeast && wanted > (memory_->left() + used_) / 3) return false;
   used_ = wanted;
   memory_->used_ += bytes;
   return true;

@@ -2,26 +2,34 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <utility>
+
+#include "algebra3d/base/memory_limit.h"
 
 namespace algebra3d {
 
-/// The memory limit of all operators of a statement together, and the folder of the temporary files for the rest. Owned
-/// by the session; outlives all accounts. Used by one thread.
+/// The memory limit of a session as its operators see it, and the folder of the temporary files for what does not fit.
+/// Owned by the session; outlives all accounts. Used by one thread.
 class WorkMemory {
  public:
-  /// `limit` in bytes; `folder`: folder of temporary files.
-  WorkMemory(std::size_t limit, std::filesystem::path folder) : limit_(limit), folder_(std::move(folder)) {}
+  /// `limit` in bytes; `folder`: folder of temporary files. `user`: who holds the memory, if it is counted; null: the
+  /// accounts alone count, by their estimates.
+  WorkMemory(std::size_t limit, std::filesystem::path folder, const MemoryUser* user = nullptr)
+      : limit_(limit), folder_(std::move(folder)), user_(user) {}
   WorkMemory(const WorkMemory&) = delete;
   WorkMemory& operator=(const WorkMemory&) = delete;
 
   std::size_t limit() const { return limit_; }
   /// Changes the limit; existing accounts keep their memory.
   void set_limit(std::size_t limit) { limit_ = limit; }
+  /// What the accounts have taken.
   std::size_t used() const { return used_; }
+  /// What the limit leaves beside that, by the heap that is counted if that is less.
+  std::size_t left() const;
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// A quarter of the machine's memory.
-  static std::size_t default_limit();
+  /// Three quarters of the memory that the machine has, or the process's control group if that is less.
+  static std::size_t default_limit() { return ProcessMemory::default_limit(); }
   /// The system's folder of large temporary files: TMPDIR, else /var/tmp, else /tmp.
   static std::filesystem::path default_folder();
 
@@ -29,13 +37,15 @@ class WorkMemory {
   friend class MemoryAccount;
   std::size_t limit_;
   std::filesystem::path folder_;
+  const MemoryUser* user_;
   std::size_t used_ = 0;
 };
 
 /// The share of one operator in a WorkMemory; returned at the end of the account.
 ///
-/// An account may grow to half of the memory that the others leave: the first may take a half, the next a quarter, and
-/// so on. So the limit holds for any number of operators, and each of them gets some memory.
+/// An account may grow to a third of the memory that is left without it: the first may take a third, the next two
+/// ninths, and so on. So the limit holds for any number of operators, each of them gets some memory, and so does what
+/// they compute.
 class MemoryAccount {
  public:
   /// If `memory` is null, there is no limit.

@@ -26,8 +26,8 @@ struct OpenOptions {
   bool creates = true;  ///< create the file if it does not exist, unless `read_only`
   /// Folder of relative file names in statements; empty: the working directory of the process.
   std::filesystem::path folder = {};
-  /// Memory limit in bytes of operators that sort, group and hash; beyond it they use temporary files. By default a
-  /// quarter of the machine's memory.
+  /// Memory limit in bytes of operators that sort, group and hash; beyond it they use temporary files. By default
+  /// three quarters of what the machine or the process's control group has.
   std::optional<std::size_t> memory_bytes = {};
   /// Where a statement that ends with the error internal leaves a script that repeats the failure with the program
   /// `algebra3d`; the message names the file. Empty: nothing is written.

@@ -152,7 +152,7 @@ Result<std::vector<Row>> Rows::all() {
       if (!row) return rows;
       rows.push_back(*std::move(row));
     }
-  } catch (const std::bad_alloc&) {
+  } catch (const std::bad_alloc&) {  // of the host, which counts its memory itself, if at all
     close();
     return Error(ErrorCode::out_of_memory, "out of memory");
   }

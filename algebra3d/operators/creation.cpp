@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/memory_limit.h"
 #include "algebra3d/exact/affine_map.h"
 #include "algebra3d/exact/trigonometry.h"
 #include "algebra3d/operators/all.h"
@@ -37,6 +38,13 @@ struct Draft {
 
 Maybe<Volume3d> undefined(std::string reason) {
   return Undefined{std::move(reason)};
+}
+
+/// The error limit_exceeded if so many triangles certainly need more memory than is left.
+Status check_memory(const char* op, std::int64_t triangles) {
+  constexpr std::int64_t kLeastBytes = 60;  // of a triangle: draft and mesh together, while the latter is made
+  return require_memory(static_cast<std::uint64_t>(triangles * kLeastBytes),
+                        fmt::format("{}: {} triangles", op, triangles));
 }
 
 /// Proves the mesh: at once where all of the inside is seen from the centre, which is so unless the corners were moved
@@ -148,6 +156,7 @@ Result<Maybe<Volume3d>> make_cylinder(Context& context, const Point3d& base, dou
                                       std::int64_t corners) {
   if (auto complaint = circle_complaint(radius, corners); !complaint.empty()) return undefined(std::move(complaint));
   if (!(height > 0)) return undefined(fmt::format("the height is {}; it must be positive", height));
+  ALGEBRA3D_RETURN_IF_ERROR(check_memory("createCylinder", 4 * corners));
   const auto n = static_cast<std::uint32_t>(corners);
   const AffineMap place = placement(base, radius, height);
   Draft draft;
@@ -167,6 +176,7 @@ Result<Maybe<Volume3d>> make_cone(Context& context, const Point3d& base, double 
                                   std::int64_t corners) {
   if (auto complaint = circle_complaint(radius, corners); !complaint.empty()) return undefined(std::move(complaint));
   if (!(height > 0)) return undefined(fmt::format("the height is {}; it must be positive", height));
+  ALGEBRA3D_RETURN_IF_ERROR(check_memory("createCone", 2 * corners));
   const auto n = static_cast<std::uint32_t>(corners);
   const AffineMap place = placement(base, radius, height);
   Draft draft;
@@ -194,6 +204,7 @@ Result<Maybe<Volume3d>> make_sphere(Context& context, const Point3d& centre, dou
   if (std::int64_t{n} * (n - 2) > kMaxSphereTriangles)
     return undefined(fmt::format("{} corners give {} triangles; there must be at most {}", n, std::int64_t{n} * (n - 2),
                                  kMaxSphereTriangles));
+  ALGEBRA3D_RETURN_IF_ERROR(check_memory("createSphere", std::int64_t{n} * (n - 2)));
   const AffineMap place = placement(centre, radius, radius);
   const std::uint32_t rings = n / 2 - 1;
   Draft draft;

@@ -1,11 +1,13 @@
 #include "algebra3d/subdivision/subdivided.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/memory_limit.h"
 #include "algebra3d/subdivision/detail/attributes.h"
 #include "algebra3d/subdivision/detail/input.h"
 #include "algebra3d/subdivision/detail/steps.h"
@@ -30,12 +32,23 @@ Result<PolygonMesh> step(const PolygonMesh& mesh, SubdivisionScheme scheme, cons
   return Error{ErrorCode::internal, "unknown subdivision scheme"};
 }
 
+/// The error limit_exceeded if the result certainly needs more memory than is left. check_input has found its number of
+/// half-edges to be possible.
+Status check_memory(const PolygonMesh& mesh, SubdivisionScheme scheme, std::size_t steps) {
+  constexpr std::uint64_t kLeastBytes = 16;  // of a half-edge of the result: its arrays and its part of a vertex
+  if (scheme == SubdivisionScheme::doo_sabin) return {};  // which has fewer where there is a boundary
+  const std::uint64_t halfedges = std::uint64_t{mesh.halfedge_count()} << (2 * steps);
+  return require_memory(halfedges * kLeastBytes,
+                        fmt::format("{} half-edges after {} steps, each of which makes four of one,", halfedges, steps));
+}
+
 }  // namespace
 
 Result<SubdividedMesh> subdivided(const PolygonMesh& mesh, const MeshAttributes& attributes, SubdivisionScheme scheme,
                                   std::size_t steps, const SubdivisionOptions& options, const Monitor& monitor) {
   if (steps == 0 || mesh.is_empty()) return SubdividedMesh{mesh, attributes};
   ALGEBRA3D_RETURN_IF_ERROR(subdivision::check_input(mesh, scheme, steps));
+  ALGEBRA3D_RETURN_IF_ERROR(check_memory(mesh, scheme, steps));
   // Steps read rounded coordinates, so a mesh of others is taken as it is.
   std::optional<PolygonMesh> current;
   MeshAttributes current_attributes = attributes;

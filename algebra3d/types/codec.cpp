@@ -12,6 +12,7 @@
 #include <zstd_errors.h>
 
 #include "algebra3d/base/interruption_scope.h"
+#include "algebra3d/base/memory_limit.h"
 #include "algebra3d/exact/rational_text.h"
 #include "algebra3d/types/binary_io.h"
 #include "algebra3d/types/detail/codec_points.h"
@@ -221,8 +222,8 @@ std::size_t decompress_in_pieces(ZSTD_DCtx* context, const Buffer& buffer, std::
   return in.pos == in.size ? out.pos : buffer.size + 1;
 }
 
-/// The same in one piece if the body is small, or if its window is larger than ours are, which would take as much memory
-/// again.
+/// The same in one piece if the body is small, or if its window is larger than ours are, which would take as much
+/// memory again.
 std::size_t decompress_into(ZSTD_DCtx* context, const Buffer& buffer, std::string_view stored) {
   constexpr std::size_t kLarge = std::size_t{16} << 20U;
   constexpr int kLargestWindow = 22;  // its logarithm; that of kCompressionLevel is 21
@@ -241,6 +242,7 @@ Result<Buffer> decompress(std::string_view stored, std::uint64_t body_bytes) {
   // What the first frame says of itself is checked before anything is allocated.
   const auto announced = ZSTD_getFrameContentSize(stored.data(), stored.size());
   if (announced != body_bytes) return corrupt(kCodecHeaderBytes, fmt::format("a frame of {} bytes", body_bytes));
+  ALGEBRA3D_RETURN_IF_ERROR(require_memory(body_bytes, "stored value"));
   Buffer buffer{std::unique_ptr<char[]>(new (std::nothrow) char[body_bytes]), static_cast<std::size_t>(body_bytes)};
   ZSTD_DCtx* const context = decompression_context();
   if (buffer.bytes == nullptr || context == nullptr)

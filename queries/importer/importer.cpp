@@ -185,8 +185,9 @@ int Import::conclude(const FileList& list) {
 int run_import(const ImportOptions& options, const ImportHost& host) {
   try {
     return Import(options, host).run();
-  } catch (const std::bad_alloc&) {
-    host.err << "error: import: memory is exhausted; the database is as after the last committed batch\n";
+  } catch (const std::bad_alloc& failure) {
+    host.err << "error: import: " << algebra3d::memory_error(failure).message
+             << "; the database is as after the last committed batch\n";
   } catch (const std::exception& exception) {
     host.err << "error: import: " << exception.what() << "; the database is as after the last committed batch\n";
   }

@@ -45,7 +45,7 @@ constexpr auto kCommands = std::to_array<CommandDescription>({
     // Commands of the shell:
     {"set \"timing\" = BOOL", "TRUE: show the time of each statement"},
     {"set \"paging\" = BOOL", "FALSE: never send long results through the pager"},
-    {"set \"memory\" = INT", "Limit in megabytes for sorting, grouping and hashing"},
+    {"set \"memory\" = INT", "Memory limit of the session in megabytes"},
     {"@FILE", "Run a script; @@FILE stops at its first error; @%FILE, @&FILE: the same, without // and /* */"},
     {"repeat INT COMMAND", "Run a command several times"},
     {"help OPERATOR", "Explain an operator, a command or a family of operators, or find a word (also `? NAME`)"},

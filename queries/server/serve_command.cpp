@@ -37,8 +37,8 @@ CLI::App* add_serve_command(CLI::App& app, ServerOptions& options) {
       ->capture_default_str();
   serve
       ->add_option("--memory", options.memory_megabytes,
-                   "Memory for sorting, grouping and hashing of a statement, in megabytes (default: a sixteenth of the "
-                   "machine's)")
+                   "Memory limit of all sessions, kept results and answers together, in megabytes (default: three "
+                   "quarters of what the machine or its control group has)")
       ->check(CLI::Range(1, 1 << 30));
   serve
       ->add_option("--failure-folder", options.failure_folder,

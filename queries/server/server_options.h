@@ -23,10 +23,16 @@ struct ServerOptions {
   std::vector<std::string> hosts = {};
   std::uint64_t max_upload_megabytes = 1024;
   double max_seconds = 0;  ///< of a statement; 0: no limit
-  /// Memory limit of the operators of a statement; 0: a sixteenth of the machine's memory.
+  /// Memory limit of all sessions, kept results and answers on their way together; 0: that of WorkMemory.
   std::uint64_t memory_megabytes = 0;
   std::string failure_folder = {};  ///< for reports of internal errors; empty: the folder of temporary files
 };
+
+/// The memory limit in bytes.
+inline std::size_t memory_limit_of(const ServerOptions& options) {
+  return options.memory_megabytes == 0 ? algebra3d::WorkMemory::default_limit()
+                                       : std::size_t{options.memory_megabytes} << 20U;
+}
 
 /// Limits of a server that have no option.
 struct ServerLimits {

@@ -76,7 +76,9 @@ Status Session::set_memory(const Value& value, const SourcePlace& place) {
     return Error(ErrorCode::type_error, "set \"memory\": expected the limit in megabytes, an int from 1 to {}, got {}",
                  kMost, value.to_nested().print_short())
         .at(place);
-  memory_.set_limit(static_cast<std::size_t>(value.get<std::int64_t>()) << 20U);
+  const std::size_t limit = static_cast<std::size_t>(value.get<std::int64_t>()) << 20U;
+  memory_.set_limit(limit);
+  memory_user_.set_limit(limit);
   return {};
 }
 

@@ -40,7 +40,8 @@ std::string_view instead_of(const CommandContent& command) {
 Session::Session(const algebra3d::Registry& registry, SessionOptions options)
     : registry_(registry),
       options_(std::move(options)),
-      memory_(options_.memory_bytes, algebra3d::WorkMemory::default_folder()) {}
+      memory_user_(options_.memory_bytes),
+      memory_(options_.memory_bytes, algebra3d::WorkMemory::default_folder(), &memory_user_) {}
 
 Session::~Session() = default;
 
@@ -56,7 +57,7 @@ Status Session::open_file(const std::filesystem::path& file) {
 
 Status Session::open_store(const std::filesystem::path& file, OpenMode mode) {
   StoreOptions limits;
-  limits.cache_bytes = options_.cache_bytes.value_or(limits.cache_bytes);
+  limits.cache_bytes = options_.cache_bytes.value_or(options_.memory_bytes / 12);
   auto store = queries::open_store(file, mode, registry_, limits);
   if (store) {
     store_ = *std::move(store);
@@ -71,6 +72,7 @@ Status Session::open_store(const std::filesystem::path& file, OpenMode mode) {
 
 Status Session::execute(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context) {
   failed_result_ = {};
+  const algebra3d::MemoryUserScope scope(options_.is_shared ? algebra3d::MemoryUser::current() : &memory_user_);
   algebra3d::FailedCalls failed_calls;
   Context own = context;
   own.memory = &memory_;
@@ -92,9 +94,9 @@ Status Session::run_caught(std::string_view text, const SourcePlace& start, Pres
   } catch (const algebra3d::Interrupted&) {
     if (store_ != nullptr) store_->rollback();
     return algebra3d::Monitor::interrupted().at(start);
-  } catch (const std::bad_alloc&) {
+  } catch (const std::bad_alloc& failure) {
     if (store_ != nullptr) store_->rollback();
-    return Error(ErrorCode::out_of_memory, "memory is exhausted").at(start);
+    return algebra3d::memory_error(failure).at(start);
   } catch (const std::exception& exception) {
     if (store_ != nullptr) store_->rollback();
     return Error(ErrorCode::internal, exception.what()).at(start);

@@ -55,7 +55,10 @@ struct SessionOptions {
   /// Folder of the databases of `create`, `open` and `delete database N`.
   std::filesystem::path folder = ".";
   bool read_only = false;
-  /// Memory limit of operators that sort, group, hash or materialise, unless `set "memory"` changes it.
+  /// Memory limit of the session, unless `set "memory"` changes it. Operators that sort, group, hash or materialise
+  /// go on in temporary files before it is reached (MemoryAccount); everything else ends with limit_exceeded there, if
+  /// the program counts its heap (base/memory_limit.h). Of shared sessions: the limit of all of them together, which
+  /// the host sets.
   std::size_t memory_bytes = algebra3d::WorkMemory::default_limit();
   /// Options for the shell, changed by `set`: print the time of each statement, and page long results.
   bool shows_timing = false;
@@ -74,7 +77,7 @@ struct SessionOptions {
   bool is_shared = false;
   /// Whether `open_file` creates a database that does not exist.
   bool creates = true;
-  /// Size of the cache of loaded geometry, in bytes; by default that of StoreOptions.
+  /// Size of the cache of loaded geometry, in bytes; by default a twelfth of the memory limit.
   std::optional<std::size_t> cache_bytes = {};
 };
 
@@ -92,7 +95,7 @@ class Session {
   /// Whether `open_file` has created the database; its name may be mistyped, so the user is to be told.
   bool has_made_database() const { return has_made_database_; }
   /// Runs one command. Reasons of undefined values and remarks go to `context.diagnostics`. Never throws: exhausted
-  /// memory becomes error out_of_memory. After an error the database is as before the command. The message of an error
+  /// memory becomes error out_of_memory, or limit_exceeded at a memory limit. After an error the database is as before the command. The message of an error
   /// internal names the report, a script that repeats the failure, or says why there is none.
   Status execute(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context);
   /// The failure that the result of the last statement shows because a file could not be read or written: "undefined"
@@ -189,6 +192,7 @@ class Session {
 
   const algebra3d::Registry& registry_;
   SessionOptions options_;
+  algebra3d::MemoryUser memory_user_;  // not of shared sessions: each statement has its own there
   algebra3d::WorkMemory memory_;
   std::unique_ptr<Store> store_;
   std::string_view failed_result_;

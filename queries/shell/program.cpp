@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "algebra3d/base/interruption_scope.h"
+#include "algebra3d/base/memory_limit.h"
 #include "algebra3d/base/polled_input.h"
 #include "algebra3d/base/signal_block.h"
 #include "algebra3d/base/stack_thread.h"
@@ -62,6 +63,7 @@ struct Options {
   bool help_as_man_page = false;
   std::string completed_shell;
   bool is_read_only = false;
+  std::size_t memory_megabytes = 0;  // 0: the default
   FailureRules failure_rules;
 };
 
@@ -168,6 +170,7 @@ int run_session(const CLI::App& app, const Options& options, const algebra3d::Re
     }
   Session session(registry, {.folder = database_folder(options),
                              .read_only = options.is_read_only,
+                             .memory_bytes = algebra3d::MemoryUser::current()->limit(),
                              .failure_folders = failure_folders(options),
                              .parameters = *std::move(parameters)});
   bool is_damaged = false;
@@ -243,6 +246,10 @@ void add_options(CLI::App& app, Options& options) {
                  "Folder of the databases of `create`, `open` and `delete database` (default: that of --db, else here)")
       ->type_name("DIR");
   app.add_flag("--read-only", options.is_read_only, "Change nothing");
+  app.add_option("--memory", options.memory_megabytes,
+                 "Memory limit in megabytes (default: three quarters of what the machine or its control group has)")
+      ->check(CLI::Range(1, 1 << 30))
+      ->type_name("MB");
   app.add_option("-c", options.commands, "Commands to run, separated by ';'; may be given several times")
       ->type_name("'COMMAND; ...'")
       ->expected(1)
@@ -357,13 +364,24 @@ int run_arguments(int argc, char** argv) {
     const int status = app.exit(error);
     return status == 0 ? kOk : kWrongUsage;
   }
+  if (serve->parsed()) {
+    if (options.memory_megabytes > 0 && server_options.memory_megabytes == 0)
+      server_options.memory_megabytes = options.memory_megabytes;
+    const std::size_t limit = memory_limit_of(server_options);
+    algebra3d::ProcessMemory::set_limit(limit, limit / 8);
+    algebra3d::Registry registry = algebra3d::make_registry();
+    register_stream_operators(registry);
+    return run_serve(server_options, registry, Interruption::flag());
+  }
+  const std::size_t given = options.memory_megabytes << 20U;
+  algebra3d::MemoryUser user(given > 0 ? given : algebra3d::ProcessMemory::default_limit());
+  const algebra3d::MemoryUserScope scope(&user);
   const MeshConsole console{std::cout, std::cerr, &Interruption::flag()};
   if (const auto status = until_interrupted(console, [&] { return meshes.run(console); })) return *status;
   algebra3d::Registry registry = algebra3d::make_registry();
   register_stream_operators(registry);
   if (import->parsed()) return run_import(import_options, registry, &Interruption::flag());
   if (test->parsed()) return run_tests(options, registry);
-  if (serve->parsed()) return run_serve(server_options, registry, Interruption::flag());
   if (help->parsed()) return run_help(app, options, registry);
   if (const auto status = until_interrupted(console, [&] { return take_files(options, console); })) return *status;
   return run_session(app, options, registry);
@@ -390,7 +408,15 @@ int on_own_stack(const std::function<int()>& work) {
 
 int run_program(int argc, char** argv) {
   const Interruption interruption;
-  return status_after_output(on_own_stack([&] { return run_arguments(argc, argv); }));
+  const auto run = [&] {
+    try {
+      return run_arguments(argc, argv);
+    } catch (const std::bad_alloc& failure) {
+      std::cerr << "error: " << algebra3d::memory_error(failure).message << "\n";
+      return kFailed;
+    }
+  };
+  return status_after_output(on_own_stack(run));
 }
 
 }  // namespace queries

@@ -16,8 +16,9 @@ struct StoreOptions {
   /// Maximum bytes of a chunk, and of the value of an object that is no relation in one row. SQLite's own limit is 10^9
   /// bytes per row.
   std::uint64_t chunk_bytes = std::uint64_t{64} << 20;
-  /// Size of the cache of loaded geometry, in estimated bytes: a sixteenth of the machine's memory.
-  std::uint64_t cache_bytes = algebra3d::WorkMemory::default_limit() / 4;
+  /// Size of the cache of loaded geometry, in estimated bytes: a twelfth of the default memory limit; less where little
+  /// memory is left.
+  std::uint64_t cache_bytes = algebra3d::WorkMemory::default_limit() / 12;
   /// Size of SQLite's page cache. Changes beyond it are written before their statement ends.
   int page_cache_kilobytes = 32768;
   /// How long a statement waits for another process that writes.

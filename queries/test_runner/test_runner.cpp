@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "algebra3d/base/file_content.h"
 #include "algebra3d/base/temporary_folder.h"
 #include "queries/test_runner/detail/test_file.h"
 #include "queries/test_runner/detail/test_run.h"

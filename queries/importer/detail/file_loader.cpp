@@ -237,8 +237,8 @@ Slot::Stage FileLoader::Work::load(Slot& slot) {
     file.status = without_path(reason_of(result.error()), file.path);
   } catch (const algebra3d::Interrupted&) {
     return Slot::Stage::dropped;
-  } catch (const std::bad_alloc&) {
-    file.status = "memory is exhausted";
+  } catch (const std::bad_alloc& failure) {
+    file.status = algebra3d::memory_error(failure).message;
   } catch (const std::exception& exception) {
     file.status = fmt::format("internal error: {}", exception.what());
   }

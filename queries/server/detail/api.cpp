@@ -59,10 +59,9 @@ std::optional<decltype(Call::path)> match(std::string_view pattern, std::string_
 SessionOptions session_options(const ServerOptions& options) {
   SessionOptions result;
   result.read_only = options.read_only;
-  result.memory_bytes = options.memory_megabytes == 0 ? algebra3d::WorkMemory::default_limit() / 4
-                                                      : std::size_t{options.memory_megabytes} << 20U;
+  result.memory_bytes = memory_limit_of(options);
   // Each session has its own cache of geometry, and there may be many.
-  result.cache_bytes = algebra3d::WorkMemory::default_limit() / 64;
+  result.cache_bytes = result.memory_bytes / 192;
   result.failure_folders = {options.failure_folder.empty() ? algebra3d::WorkMemory::default_folder()
                                                            : std::filesystem::path(options.failure_folder)};
   result.creates = false;
@@ -163,8 +162,8 @@ HttpAnswer Api::answer(const HttpRequest& request) noexcept {
   has_answered_ = true;
   try {
     return answer_checked(request);
-  } catch (const std::bad_alloc&) {
-    return Refusal{500, "out_of_memory", "memory is exhausted"}.answer();
+  } catch (const std::bad_alloc& failure) {
+    return refusal_of(algebra3d::memory_error(failure)).answer();
   } catch (const std::exception& exception) {
     return Refusal{500, "internal", exception.what()}.answer();
   }

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kAnySize = std::numeric_limits<std::size_t>::max();
 // Limits of the copy that a result makes when it leaves the database: its size, and its part in memory.
 constexpr std::size_t kLargestCopy = std::size_t{16} << 20U;
-constexpr std::size_t kCopyMemory = std::size_t{512} << 10U;
+constexpr std::size_t kCopyMemory = std::size_t{768} << 10U;
 
 }  // namespace
 
@@ -110,6 +110,8 @@ Status Execution::ResultPresenter::present_inquiry(const NestedList& result) {
 }
 
 void Execution::run(Session& session) {
+  algebra3d::MemoryUser user;
+  const algebra3d::MemoryUserScope scope(&user);
   session.set_parameters(request_.parameters);
   const auto command = parse_command(request_.text, session.registry(), {"", 1, 1}, &request_.parameters);
   ResultPresenter presenter(*this, session, command && std::holds_alternative<Query>(command->content));

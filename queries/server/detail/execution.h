@@ -128,6 +128,9 @@ Result<T> Execution::ask(const Connection* connection, std::function<Result<T>(R
     const algebra3d::Monitor::Report report = [this](const std::string& how_far) { note_progress(how_far); };
     Context context{
         .diagnostics = diagnostics, .cancel = cancel.get(), .folder = folder_, .memory = memory_, .report = &report};
+    // Answers are freed elsewhere, so they do not count for the statement.
+    algebra3d::MemoryUser user;
+    const algebra3d::MemoryUserScope scope(&user);
     Result<T> result = algebra3d::without_exceptions([&] {
       const algebra3d::InterruptionScope interruption(cancel.get());
       return work(table, context);

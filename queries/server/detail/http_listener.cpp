@@ -18,6 +18,7 @@
 #include <thread>
 #include <utility>
 
+#include "algebra3d/base/memory_limit.h"
 #include "queries/server/detail/acceptor.h"
 #include "queries/server/detail/answer_text.h"
 #include "queries/server/detail/connection_stream.h"
@@ -337,9 +338,18 @@ class Listener final : public HttpListener {
     });
   }
 
+  // Answers that nobody takes must not keep the memory of others.
+  static bool is_memory_short() {
+    return algebra3d::ProcessMemory::used() > algebra3d::ProcessMemory::limit() / 4 * 3;
+  }
+
   // Clients that are slow with a body, or in taking an answer, hold a thread each; where these are too few, they go.
   Acceptor::Load load() {
     const std::size_t waiting = threads_.waiting();
+    if (is_memory_short()) {
+      streams_.give_up_slowest(1);
+      return Acceptor::Load::heavy;
+    }
     if (waiting == 0) return Acceptor::Load::light;
     streams_.give_up_slowest(waiting);
     return waiting < kMostWaiting ? Acceptor::Load::heavy : Acceptor::Load::full;

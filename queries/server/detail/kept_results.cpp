@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <random>
+#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "algebra3d/base/memory_limit.h"
 
 namespace queries {
 namespace {
@@ -55,6 +58,23 @@ void KeptResults::drop_what_is_old() {
 void KeptResults::drop_oldest() {
   const std::lock_guard lock(mutex_);
   if (!results_.empty()) drop(oldest());
+}
+
+// The thread of a result gives its memory back, soon after it was told to.
+void KeptResults::make_room() {
+  constexpr std::chrono::milliseconds kStep(5), kLongest(500);
+  const auto is_short = [] {
+    return algebra3d::ProcessMemory::used() > algebra3d::ProcessMemory::limit() / 2;
+  };
+  while (is_short()) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (results_.empty()) return;
+      drop(oldest());
+    }
+    const auto deadline = Execution::Clock::now() + kLongest;
+    while (is_short() && Execution::Clock::now() < deadline) std::this_thread::sleep_for(kStep);
+  }
 }
 
 void KeptResults::leave_database(Execution::Clock::time_point deadline) {

@@ -34,6 +34,9 @@ class KeptResults {
   void drop_what_is_old();
   /// Drops the result that was not used for longest, if there is one.
   void drop_oldest();
+  /// Drops results as long as they and others take more than half of the process's memory limit, those first that were
+  /// not used for longest, and waits shortly for their memory.
+  void make_room();
   /// Has all results leave the database, also those that come before `may_stay`, and waits for those that are there.
   void leave_database(Execution::Clock::time_point deadline);
   void may_stay();

@@ -46,6 +46,7 @@ Reply<std::shared_ptr<Execution>> Api::start(const HttpRequest& request) {
   Reply<StatementRequest> read = read_query_request(*body, registry_, results_);
   if (!read) return read.refusal();
   StatementRequest statement = *std::move(read);
+  results_.make_room();
   if (statement.id.empty()) statement.id = running_.new_id();
   const auto execution = std::make_shared<Execution>(std::move(statement), folder_);
   if (!running_.add(execution))

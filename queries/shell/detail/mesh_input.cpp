@@ -1,10 +1,11 @@
 #include "queries/shell/detail/mesh_input.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <system_error>
 #include <utility>
-
-#include <unistd.h>
 
 #include "algebra3d/base/polled_input.h"
 #include "mesh_files/unwritten_file.h"
@@ -17,12 +18,27 @@ using algebra3d::ErrorCode;
 using algebra3d::MeshFile;
 using algebra3d::Result;
 
+namespace {
+
+bool is_endless_device(int descriptor) {
+  struct stat facts {};
+  return ::fstat(descriptor, &facts) == 0 && S_ISCHR(facts.st_mode) && ::isatty(descriptor) == 0;
+}
+
+// Of any size: what does not fit ends at the limit of memory.
+Result<std::string> standard_input(const std::atomic<bool>* cancel) {
+  if (is_endless_device(STDIN_FILENO)) return Error{ErrorCode::file_missing, "standard input is a device"};
+  algebra3d::PolledInput bytes(STDIN_FILENO, cancel);
+  return bytes.read_all(std::string().max_size(), "standard input");
+}
+
+}  // namespace
+
 Result<MeshInput> MeshInput::open(const std::string& name, const std::atomic<bool>* cancel) {
   MeshInput input;
   if (name == "-") {
     input.name_ = "standard input";
-    algebra3d::PolledInput bytes(STDIN_FILENO, cancel);
-    ALGEBRA3D_ASSIGN_OR_RETURN(input.text_, bytes.read_all(input.text_.max_size(), input.name_));
+    ALGEBRA3D_ASSIGN_OR_RETURN(input.text_, standard_input(cancel));
     return input;
   }
   input.name_ = name;

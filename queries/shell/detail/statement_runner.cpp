@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/base/diagnostics.h"
+#include "algebra3d/base/memory_limit.h"
 #include "algebra3d/types/utf8.h"
 #include "queries/language/parser.h"
 #include "queries/shell/detail/interruption.h"
@@ -46,7 +47,8 @@ bool read_line(std::istream& script, std::string& line) {
   constexpr std::size_t kPiece = 4096;
   std::array<char, kPiece> piece{};
   line.clear();
-  while (line.size() <= kLongestCommand) {
+  const std::size_t longest = std::min(kLongestCommand, algebra3d::memory_left() / 8);
+  while (line.size() <= longest) {
     script.getline(piece.data(), piece.size());
     const auto count = static_cast<std::size_t>(script.gcount());
     const bool ends_here = script.good();

@@ -107,6 +107,10 @@ Status Database::begin_within_transaction() {
 Status Database::start_statement() {
   is_in_statement_ = true;
   ++statement_;
+  {
+    const std::lock_guard lock(mutex_);
+    static_cast<void>(cache_.shrink());
+  }
   Status status = catalogue_.load();
   if (!status) rollback();
   return status;

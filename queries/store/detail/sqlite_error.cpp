@@ -5,6 +5,7 @@
 #include <string>
 
 #include "queries/store/detail/checked_vfs.h"
+#include "queries/store/sqlite_memory.h"
 
 namespace queries {
 namespace {
@@ -108,6 +109,10 @@ Error sqlite_error(sqlite3* connection, int code, std::string_view file, std::st
   const ErrorCode kind = error_code(connection, code);
   if (kind == ErrorCode::database_busy)
     return {kind, "{}: {}: another process is writing to the database; try again when it has finished", file, doing};
+  if (kind == ErrorCode::out_of_memory && take_sqlite_refusal())
+    return {ErrorCode::limit_exceeded,
+            "{}: {}: a stored value needs more than the memory limit leaves (`set \"memory\"` or --memory); raise it",
+            file, doing};
   if (kind == ErrorCode::disk_full) return {kind, "{}: {}: the disk is full", file, doing};
   if (kind == ErrorCode::database_read_only)
     return {kind,

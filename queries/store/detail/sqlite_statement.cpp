@@ -1,5 +1,6 @@
 #include "queries/store/detail/sqlite_statement.h"
 
+#include <exception>
 #include <new>
 #include <utility>
 
@@ -63,6 +64,11 @@ std::string_view doing(sqlite3_stmt* statement) {
 /// The function as SQLite calls it: no exception may pass through its frames.
 class SqliteRowFunction {
  public:
+  /// What was caught on this thread; null: nothing.
+  static std::exception_ptr& caught() {
+    thread_local std::exception_ptr exception;
+    return exception;
+  }
   static void call(sqlite3_context* context, int count, sqlite3_value** values) {
     auto* const taker = static_cast<RowSink*>(sqlite3_value_pointer(values[0], kTakerType));
     if (taker == nullptr) return sqlite3_result_error(context, "take_row: expected a taker", -1);
@@ -73,6 +79,7 @@ class SqliteRowFunction {
     } catch (const algebra3d::Interrupted&) {
       sqlite3_result_error_code(context, SQLITE_INTERRUPT);
     } catch (const std::bad_alloc&) {
+      caught() = std::current_exception();  // for the step that has called SQLite
       sqlite3_result_error_nomem(context);
     }
   }
@@ -112,6 +119,7 @@ algebra3d::Result<bool> SqliteStatement::step() {
   const int code = bind_code_ == SQLITE_OK ? sqlite3_step(statement_) : bind_code_;
   if (code == SQLITE_ROW) return true;
   if (code == SQLITE_DONE) return false;
+  if (SqliteRowFunction::caught()) std::rethrow_exception(std::exchange(SqliteRowFunction::caught(), nullptr));
   return connection_->error(code, doing(statement_));
 }
 

@@ -1,6 +1,9 @@
 #include "queries/store/detail/value_cache.h"
 
+#include <algorithm>
 #include <iterator>
+
+#include "algebra3d/base/memory_limit.h"
 
 namespace queries {
 
@@ -29,20 +32,25 @@ std::vector<algebra3d::Value> ValueCache::add(const ValuePlace& place, const alg
   return shrink();
 }
 
+std::uint64_t ValueCache::limit() const {
+  return std::min<std::uint64_t>(limit_, (bytes() + algebra3d::memory_left()) / 3);
+}
+
 // The newest value stays in any case.
 std::vector<algebra3d::Value> ValueCache::shrink() {
   std::vector<algebra3d::Value> left;
-  while (bytes() > limit_ && places_.size() > 1) {
+  const std::uint64_t limit = this->limit();
+  while (bytes() > limit && places_.size() > 1) {
     const bool has_older_new = new_.entries.size() > 1;
-    if (has_older_new && (new_.bytes > limit_ / 4 || kept_.entries.empty())) {
+    if (has_older_new && (new_.bytes > limit / 4 || kept_.entries.empty())) {
       // While little is kept, what comes first fills the cache.
-      const bool has_room = kept_.bytes + new_.entries.back().bytes <= limit_ - limit_ / 4;
+      const bool has_room = kept_.bytes + new_.entries.back().bytes <= limit - limit / 4;
       if (has_room || ++unasked_count_ % kPromoted == 0) {
         keep(std::prev(new_.entries.end()), has_room ? kept_.entries.end() : kept_.entries.begin());
         continue;
       }
     }
-    Order& shrinking = has_older_new && new_.bytes > limit_ / 4 ? new_ : kept_.entries.empty() ? new_ : kept_;
+    Order& shrinking = has_older_new && new_.bytes > limit / 4 ? new_ : kept_.entries.empty() ? new_ : kept_;
     const auto oldest = places_.find(shrinking.entries.back().place);
     left.push_back(std::move(oldest->second->value));
     erase(oldest, std::next(oldest));

@@ -20,7 +20,8 @@ struct ValuePlace {
   friend auto operator<=>(const ValuePlace&, const ValuePlace&) = default;
 };
 
-/// A cache of loaded values with a limit in bytes; it outlives statements. A change of a stored value must erase it
+/// A cache of loaded values with a limit in bytes, which is a third of what it could take of the memory that is left if
+/// that is less; it outlives statements. A change of a stored value must erase it
 /// here. Used under the lock of its owner.
 ///
 /// Two lists, each by last use: values that were asked for again since they came are kept for as long as there are no
@@ -40,6 +41,8 @@ class ValueCache {
   void erase(std::int64_t table_number, std::int64_t tuple);
   void erase_table(std::int64_t table_number);
   void clear();
+  /// Returns what has to leave since less memory is left than there was.
+  std::vector<algebra3d::Value> shrink();
 
   std::uint64_t bytes() const { return new_.bytes + kept_.bytes; }
 
@@ -59,7 +62,7 @@ class ValueCache {
   static constexpr std::uint32_t kPromoted = 32;
 
   void keep(Entries::iterator entry, Entries::iterator before);
-  std::vector<algebra3d::Value> shrink();
+  std::uint64_t limit() const;
   void erase(Places::iterator first, Places::iterator last);
 
   std::uint64_t limit_;

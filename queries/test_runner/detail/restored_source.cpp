@@ -1,7 +1,6 @@
 #include "queries/test_runner/detail/restored_source.h"
 
 #include <fstream>
-#include <iterator>
 
 #include "queries/language/scanner.h"
 #include "queries/language/token.h"

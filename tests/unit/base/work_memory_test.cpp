@@ -22,7 +22,8 @@ TEST(WorkMemory, many_accounts_stay_within_the_limit_and_each_finds_something) {
   for (int i = 0; i < 8; ++i) fill(accounts.emplace_back(&memory));
   EXPECT_LE(memory.used(), memory.limit());
   for (const MemoryAccount& account : accounts) EXPECT_GT(account.used(), memory.limit() / 600);
-  EXPECT_GT(accounts[0].used(), memory.limit() * 49 / 100);
+  EXPECT_GT(accounts[0].used(), memory.limit() * 33 / 100);
+  EXPECT_LE(accounts[0].used(), memory.limit() / 3);
   accounts.clear();
   EXPECT_EQ(memory.used(), 0U);
 }

@@ -1,0 +1,204 @@
+#include "algebra3d/base/memory_limit.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+#include <vector>
+
+#include "algebra3d/base/detail/machine_memory.h"
+#include "algebra3d/base/scheduler.h"
+#include "algebra3d/base/without_exceptions.h"
+#include "algebra3d/base/work_memory.h"
+#include "tests/support/scratch_folder.h"
+
+// The test program keeps the allocation functions of the library, so all that is counted here is what is charged here.
+namespace algebra3d {
+namespace {
+
+constexpr std::size_t kMegabyte = std::size_t{1} << 20U;
+constexpr std::size_t kLimit = 64 * kMegabyte;
+
+/// Gives the process its own limit back.
+struct ProcessLimit {
+  ProcessLimit(std::size_t limit, std::size_t reserve) { ProcessMemory::set_limit(limit, reserve); }
+  ~ProcessLimit() { ProcessMemory::set_limit(MemoryUser::kNoLimit); }
+  ProcessLimit(const ProcessLimit&) = delete;
+  ProcessLimit& operator=(const ProcessLimit&) = delete;
+};
+
+TEST(MemoryLimit, what_would_exceed_it_is_refused_and_not_counted) {
+  MemoryUser user(kLimit);
+  const MemoryUserScope scope(&user);
+  ProcessMemory::charge(40 * kMegabyte);
+  EXPECT_EQ(user.used(), 40 * kMegabyte);
+  EXPECT_THROW(ProcessMemory::charge(40 * kMegabyte), MemoryLimitReached);
+  EXPECT_EQ(user.used(), 40 * kMegabyte);
+  EXPECT_EQ(memory_left(), 24 * kMegabyte);
+  ProcessMemory::charge(20 * kMegabyte);
+  ProcessMemory::discharge(60 * kMegabyte);
+  EXPECT_EQ(user.used(), 0U);
+}
+
+TEST(MemoryLimit, small_amounts_add_up_to_it) {
+  MemoryUser user(kLimit);
+  const MemoryUserScope scope(&user);
+  std::size_t taken = 0;
+  EXPECT_THROW(
+      while (true) {
+        ProcessMemory::charge(48);
+        taken += 48;
+      },
+      MemoryLimitReached);
+  EXPECT_GT(taken, kLimit - kMegabyte);
+  EXPECT_LE(taken, kLimit + static_cast<std::size_t>(ProcessMemory::kBatch));
+  ProcessMemory::discharge(taken);
+}
+
+TEST(MemoryLimit, what_cannot_fail_is_granted_and_the_next_is_refused) {
+  MemoryUser user(kLimit);
+  const MemoryUserScope scope(&user);
+  ProcessMemory::charge_always(2 * kLimit);
+  EXPECT_THROW(ProcessMemory::charge(1), MemoryLimitReached);
+  ProcessMemory::discharge(2 * kLimit);
+  EXPECT_NO_THROW(ProcessMemory::charge(kMegabyte));
+  ProcessMemory::discharge(kMegabyte);
+  EXPECT_EQ(user.used(), 0U);
+}
+
+TEST(MemoryLimit, tasks_count_for_the_user_of_their_caller) {
+  MemoryUser user(kLimit);
+  const MemoryUserScope scope(&user);
+  parallel_for(64, 1, [](std::size_t) { ProcessMemory::charge(kMegabyte / 2); });
+  EXPECT_EQ(user.used(), 32 * kMegabyte);
+  EXPECT_THROW(parallel_for(200, 1, [](std::size_t) { ProcessMemory::charge(kMegabyte); }), MemoryLimitReached);
+  ProcessMemory::discharge(user.used());
+}
+
+TEST(MemoryLimit, other_users_and_threads_without_one_go_on) {
+  MemoryUser large(kLimit), small(kLimit);
+  {
+    const MemoryUserScope scope(&large);
+    ProcessMemory::charge(kLimit);
+    EXPECT_THROW(ProcessMemory::charge(kMegabyte), MemoryLimitReached);
+  }
+  {
+    const MemoryUserScope scope(&small);
+    EXPECT_NO_THROW(ProcessMemory::charge(kMegabyte));
+    ProcessMemory::discharge(kMegabyte);
+  }
+  ProcessMemory::discharge(kLimit);
+}
+
+TEST(MemoryLimit, the_reserve_of_the_process_is_for_those_that_hold_little) {
+  const ProcessLimit limit(ProcessMemory::used() + 64 * kMegabyte, 16 * kMegabyte);
+  MemoryUser large, small;
+  std::size_t taken = 0;
+  {
+    const MemoryUserScope scope(&large);
+    EXPECT_THROW(
+        while (true) {
+          ProcessMemory::charge(kMegabyte);
+          taken += kMegabyte;
+        },
+        MemoryLimitReached);
+  }
+  EXPECT_EQ(taken, 48 * kMegabyte);
+  {
+    const MemoryUserScope scope(&small);
+    EXPECT_NO_THROW(ProcessMemory::charge(2 * kMegabyte));
+    EXPECT_THROW(ProcessMemory::charge(kMegabyte), MemoryLimitReached);
+    ProcessMemory::discharge(2 * kMegabyte);
+  }
+  ProcessMemory::discharge(taken);
+}
+
+TEST(MemoryLimit, a_thread_that_ends_has_counted_all) {
+  const std::size_t before = ProcessMemory::used();
+  std::thread([] { ProcessMemory::charge(kMegabyte), ProcessMemory::charge(1000); }).join();
+  EXPECT_EQ(ProcessMemory::used(), before + kMegabyte + 1000);
+  ProcessMemory::discharge(kMegabyte + 1000);
+}
+
+TEST(MemoryLimit, destructors_may_allocate_while_an_exception_is_on_its_way) {
+  struct Allocating {
+    ~Allocating() {
+      for (int i = 0; i < 1000; ++i) ProcessMemory::charge(1000);
+    }
+  };
+  MemoryUser user(kLimit);
+  const MemoryUserScope scope(&user);
+  ProcessMemory::charge(kLimit);
+  EXPECT_THROW(
+      {
+        const Allocating allocating;
+        ProcessMemory::charge(kMegabyte);
+      },
+      MemoryLimitReached);
+  ProcessMemory::discharge(user.used());
+}
+
+TEST(MemoryLimit, the_error_says_limit_and_remedy) {
+  MemoryUser user(kLimit);
+  const MemoryUserScope scope(&user);
+  const Status caught = without_exceptions([]() -> Status {
+    ProcessMemory::charge(2 * kLimit);
+    return {};
+  });
+  ASSERT_FALSE(caught);
+  EXPECT_EQ(caught.error().code, ErrorCode::limit_exceeded);
+  EXPECT_EQ(caught.error().message,
+            "more memory is needed than the memory limit of 64 MB (`set \"memory\"` or --memory) allows; split the work "
+            "or raise the limit");
+  EXPECT_EQ(memory_error(std::bad_alloc()).code, ErrorCode::out_of_memory);
+}
+
+TEST(MemoryLimit, known_sizes_are_refused_before_the_work) {
+  MemoryUser user(kLimit);
+  const MemoryUserScope scope(&user);
+  EXPECT_TRUE(require_memory(kLimit, "work: 1 part"));
+  const Status refused = require_memory(kLimit + 1, "work: 2 parts");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::limit_exceeded);
+  EXPECT_EQ(refused.error().message,
+            "work: 2 parts would take about 65 MB, and 64 MB are left of the memory limit of 64 MB (`set \"memory\"` or "
+            "--memory); raise it, or ask for less");
+}
+
+TEST(MemoryLimit, operators_spill_by_what_the_heap_leaves) {
+  MemoryUser user(kLimit);
+  const MemoryUserScope scope(&user);
+  WorkMemory memory(kLimit, "/tmp", &user);
+  MemoryAccount account(&memory);
+  EXPECT_TRUE(account.take(20 * kMegabyte));
+  account.clear();
+  ProcessMemory::charge(34 * kMegabyte);
+  EXPECT_FALSE(account.take(11 * kMegabyte));
+  EXPECT_TRUE(account.take(9 * kMegabyte));
+  ProcessMemory::discharge(34 * kMegabyte);
+}
+
+TEST(MachineMemory, the_least_limit_of_the_control_groups_counts) {
+  const ScratchFolder scratch;
+  const std::filesystem::path root = scratch.path("cgroup"), groups = scratch.path("groups");
+  const auto write = [](const std::filesystem::path& file, const char* text) {
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file) << text << "\n";
+  };
+  write(groups, "0::/a/b");
+  EXPECT_EQ(control_group_limit(groups, root), SIZE_MAX);
+  write(root / "a/b/memory.max", "max");
+  write(root / "a/memory.max", "1000000");
+  EXPECT_EQ(control_group_limit(groups, root), 1000000U);
+  write(root / "a/b/memory.max", "900000");
+  EXPECT_EQ(control_group_limit(groups, root), 900000U);
+  write(groups, "5:memory,cpu:/c\n4:pids:/d");
+  write(root / "memory/c/memory.limit_in_bytes", "800000");
+  EXPECT_EQ(control_group_limit(groups, root), 800000U);
+  EXPECT_GT(available_memory(), 16 * kMegabyte);
+}
+
+}  // namespace
+}  // namespace algebra3d
