@@ -11,7 +11,7 @@
 namespace queries {
 
 /// The name of a VFS of SQLite, registered at the first call, in which each page of a database of version 4 or later is
-/// proved by its checksum when it is read, and gets one when it is written: docs/file_format.md, "Checksums of pages".
+/// proved by its checksum when it is read, and gets one when it is written: docs/file_format.md, "Database files".
 /// A page with a wrong one is SQLITE_CORRUPT, and not an error of input: at such SQLite rolls back the transaction, and
 /// a check could not go on. Other databases are read and written as by SQLite's own VFS. Null: SQLite has none.
 const char* checked_vfs();

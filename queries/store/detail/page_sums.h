@@ -7,7 +7,7 @@
 namespace queries {
 
 // The checksum that each page of a database has in its last eight bytes, from version 4 on: docs/file_format.md,
-// "Checksums of pages".
+// "Database files".
 
 /// SQLite's reserved bytes at the end of each page, in which the checksum stands.
 inline constexpr int kPageSumBytes = 8;
