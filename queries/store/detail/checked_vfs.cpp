@@ -50,6 +50,7 @@ struct MainFile : CheckedFile {
     return {static_cast<std::uint32_t>(static_cast<std::size_t>(offset) / pages.page_bytes() + 1), false};
   }
   int read(std::span<std::byte> to, sqlite3_int64 offset);
+  int end_of_file(std::span<const std::byte> found, sqlite3_int64 offset);
   int read_part(std::span<std::byte> to, sqlite3_int64 offset);
 };
 
@@ -64,9 +65,17 @@ int MainFile::read(std::span<std::byte> to, sqlite3_int64 offset) {
   const auto end = static_cast<std::size_t>(offset) + to.size();
   if (pages.has_sums() && !is_page(to.size(), offset) && end > kFileHeaderBytes) return read_part(to, offset);
   const int code = RawFile(below).read(to, offset);
+  if (code == SQLITE_IOERR_SHORT_READ && pages.has_sums() && is_page(to.size(), offset)) return end_of_file(to, offset);
   if (code != SQLITE_OK) return code;
   if (offset == 0 && to.size() >= kFileHeaderBytes) pages.inspect(to);
   return pages.has_sums() && is_page(to.size(), offset) ? pages.check(to, place(offset)) : SQLITE_OK;
+}
+
+/// Behind its end a file has zeros for SQLite. Of a page that is there in part, it has what is there.
+int MainFile::end_of_file(std::span<const std::byte> found, sqlite3_int64 offset) {
+  const bool is_behind = std::ranges::all_of(found, [](std::byte byte) { return byte == std::byte{0}; });
+  const int code = is_behind ? SQLITE_OK : pages.check(found, place(offset));
+  return code == SQLITE_OK ? SQLITE_IOERR_SHORT_READ : code;
 }
 
 /// Parts of pages, as SQLite may read of long values: the whole pages are read and proved.
