@@ -214,7 +214,7 @@ TEST_F(StoredOrderedIndexes, kinds_of_keys) {
   });
 }
 
-// What SQLite does not notice: keys in the pages of an index that are not those of the rows.
+// What neither SQLite nor the checksums of pages notice: keys in the pages of an index that are not those of the rows.
 TEST_F(StoredOrderedIndexes, damaged_pages_are_found_and_made_anew) {
   write([&] { let_rows(600); });
   ASSERT_EQ(sql("PRAGMA wal_checkpoint(TRUNCATE)"), "0");
@@ -231,6 +231,7 @@ TEST_F(StoredOrderedIndexes, damaged_pages_are_found_and_made_anew) {
     const std::size_t page = random() % 3;
     const std::size_t byte = begin + page * 4096 + 1500 + random() % 2500;
     damaged[byte] = static_cast<char>(damaged[byte] ^ (1 << random() % 8));
+    damaged = stamped(std::move(damaged));
     write_bytes(path(), damaged);
     std::filesystem::remove(path().string() + "-wal");
     std::filesystem::remove(path().string() + "-shm");

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -182,6 +183,14 @@ class StoreTest : public testing::Test {
   }
   void write_bytes(const std::filesystem::path& file, std::string_view content) const {
     std::ofstream(file, std::ios::binary) << content;
+  }
+  /// The bytes of a database file with right checksums of pages.
+  static std::string stamped(std::string content) {
+    constexpr std::size_t kPageBytes = 4096;
+    const auto pages = std::as_writable_bytes(std::span(content.data(), content.size()));
+    for (std::size_t at = 0; at + kPageBytes <= pages.size(); at += kPageBytes)
+      set_page_sum(pages.subspan(at, kPageBytes), static_cast<std::uint32_t>(at / kPageBytes + 1));
+    return content;
   }
   /// Runs SQL on the file, behind the back of the store, and leaves pages with right checksums: the first column of the
   /// first row as text.
