@@ -73,8 +73,9 @@ inline bool is_interrupted() {
   return detail::interruption_scope != nullptr && detail::interruption_scope->is_interrupted();
 }
 
-/// Throws `Interrupted` if the host wants the present work to end, and the thread is not unwinding already. To be called
-/// at least every millisecond by everything whose time grows with its input, but not by destructors. Cost: a nanosecond.
+/// Throws `Interrupted` if the host wants the present work to end, and the thread is not unwinding already. To be
+/// called at least every millisecond by everything whose time grows with its input, but not by destructors. Cost: a
+/// nanosecond.
 inline void poll_interruption() {
   if (is_interrupted() && std::uncaught_exceptions() == 0) [[unlikely]]
     detail::throw_interrupted();

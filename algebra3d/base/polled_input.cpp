@@ -48,8 +48,7 @@ Result<std::string> PolledInput::read_all(std::size_t limit, const std::string& 
   std::string content;
   while (gptr() != egptr() || fill()) {
     const auto count = static_cast<std::size_t>(egptr() - gptr());
-    if (count > limit - content.size())
-      return Error{ErrorCode::limit_exceeded, "{}: more than {} bytes", name, limit};
+    if (count > limit - content.size()) return Error{ErrorCode::limit_exceeded, "{}: more than {} bytes", name, limit};
     content.append(gptr(), count);
     gbump(static_cast<int>(count));
   }

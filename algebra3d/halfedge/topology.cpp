@@ -291,6 +291,7 @@ TriangleMesh SubmeshMaker::make(std::span<const FaceId> faces) {
   triangles.reserve(faces.size());
   PointArray points;
   for (const FaceId f : faces) {
+    poll_interruption_at(f.index());
     TriangleMesh::Triangle triangle = mesh_.triangle(f);
     for (std::uint32_t& corner : triangle) {
       if (vertices_[corner] == kUnset) {

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstdint>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/exact/point_table.h"
 
 namespace algebra3d {
@@ -24,6 +25,7 @@ WeldedTriangles weld(std::span<const TriangleSoup::Triangle> triangles) {
   std::array<Vec3, 3 * kBlock> corners;
   std::array<std::uint64_t, 3 * kBlock> hashes{};
   for (std::size_t start = 0; start < triangles.size(); start += kBlock) {
+    poll_interruption();
     const std::size_t count = std::min(kBlock, triangles.size() - start);
     for (std::size_t i = 0; i < 3 * count; ++i) {
       const Vec3& corner = triangles[start + i / 3][i % 3];
@@ -52,6 +54,7 @@ WeldedTriangles weld(std::span<const std::array<ExactPoint, 3>> triangles) {
   WeldedTriangles result;
   result.triangles.reserve(triangles.size());
   for (const auto& corners : triangles) {
+    poll_interruption();
     TriangleMesh::Triangle& triangle = result.triangles.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
       triangle[i] = table.intern(corners[i].ref());

@@ -1,6 +1,6 @@
 // Attributes after a step: linear interpolation, also where a scheme smooths the positions.
-#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/subdivision/detail/attributes.h"
+#include "algebra3d/base/interruption_scope.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
-#include "algebra3d/base/interruption_scope.h"
 #include "algebra3d/subdivision/detail/ring_masks.h"
+#include "algebra3d/base/interruption_scope.h"
 
 #include <array>
 #include <cstdint>

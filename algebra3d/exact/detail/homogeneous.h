@@ -23,7 +23,8 @@ struct HomogeneousPoint {
   /// Sets the coordinates, in lowest terms.
   void set(const RationalVec3& point);
   void set(const Vec3& doubles);
-  /// Brings fractions with positive denominators to one denominator; with common divisors if their terms are not lowest.
+  /// Brings fractions with positive denominators to one denominator; with common divisors if their terms are not
+  /// lowest.
   void set_fractions(const std::array<mpz_srcptr, 3>& numerators, const std::array<mpz_srcptr, 3>& denominators);
 };
 

@@ -32,7 +32,8 @@ TEST(PointText, terms_need_not_be_lowest) {
 }
 
 TEST(PointText, what_is_no_number_is_no_point) {
-  for (const char* text : {"", "-", "/", "1/", "/3", "1/0", "1/00", "+1/3", "1/-3", "1/3/5", " 1/3", "1e3", "0x1/3", "1.5/3"})
+  for (const char* text :
+       {"", "-", "/", "1/", "/3", "1/0", "1/00", "+1/3", "1/-3", "1/3/5", " 1/3", "1e3", "0x1/3", "1.5/3"})
     EXPECT_FALSE(point_of(text, "", "", {1.0 / 3, 0, 0})) << text;
 }
 

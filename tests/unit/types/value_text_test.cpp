@@ -24,9 +24,11 @@ TEST(ValueText, is_that_of_the_nested_list_for_every_type) {
 }
 
 TEST(ValueText, of_geometry_with_fractions_and_of_none) {
-  const Value solid = *reading_of(TypeOf<Volume3d>::type(),
-                           "(((0 0 0) (0 1 0) (1/3 0 0)) ((0 0 0) (1/3 0 0) (0 0 1/7)) ((0 0 0) (0 0 1/7) (0 1 0)) "
-                           "((1/3 0 0) (0 1 0) (0 0 1/7)))").value;
+  const Value solid =
+      *reading_of(TypeOf<Volume3d>::type(),
+                  "(((0 0 0) (0 1 0) (1/3 0 0)) ((0 0 0) (1/3 0 0) (0 0 1/7)) ((0 0 0) (0 0 1/7) (0 1 0)) "
+                  "((1/3 0 0) (0 1 0) (0 0 1/7)))")
+           .value;
   EXPECT_EQ(text_of(solid), "before " + solid.to_nested().print());
   EXPECT_EQ(text_of(Value::of(Surface3d())), "before ()");
 }
