@@ -43,10 +43,12 @@ ExactPoint::ExactPoint(const RationalVec3& exact) {
 }
 
 bool operator==(const ExactPoint& a, const ExactPoint& b) {
+  poll_interruption();
   return equal(a.ref(), b.ref());
 }
 
 std::strong_ordering operator<=>(const ExactPoint& a, const ExactPoint& b) {
+  poll_interruption();
   return compare(a.ref(), b.ref());
 }
 
