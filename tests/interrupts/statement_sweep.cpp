@@ -150,6 +150,7 @@ constexpr std::array kStatements = {
     "query Numbers feed Numbers updatedirect[Key: .Key + 1] count",
     "query Numbers deletebyid[[const tid value 5]] count",
     "query Numbers updatebyid[[const tid value 5]; Key: 7] count",
+    "query Numbers feed extend[I: tupleid(.)] count",
     "query Numbers feed addid projectextend[; Id: .TID] Numbers gettuples count",
     "query Boxes_Box Boxes windowintersects[rectangle3(0.0, 1000000.0, 0.0, 1000000.0, 0.0, 1.0)] count",
     "query Boxes_Box windowintersectsS[rectangle3(0.0, 1000000.0, 0.0, 1000000.0, 0.0, 1.0)] Boxes gettuples count",
