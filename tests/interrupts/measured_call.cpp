@@ -25,6 +25,7 @@ double processor_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+constexpr unsigned kLongestWait = 600;
 constexpr int kFrames = 24;
 std::array<void*, kFrames> frames;
 std::atomic<int> frame_count = 0;
@@ -100,6 +101,8 @@ class Interrupter {
 
 /// In the child: the call, and its figures as a text.
 std::string run_and_tell(const Limits& limits, const std::function<std::string(const std::atomic<bool>&)>& work) {
+  note_frames(0);  // the first call loads a library, which a signal handler must not do
+  frame_count = 0;
   std::signal(SIGUSR1, note_frames);
   Interrupter interrupter(limits);
   const std::string outcome = work(interrupter.flag());
@@ -131,6 +134,7 @@ Measured measure(const Limits& limits, const std::function<std::string(const std
     ::close(ends[0]);
     const rlimit seconds{static_cast<rlim_t>(limits.moment + limits.patience + 1), RLIM_INFINITY};
     ::setrlimit(RLIMIT_CPU, &seconds);
+    ::alarm(kLongestWait);  // of a call that waits and uses no processor time
     const std::string text = run_and_tell(limits, work);
     [[maybe_unused]] const auto written = ::write(ends[1], text.data(), text.size());
     ::_exit(0);
