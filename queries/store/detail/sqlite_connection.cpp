@@ -4,6 +4,7 @@
 #include <thread>
 #include <utility>
 
+#include "algebra3d/base/interruption_scope.h"
 #include "queries/store/detail/checked_vfs.h"
 #include "queries/store/detail/page_sums.h"
 #include "queries/store/detail/sqlite_error.h"
@@ -79,6 +80,7 @@ Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open(const std::file
     return static_cast<SqliteConnection*>(self)->wait_for_lock(attempt) ? 1 : 0;
   };
   sqlite3_busy_handler(handle, wait, connection.get());
+  connection->end_when(nullptr);
   harden(handle);
   if (const int added = SqliteStatement::add_row_function(handle); added != SQLITE_OK)
     return connection->error(added, "opening the database");
@@ -117,11 +119,18 @@ bool SqliteConnection::wait_for_lock(int attempt) {
   return true;
 }
 
+thread_local bool SqliteConnection::ReadingStep::reads_ = false;
+
+bool SqliteConnection::ReadingStep::is_to_end() {
+  return reads_ && algebra3d::is_interrupted();
+}
+
 void SqliteConnection::end_when(const std::atomic<bool>* cancel) {
   const auto is_cancelled = [](void* flag) {
-    return static_cast<const std::atomic<bool>*>(flag)->load(std::memory_order_relaxed) ? 1 : 0;
+    const auto* const own = static_cast<const std::atomic<bool>*>(flag);
+    return (own != nullptr && own->load(std::memory_order_relaxed)) || ReadingStep::is_to_end() ? 1 : 0;
   };
-  sqlite3_progress_handler(handle_, cancel != nullptr ? kStepsBetweenQuestions : 0, is_cancelled,
+  sqlite3_progress_handler(handle_, kStepsBetweenQuestions, is_cancelled,
                            const_cast<std::atomic<bool>*>(cancel));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
 }
 

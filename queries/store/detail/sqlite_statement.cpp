@@ -116,6 +116,7 @@ SqliteStatement& SqliteStatement::bind(int parameter, RowSink& taker) {
 }
 
 algebra3d::Result<bool> SqliteStatement::step() {
+  const SqliteConnection::ReadingStep reading(sqlite3_stmt_readonly(statement_) != 0);
   const int code = bind_code_ == SQLITE_OK ? sqlite3_step(statement_) : bind_code_;
   if (code == SQLITE_ROW) return true;
   if (code == SQLITE_DONE) return false;
