@@ -25,9 +25,9 @@ struct ReleaseBytes {
 class FileContent {
  public:
   /// Reads the whole file. A file of more than `most_in_memory` bytes is copied to an unnamed temporary file, which is
-  /// mapped; the default is a third of what the memory limit leaves (memory_limit.h). Errors: those of InputFile::for_each_block;
-  /// out_of_memory; disk_full or io_error of the temporary file, with its folder. Cost: linear; 30 ms for 100 MB in the
-  /// page cache.
+  /// mapped; the default is a third of what the memory limit leaves (memory_limit.h). Errors: those of
+  /// InputFile::for_each_block; out_of_memory; disk_full or io_error of the temporary file, with its folder. Cost:
+  /// linear; 30 ms for 100 MB in the page cache.
   static Result<FileContent> read(const InputFile& file, const std::atomic<bool>* cancel = nullptr);
   static Result<FileContent> read(const InputFile& file, const std::atomic<bool>* cancel, std::size_t most_in_memory);
   /// The same of the file at `path`. Errors: also those of InputFile::open.

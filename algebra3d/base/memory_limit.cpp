@@ -208,8 +208,11 @@ Status require_memory(std::uint64_t bytes, std::string_view what) {
   if (bytes <= left) return {};
   const MemoryUser* const user = tally.user;
   const bool is_of_process = user == nullptr || user->limit() > ProcessMemory::limit();
-  return Error{ErrorCode::limit_exceeded, "{} would take about {}, and {} are left of {}; raise it, or ask for less",
-               what, megabytes(bytes), megabytes(left),
+  return Error{ErrorCode::limit_exceeded,
+               "{} would take about {}, and {} are left of {}; raise it, or ask for less",
+               what,
+               megabytes(bytes),
+               megabytes(left),
                limit_text(is_of_process ? ProcessMemory::limit() : user->limit(), is_of_process)};
 }
 

@@ -28,8 +28,8 @@ class MemoryLimitReached final : public std::bad_alloc {
 Error memory_error(const std::bad_alloc& failure);
 
 /// What a piece of work (a session, a statement, a command) holds of the heap, and its limit. Memory that another user
-/// frees counts for that one, so the number is approximate where values change hands. Outlives the scopes in which it is
-/// current. May be used by any number of threads.
+/// frees counts for that one, so the number is approximate where values change hands. Outlives the scopes in which it
+/// is current. May be used by any number of threads.
 class MemoryUser {
  public:
   static constexpr std::size_t kNoLimit = SIZE_MAX / 4;
@@ -54,8 +54,8 @@ class MemoryUser {
   std::atomic<std::int64_t> used_ = 0;
 };
 
-/// Makes a user the current one of this thread, until the end of the scope. The tasks of `scheduler.h` take over that of
-/// the thread that starts them.
+/// Makes a user the current one of this thread, until the end of the scope. The tasks of `scheduler.h` take over that
+/// of the thread that starts them.
 class MemoryUserScope {
  public:
   explicit MemoryUserScope(MemoryUser* user);
@@ -80,7 +80,8 @@ class ProcessMemory {
   static std::size_t used();
 
   /// Counts `bytes` that were allocated, or are about to be. Throws MemoryLimitReached, and counts nothing, if a limit
-  /// would be exceeded. Small amounts are never refused while an exception is on its way, nor to threads without a user.
+  /// would be exceeded. Small amounts are never refused while an exception is on its way, nor to threads without a
+  /// user.
   static void charge(std::size_t bytes);
   /// Counts `bytes` in any case; if that exceeds a limit, the next `charge` of the thread is refused. For allocators
   /// whose callers cannot fail.

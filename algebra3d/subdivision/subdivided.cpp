@@ -38,8 +38,9 @@ Status check_memory(const PolygonMesh& mesh, SubdivisionScheme scheme, std::size
   constexpr std::uint64_t kLeastBytes = 16;  // of a half-edge of the result: its arrays and its part of a vertex
   if (scheme == SubdivisionScheme::doo_sabin) return {};  // which has fewer where there is a boundary
   const std::uint64_t halfedges = std::uint64_t{mesh.halfedge_count()} << (2 * steps);
-  return require_memory(halfedges * kLeastBytes,
-                        fmt::format("{} half-edges after {} steps, each of which makes four of one,", halfedges, steps));
+  return require_memory(
+      halfedges * kLeastBytes,
+      fmt::format("{} half-edges after {} steps, each of which makes four of one,", halfedges, steps));
 }
 
 }  // namespace

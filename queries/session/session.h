@@ -95,8 +95,9 @@ class Session {
   /// Whether `open_file` has created the database; its name may be mistyped, so the user is to be told.
   bool has_made_database() const { return has_made_database_; }
   /// Runs one command. Reasons of undefined values and remarks go to `context.diagnostics`. Never throws: exhausted
-  /// memory becomes error out_of_memory, or limit_exceeded at a memory limit. After an error the database is as before the command. The message of an error
-  /// internal names the report, a script that repeats the failure, or says why there is none.
+  /// memory becomes error out_of_memory, or limit_exceeded at a memory limit. After an error the database is as before
+  /// the command. The message of an error internal names the report, a script that repeats the failure, or says why
+  /// there is none.
   Status execute(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context);
   /// The failure that the result of the last statement shows because a file could not be read or written: "undefined"
   /// or "FALSE"; else empty. Such a statement is committed all the same.

@@ -2,9 +2,10 @@
 
 namespace queries {
 
-/// Has the memory of SQLite counted as the process's (base/memory_limit.h), not as that of the user whose statement runs:
-/// most of it is the page cache, which stays. What would exceed a limit is refused: out of memory, which SQLite bears.
-/// To be called once, before any database is opened; a matter of the program. Does nothing if SQLite is in use already.
+/// Has the memory of SQLite counted as the process's (base/memory_limit.h), not as that of the user whose statement
+/// runs: most of it is the page cache, which stays. What would exceed a limit is refused: out of memory, which SQLite
+/// bears. To be called once, before any database is opened; a matter of the program. Does nothing if SQLite is in use
+/// already.
 void count_sqlite_memory();
 
 /// Whether SQLite was refused memory for a limit on this thread since the last call.

@@ -339,9 +339,7 @@ class Listener final : public HttpListener {
   }
 
   // Answers that nobody takes must not keep the memory of others.
-  static bool is_memory_short() {
-    return algebra3d::ProcessMemory::used() > algebra3d::ProcessMemory::limit() / 4 * 3;
-  }
+  static bool is_memory_short() { return algebra3d::ProcessMemory::used() > algebra3d::ProcessMemory::limit() / 4 * 3; }
 
   // Clients that are slow with a body, or in taking an answer, hold a thread each; where these are too few, they go.
   Acceptor::Load load() {

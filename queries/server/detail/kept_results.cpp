@@ -63,9 +63,7 @@ void KeptResults::drop_oldest() {
 // The thread of a result gives its memory back, soon after it was told to.
 void KeptResults::make_room() {
   constexpr std::chrono::milliseconds kStep(5), kLongest(500);
-  const auto is_short = [] {
-    return algebra3d::ProcessMemory::used() > algebra3d::ProcessMemory::limit() / 2;
-  };
+  const auto is_short = [] { return algebra3d::ProcessMemory::used() > algebra3d::ProcessMemory::limit() / 2; };
   while (is_short()) {
     {
       const std::lock_guard lock(mutex_);

@@ -149,9 +149,10 @@ TEST(MemoryLimit, the_error_says_limit_and_remedy) {
   });
   ASSERT_FALSE(caught);
   EXPECT_EQ(caught.error().code, ErrorCode::limit_exceeded);
-  EXPECT_EQ(caught.error().message,
-            "more memory is needed than the memory limit of 64 MB (`set \"memory\"` or --memory) allows; split the work "
-            "or raise the limit");
+  EXPECT_EQ(
+      caught.error().message,
+      "more memory is needed than the memory limit of 64 MB (`set \"memory\"` or --memory) allows; split the work "
+      "or raise the limit");
   EXPECT_EQ(memory_error(std::bad_alloc()).code, ErrorCode::out_of_memory);
 }
 
@@ -162,9 +163,10 @@ TEST(MemoryLimit, known_sizes_are_refused_before_the_work) {
   const Status refused = require_memory(kLimit + 1, "work: 2 parts");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::limit_exceeded);
-  EXPECT_EQ(refused.error().message,
-            "work: 2 parts would take about 65 MB, and 64 MB are left of the memory limit of 64 MB (`set \"memory\"` or "
-            "--memory); raise it, or ask for less");
+  EXPECT_EQ(
+      refused.error().message,
+      "work: 2 parts would take about 65 MB, and 64 MB are left of the memory limit of 64 MB (`set \"memory\"` or "
+      "--memory); raise it, or ask for less");
 }
 
 TEST(MemoryLimit, operators_spill_by_what_the_heap_leaves) {
