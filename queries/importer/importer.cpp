@@ -20,6 +20,7 @@
 #include "queries/language/parser.h"
 #include "queries/language/scanner.h"
 #include "queries/language/token.h"
+#include "queries/store/database_creation.h"
 #include "queries/store/store.h"
 #include "queries/store/store_options.h"
 
@@ -75,6 +76,8 @@ class Import {
   Status drop_gone(const FileList& list, RelationWriter& writer);
   int fail(const Error& error, int status);
   int conclude(const FileList& list);
+  /// The relation, and what was made for it: its name may be mistyped.
+  std::string target() const;
 
   const ImportOptions& options_;
   const ImportHost& host_;
@@ -83,6 +86,8 @@ class Import {
   std::uint64_t committed_count_ = 0;
   std::uint64_t batch_count_ = 0;
   bool was_interrupted_ = false;
+  bool is_new_database_ = false;
+  bool is_new_relation_ = false;
 };
 
 ProgressDisplay::Style Import::progress_style(const ImportOptions& options, const ImportHost& host) {
@@ -100,12 +105,14 @@ int Import::run() {
 }
 
 Status Import::take_in(const FileList& list) {
+  is_new_database_ = makes_database(options_.database);
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto store,
                              Store::open(options_.database, OpenMode::open_or_create, host_.registry));
   if (!store->opening_notice().empty()) host_.err << "note: " << store->opening_notice() << "\n";
   RelationWriter writer(*store, options_.relation,
                         {std::chrono::duration<double>(options_.batch_seconds), options_.batch_megabytes * 1e6});
   ALGEBRA3D_RETURN_IF_ERROR(writer.prepare());
+  is_new_relation_ = writer.is_new();
   if (writer.lacks_measures())
     host_.err << fmt::format(
         "note: '{}' was made by an earlier version and has no attributes for areas, distances and "
@@ -167,9 +174,15 @@ int Import::fail(const Error& error, int status) {
   return status;
 }
 
+std::string Import::target() const {
+  if (!is_new_relation_) return options_.relation;
+  return fmt::format("{} (a new relation{})", options_.relation,
+                     is_new_database_ ? " in the new database " + options_.database.string() : "");
+}
+
 int Import::conclude(const FileList& list) {
   progress_.clear();
-  if (!options_.quiet) host_.out << summary_table(summary_, options_.relation, batch_count_) << std::flush;
+  if (!options_.quiet) host_.out << summary_table(summary_, target(), batch_count_) << std::flush;
   for (const std::string& folder : list.unread_folders)
     host_.err << "error: import: the folder was left out: " << folder << "\n";
   if (was_interrupted_) {

@@ -56,6 +56,8 @@ Status prepare_database(const ServerOptions& options, const algebra3d::Registry&
   Session session(registry, {.read_only = options.read_only});
   ALGEBRA3D_RETURN_IF_ERROR(session.open_file(options.database));
   if (const std::string notice = session.store()->opening_notice(); !notice.empty()) note(notice);
+  if (session.has_made_database())
+    note("there was no database '" + options.database.string() + "'; a new, empty one was made");
   return {};
 }
 

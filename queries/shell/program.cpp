@@ -34,6 +34,7 @@
 #include "queries/shell/detail/man_page.h"
 #include "queries/shell/detail/mesh_commands.h"
 #include "queries/shell/detail/result_format.h"
+#include "queries/shell/detail/screen.h"
 #include "queries/streams/all.h"
 #include "queries/test_runner/test_runner.h"
 
@@ -157,6 +158,13 @@ std::optional<std::string> subcommand_help(const CLI::App& app, const std::strin
   return std::nullopt;
 }
 
+// A name that was mistyped makes an empty database, in which a script then finds nothing; one that runs knows what it
+// does.
+void tell_of_new_database(const Options& options, const Session& session) {
+  if (!session.has_made_database()) return;
+  std::cerr << "note: there was no database '" << printable(options.database) << "'; a new, empty one was made\n";
+}
+
 int run_session(const CLI::App& app, const Options& options, const algebra3d::Registry& registry) {
   auto parameters = session_parameters(options.parameters, registry);
   if (!parameters) {
@@ -193,7 +201,10 @@ int run_session(const CLI::App& app, const Options& options, const algebra3d::Re
   };
   StatementRunner runner(session, results.presenter(),
                          {out, std::cerr, is_terminal ? &terminal : nullptr, program_help}, options.failure_rules);
+  const bool is_prompt = options.commands.empty() && options.scripts.empty() && isatty(STDIN_FILENO) != 0;
+  if (is_prompt) tell_of_new_database(options, session);
   const int status = run_statements(options, session, runner, out);
+  if (!is_prompt && status != kOk) tell_of_new_database(options, session);
   return (is_damaged || is_transaction_lost(session)) && status == kOk ? kFailed : status;
 }
 

@@ -75,7 +75,8 @@ Status RelationWriter::prepare() {
   if (existing && existing->has_value) return {};
   ALGEBRA3D_RETURN_IF_ERROR(store_.begin(true));
   mode_ = Mode::writing;
-  if (!existing) ALGEBRA3D_RETURN_IF_ERROR(store_.create(relation_name_, type));
+  is_new_ = !existing;
+  if (is_new_) ALGEBRA3D_RETURN_IF_ERROR(store_.create(relation_name_, type));
   return create_relation();
 }
 

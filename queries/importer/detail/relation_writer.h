@@ -44,6 +44,8 @@ class RelationWriter {
   /// Creates the relation if it does not exist. To be called first. Errors: type_error if there is another object of
   /// that name; those of the store.
   Status prepare();
+  /// True if `prepare` has created the relation.
+  bool is_new() const { return is_new_; }
   /// True if the relation is of an earlier version without the numbers.
   bool lacks_measures() const { return lacks_measures_; }
   /// Whether this path with this content was imported into the relation.
@@ -77,6 +79,7 @@ class RelationWriter {
   Limits limits_;
 
   bool lacks_measures_ = false;
+  bool is_new_ = false;
   Mode mode_ = Mode::none;
   std::shared_ptr<Relation> relation_;  // set while writing
   Clock::time_point batch_start_;

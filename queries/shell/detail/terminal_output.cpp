@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 #include "algebra3d/types/utf8.h"
 
@@ -107,17 +108,28 @@ void TerminalOutput::end_statement() {
 TerminalOutput::int_type TerminalOutput::overflow(int_type character) {
   if (traits_type::eq_int_type(character, traits_type::eof())) return traits_type::not_eof(character);
   const char byte = traits_type::to_char_type(character);
-  return take({&byte, 1}) ? character : traits_type::eof();
+  return take_printable({&byte, 1}) ? character : traits_type::eof();
 }
 
 std::streamsize TerminalOutput::xsputn(const char* text, std::streamsize length) {
-  return take({text, static_cast<std::size_t>(length)}) ? length : 0;
+  return take_printable({text, static_cast<std::size_t>(length)}) ? length : 0;
 }
 
 int TerminalOutput::sync() {
   if (is_holding_ || pager_process_ >= 0) return 0;
   terminal_.flush();
   return terminal_ ? 0 : -1;
+}
+
+// Only characters that begin with this byte can be control characters of two bytes.
+bool TerminalOutput::take_printable(std::string_view text) {
+  constexpr char kLeadByte = '\xC2';
+  std::string whole = std::exchange(incomplete_, {}) + std::string(text);
+  if (!whole.empty() && whole.back() == kLeadByte) {
+    incomplete_ = kLeadByte;
+    whole.pop_back();
+  }
+  return take(printable(whole));
 }
 
 bool TerminalOutput::take(std::string_view text) {

@@ -14,7 +14,8 @@ namespace queries {
 
 /// Buffers the output of a statement for the terminal. Output that fits on the screen is printed when the statement
 /// ends; longer output goes to the pager while the statement runs. Between statements text is printed directly. While
-/// nothing is shown, a progress line is displayed. If the user leaves the pager early, the stream fails until the
+/// nothing is shown, a progress line is displayed. Control characters are written as `\x1b`, whatever the format of
+/// results, so that values cannot control the terminal. If the user leaves the pager early, the stream fails until the
 /// statement ends. Used by one thread.
 class TerminalOutput final : public std::streambuf {
  public:
@@ -43,6 +44,7 @@ class TerminalOutput final : public std::streambuf {
   int sync() override;
 
  private:
+  bool take_printable(std::string_view text);
   bool take(std::string_view text);
   bool pass(std::string_view text);
   bool start_pager();
@@ -52,6 +54,7 @@ class TerminalOutput final : public std::streambuf {
   Settings settings_;
   ScreenSize screen_;
   bool is_holding_ = false;
+  std::string incomplete_;  // the first byte of a character whose second one has not come yet
   std::string held_;
   std::unique_ptr<ProgressLine> progress_;
   std::size_t row_count_ = 0;     // of the buffered output

@@ -48,6 +48,18 @@ TEST_F(TerminalOutputTest, what_fits_on_the_screen_is_printed_when_the_statement
   EXPECT_FALSE(std::filesystem::exists(paged_file()));
 }
 
+// The characters from U+0080 to U+009F have two bytes, which may come one by one.
+TEST_F(TerminalOutputTest, values_do_not_control_the_terminal) {
+  TerminalOutput output(terminal_, settings());
+  std::ostream out(&output);
+  output.begin_statement("", true);
+  out << "a\x1b[2Jb\u009bc\u00e9\n\xC2"
+      << "\x9b" << '\xC2' << '\x9b' << "\xC2"
+      << "\xA0\td";
+  output.end_statement();
+  EXPECT_EQ(terminal_.str(), "a\\x1b[2Jb\\x9bc\u00e9\n\\x9b\\x9b\u00a0\td");
+}
+
 TEST_F(TerminalOutputTest, what_is_longer_goes_through_the_pager_from_its_first_line) {
   TerminalOutput output(terminal_, settings());
   std::ostream out(&output);
