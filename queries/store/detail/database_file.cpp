@@ -17,6 +17,7 @@
 #include "queries/store/database_creation.h"
 #include "queries/store/database_draft.h"
 #include "queries/store/detail/page_sums.h"
+#include "queries/store/detail/sidecar_files.h"
 #include "queries/store/detail/tables.h"
 
 namespace queries {
@@ -202,6 +203,7 @@ Result<std::unique_ptr<SqliteConnection>> connect(const fs::path& file, OpenMode
   if (writes) ALGEBRA3D_RETURN_IF_ERROR(check_writable(file));
   if (writes && mode != OpenMode::draft) ALGEBRA3D_RETURN_IF_ERROR(finish_database(file, options.busy_milliseconds));
   ALGEBRA3D_RETURN_IF_ERROR(check_names(file));
+  ALGEBRA3D_RETURN_IF_ERROR(check_sidecar_files(file));
   const Access access = writes ? Access::read_write : read_access(file);
   ALGEBRA3D_ASSIGN_OR_RETURN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
   if (mode == OpenMode::read_damaged) connection->tolerate_damaged_pages();
