@@ -162,7 +162,7 @@ void FaceBounds<Vector>::take(const Farthest& farthest, FaceId near) {
 }
 
 template <typename Vector>
-FaceBound FaceBounds<Vector>::of(FaceId face, const std::array<FaceId, 3>& nearest) {
+FaceBound FaceBounds<Vector>::of(FaceId face, const std::array<FaceId, 3>& nearest, std::size_t max_work) {
   Part whole;
   for (const std::uint32_t corner : from_.triangle(face)) whole.add(scaled(from_.points().approx()[corner]));
   Number least = kUnbounded;
@@ -174,11 +174,12 @@ FaceBound FaceBounds<Vector>::of(FaceId face, const std::array<FaceId, 3>& neare
   }
   normal_ = cross(whole.corners[1] - whole.corners[0], whole.corners[2] - whole.corners[0]);
   best_ = {};
+  work_ = 0;
   waiting_.assign(1, whole);
   for (std::size_t count = 0; !waiting_.empty() && !monitor_.is_cancelled(); ++count) {
     const Part part = waiting_.back();
     waiting_.pop_back();
-    if (count < kMaxParts)
+    if (count < kMaxParts && work_ < max_work)
       visit(part);
     else
       take(farthest(part, target(hint_)), hint_);
@@ -222,6 +223,7 @@ bool FaceBounds<Vector>::are_apart(const Part& part, const Target& target, Numbe
 /// Bounds the part, or divides it until few faces are near.
 template <typename Vector>
 void FaceBounds<Vector>::visit(const Part& part) {
+  ++work_;
   const Vector centre = part.centre();
   Number radius = 0;
   for (std::uint32_t i = 0; i < part.size; ++i) radius = std::max(radius, size_of(part.corners[i] - centre));
@@ -256,6 +258,7 @@ void FaceBounds<Vector>::cover(const Part& part) {
   while (!uncovered_.empty()) {
     const Part next = uncovered_.back();
     uncovered_.pop_back();
+    work_ += candidates_.size();
     const Vector centre = next.centre();
     const Target* near = &candidates_.front();
     Number least = kUnbounded;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "algebra3d/base/box3.h"
@@ -33,12 +34,14 @@ class FaceBounds {
   FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const Box3& box, double enough,
              const Monitor& monitor = {});
 
-  /// The bound for a face of `from`; `nearest` are faces of the set that are near its corners. Cost: some points
+  /// The bound for a face of `from`; `nearest` are faces of the set that are near its corners. After about `max_work`
+  /// comparisons of a part with a triangle, what is left of the face is bounded by one triangle. Cost: some points
   /// against some triangles if one of these faces shows that it is enough; else a microsecond for each cell that the
   /// face meets.
-  FaceBound of(FaceId face, const std::array<FaceId, 3>& nearest);
+  FaceBound of(FaceId face, const std::array<FaceId, 3>& nearest, std::size_t max_work = kNoLimit);
 
  private:
+  static constexpr std::size_t kNoLimit = static_cast<std::size_t>(-1);
   using Number = decltype(Vector::x);
   using Part = FacePart<Vector>;
 
@@ -86,6 +89,7 @@ class FaceBounds {
   Vector normal_;  // of the face; of any length, rounded
   Farthest best_{};
   FaceId best_near_, hint_;
+  std::size_t work_ = 0;  // comparisons for the face
   std::vector<Part> waiting_, uncovered_;
   std::vector<Target> candidates_;
 };

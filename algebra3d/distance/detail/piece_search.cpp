@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algebra3d/base/scheduler.h"
+#include "algebra3d/distance/covering_bound.h"
 
 namespace algebra3d::distances {
 namespace {
@@ -78,36 +79,86 @@ Status PieceSearch::measure_vertices(const Monitor& monitor) {
   return {};
 }
 
-Status PieceSearch::bound_faces(double at_least, const Monitor& monitor) {
+/// Bounds faces that are not bounded yet, or whose bounds are to be lowered; `max_work` as of FaceBounds.
+template <typename Vector>
+void PieceSearch::bound(std::span<const std::uint32_t> faces, std::size_t max_work, const Monitor& monitor) {
   constexpr std::size_t kTask = 64;
-  lower_ = std::max(lower_, at_least);
-  const std::size_t count = from_.face_count();
-  face_bounds_.resize(count);
-  const Stage stage(monitor, "bounding distances", count);
-  parallel_for((count + kTask - 1) / kTask, 1, [&](std::size_t task) {
+  const Stage stage(monitor, "bounding distances", faces.size());
+  parallel_for((faces.size() + kTask - 1) / kTask, 1, [&](std::size_t task) {
     Stage own(stage);
-    FaceBounds<Vec3> bounds(from_, to_, box_, enough(), monitor);
-    for (std::size_t f = task * kTask; f < std::min((task + 1) * kTask, count) && own.begin_step(); ++f) {
-      const auto [a, b, c] = from_.triangle(FaceId(f));
-      face_bounds_[f] =
-          bounds.of(FaceId(f), {set_[SampleId(a)].nearest, set_[SampleId(b)].nearest, set_[SampleId(c)].nearest});
+    FaceBounds<Vector> bounds(from_, to_, box_, enough(), monitor);
+    for (std::size_t i = task * kTask; i < std::min((task + 1) * kTask, faces.size()) && own.begin_step(); ++i) {
+      const auto [a, b, c] = from_.triangle(FaceId(faces[i]));
+      const FaceBound found =
+          bounds.of(FaceId(faces[i]), {set_[SampleId(a)].nearest, set_[SampleId(b)].nearest, set_[SampleId(c)].nearest},
+                    max_work);
+      if (found.upper < face_bounds_[faces[i]].upper) face_bounds_[faces[i]] = found;
     }
   });
+}
+
+std::vector<std::uint32_t> PieceSearch::unsettled_faces() const {
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t f = 0; f < face_bounds_.size(); ++f)
+    if (!is_settled(face_bounds_[f].upper)) faces.push_back(f);
+  return faces;
+}
+
+Status PieceSearch::bound_faces(double at_least, const Monitor& monitor) {
+  lower_ = std::max(lower_, at_least);
+  face_bounds_.assign(from_.face_count(), {kInfinity, {}, {}});
+  constexpr std::size_t kWorkOfNearFace = 1 << 13, kUnlimited = static_cast<std::size_t>(-1);
+  bound<Vec3>(unsettled_faces(), do_nearly_coincide() ? kWorkOfNearFace : kUnlimited, monitor);
   ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
   probe_faces();
+  return do_nearly_coincide() ? bound_near_faces(monitor) : Status();
+}
+
+/// The work is limited by the number of all faces: it is spent on those that are not settled, which mostly are few.
+Status PieceSearch::bound_near_faces(const Monitor& monitor) {
+  constexpr std::size_t kLeastWork = 512;
+  std::vector<std::uint32_t> faces = unsettled_faces();
+  bound<WideVec3>(faces, std::max(kLeastWork, near_work() / std::max<std::size_t>(1, faces.size())), monitor);
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  probe_faces();
+  faces = unsettled_faces();
+  return faces.empty() ? Status() : cover(faces, monitor);
+}
+
+/// Lowers the bounds of faces to that of a covering, if few pieces do for it.
+Status PieceSearch::cover(std::span<const std::uint32_t> faces, const Monitor& monitor) {
+  PointArray points;
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (const std::uint32_t face : faces) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    triangles.push_back({first, first + 1, first + 2});
+    for (const PointRef& corner : from_.corners(FaceId(face))) points.push_back(corner);
+  }
+  const TriangleMesh part(std::move(points), triangles);
+  // A covering is no closer than twice what is enough to it; a piece may be compared with many faces.
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<double> bound,
+                             covering_bound(part, to_, enough() / 2, near_work() / 1024, monitor));
+  if (!bound) return {};
+  for (const std::uint32_t face : faces) face_bounds_[face].upper = std::min(face_bounds_[face].upper, *bound);
   return {};
 }
 
 void PieceSearch::probe_faces() {
-  std::vector<std::uint32_t> faces;
-  for (std::uint32_t f = 0; f < face_bounds_.size(); ++f)
-    if (!is_settled(face_bounds_[f].upper)) faces.push_back(f);
+  std::vector<std::uint32_t> faces = unsettled_faces();
   const std::size_t count = std::min(faces.size(), kProbedFaces);
   std::ranges::partial_sort(faces, faces.begin() + static_cast<std::ptrdiff_t>(count), [&](auto a, auto b) {
     return std::pair(-face_bounds_[a].upper, a) < std::pair(-face_bounds_[b].upper, b);
   });
   for (std::size_t i = 0; i < count && !is_settled(face_bounds_[faces[i]].upper); ++i)
     new_sample(face_bounds_[faces[i]].where, face_bounds_[faces[i]].near);
+}
+
+std::size_t PieceSearch::near_work() const {
+  return kWorkOfNear + kWorkOfNearFace * (from_.face_count() + to_.hierarchy->face_count());
+}
+
+bool PieceSearch::may_go_on(std::size_t piece_count) const {
+  return piece_count < kMaxPieces && (work_ < near_work() || !do_nearly_coincide());
 }
 
 Status PieceSearch::refine(double at_least, const Monitor& monitor) {
@@ -118,10 +169,11 @@ Status PieceSearch::refine(double at_least, const Monitor& monitor) {
     push({{SampleId(a), SampleId(b), SampleId(c)}, face_bounds_[f].upper, 0});
   }
   std::size_t count = 0;
-  while (!pieces_.empty() && !is_settled(pieces_.top().upper) && ++count < kMaxPieces) {
+  while (!pieces_.empty() && !is_settled(pieces_.top().upper) && may_go_on(++count)) {
     if (count % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     const Piece piece = pieces_.top();
     pieces_.pop();
+    work_ += kWorkOfDivision;
     divide(piece);
   }
   // Pieces that were left out have bounds up to this one.
@@ -166,6 +218,7 @@ double PieceSearch::share_near(const Vec3& near_first, const Vec3& near_second, 
 
 SampleId PieceSearch::new_sample(const Vec3& point, FaceId near) {
   const SampleId id = set_.add(set_.measured(ExactPoint(point), near));
+  work_ += set_[id].work;
   take_sharpened(id, rounding_);
   return id;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <queue>
+#include <span>
 #include <vector>
 
 #include "algebra3d/distance/detail/face_bounds.h"
@@ -29,10 +30,12 @@ class PieceSearch {
 
   /// Measures all vertices.
   Status measure_vertices(const Monitor& monitor);
-  /// Bounds the distance of each face, unless it is clearly not farther than `at_least` and the best sample. Then takes
+  /// Bounds the distance of each face, unless it is clearly not farther than `at_least` and the best sample; where sets
+  /// nearly coincide, once more in long doubles if that did not settle it, and with all others by a covering. Takes
   /// samples of the faces with the largest bounds, where these were found.
   Status bound_faces(double at_least, const Monitor& monitor);
-  /// Divides pieces until none can have a point that is clearly farther than `at_least` and the best sample.
+  /// Divides pieces until none can have a point that is clearly farther than `at_least` and the best sample, or until
+  /// there are too many.
   Status refine(double at_least, const Monitor& monitor);
 
   /// The best sample.
@@ -49,6 +52,11 @@ class PieceSearch {
   static constexpr double kRoundings = 0x1p-46, kTolerance = 0x1p-44, kRelative = 0x1p-30;
   static constexpr double kLeast = 0x1p-1068;  // for roundings of subnormal numbers
   static constexpr std::size_t kMaxPieces = std::size_t{1} << 22U;
+  /// Comparisons of points with faces for sets that nearly coincide, at all and for each face: where needles and folds
+  /// of one are beside those of the other, more would hardly bring the bounds nearer to each other.
+  static constexpr std::size_t kWorkOfNear = std::size_t{1} << 18U, kWorkOfNearFace = 256;
+  static constexpr std::size_t kWorkOfDivision = 240;  ///< besides that of its samples
+  static constexpr double kNear = 0x1p-16;
   static constexpr std::size_t kProbedFaces = 64;
 
   using Corners = std::array<SampleId, 3>;
@@ -70,6 +78,15 @@ class PieceSearch {
   void push(Piece piece);
   double enough() const { return lower_ * (1 + kRelative) + tolerance_; }
   bool is_settled(double upper) const { return upper <= enough(); }
+  /// True if no point is known that is far from the other set, in comparison with the largest coordinate.
+  bool do_nearly_coincide() const { return lower_ <= kNear / kTolerance * tolerance_; }
+  std::size_t near_work() const;
+  bool may_go_on(std::size_t piece_count) const;
+  std::vector<std::uint32_t> unsettled_faces() const;
+  template <typename Vector>
+  void bound(std::span<const std::uint32_t> faces, std::size_t max_work, const Monitor& monitor);
+  Status bound_near_faces(const Monitor& monitor);
+  Status cover(std::span<const std::uint32_t> faces, const Monitor& monitor);
   void probe_faces();
   void bound_by(FaceId face, const Corners& corners, double& least, FaceId& of_least) const;
   void divide(const Piece& piece);
@@ -90,6 +107,7 @@ class PieceSearch {
   SampleId best_;
   double lower_ = 0, upper_ = 0;
   bool is_bounded_ = true;
+  std::size_t work_ = 0;  // comparisons for pieces
   std::vector<FaceBound> face_bounds_;
   std::priority_queue<Piece> pieces_;
 };

@@ -13,9 +13,10 @@ DistanceBounds SampledSet::bounds(const PointRef& point, FaceId face) const {
 
 SampledSet::Sample SampledSet::measured(ExactPoint point, FaceId near) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Sample sample{std::move(point), near, kInfinity, kInfinity};
+  Sample sample{std::move(point), near, kInfinity, kInfinity, 0};
   const PointRef place = sample.point;
   const auto visit = [&](FaceId other) {
+    ++sample.work;
     const DistanceBounds bounds = this->bounds(place, other);
     sample.lower = std::min(sample.lower, bounds.lower);
     if (bounds.upper < sample.upper) {

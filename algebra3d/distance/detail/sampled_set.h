@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,7 @@ class SampledSet {
     ExactPoint point;
     FaceId nearest;               // of the set
     double lower = 0, upper = 0;  // bounds of the distance
+    std::uint32_t work = 0;       // number of faces that it was compared with
   };
 
   /// Measures a point; `near` is a face of the set that is probably near it. Callable by several threads.
