@@ -11,8 +11,8 @@
 
 namespace algebra3d {
 
-/// Calls `work`, which returns a Result or Status; exceptions become the error interrupted, limit_exceeded, out_of_memory or
-/// internal. Numbers are rounded to nearest meanwhile. For functions of the public library.
+/// Calls `work`, which returns a Result or Status; exceptions become the error interrupted, limit_exceeded,
+/// out_of_memory or internal. Numbers are rounded to nearest meanwhile. For functions of the public library.
 template <typename Work>
 std::invoke_result_t<const Work&> without_exceptions(const Work& work) noexcept {
   const NearestRounding rounding;

@@ -1,4 +1,4 @@
-"""The checksums of pages of database files, as docs/file_format.md, "Checksums of pages", states them: a second source for tests, and a means
+"""The checksums of pages of database files, as docs/file_format.md, "Database files", states them: a second source for tests, and a means
 to damage a file where its pages are right."""
 import ctypes
 import ctypes.util
