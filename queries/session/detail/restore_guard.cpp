@@ -38,6 +38,14 @@ bool is_visible_below(const fs::path& folder, const fs::path& file) {
   return in_folder == folder.end() && std::none_of(in_file, file.end(), is_hidden);
 }
 
+/// From the working directory on if it lies below that: clients of a server do not see where it is.
+std::string shown(const fs::path& file) {
+  std::error_code error;
+  const fs::path relative = file.lexically_relative(real_path(fs::current_path(error)));
+  const bool is_below = !relative.empty() && *relative.begin() != "..";
+  return "'" + algebra3d::shown_as_text((is_below ? relative : file).string()) + "'";
+}
+
 std::string named(const std::set<std::string>& names) {
   std::vector<std::string> first(names.begin(), std::next(names.begin(), std::min(names.size(), kMostNamed)));
   if (names.size() > first.size()) first.push_back(fmt::format("and {} more", names.size() - first.size()));
@@ -59,7 +67,7 @@ Status RestoreGuard::check(const fs::path& file) {
   if (allows_all_) return {};
   const fs::path real = real_path(file);
   if (is_visible_below(folder_, real)) return {};
-  const std::string name = "'" + algebra3d::shown_as_text((real.empty() ? file : real).string()) + "'";
+  const std::string name = shown(real.empty() ? file : real);
   const std::lock_guard lock(mutex_);
   ++refusal_count_;
   refused_files_.insert(name);
@@ -80,11 +88,11 @@ Status RestoreGuard::verdict(bool is_shared, algebra3d::Context& context) const 
   if (!untried_.empty())
     clauses.push_back("and what these objects read, which need the others and were not tried: " + named(untried_));
   for (const std::string& file : refused_files_)
-    context.diagnostics.show("restore: the saved file would read the file " + file);
+    context.diagnostics.show(context.folder.with_names("restore: the saved file would read the file " + file));
   for (const std::string& variable : variables)
     context.diagnostics.show("restore: the saved file would read the environment variable " + variable);
   return Error{ErrorCode::wrong_usage, "restore: nothing was restored, since '{}' would read {}; {}",
-               algebra3d::shown_as_text(saved_.name()), joined(clauses),
+               algebra3d::shown_as_text(saved_.name()), context.folder.with_names(joined(clauses)),
                is_shared ? "a shared database takes no such file; restore it in the shell"
                          : "if it may, set \"restoreReads\" = TRUE and restore it again"};
 }
