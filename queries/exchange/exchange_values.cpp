@@ -89,7 +89,7 @@ template <typename Append>
 Status written_or_error(Context& context, const Append& append) {
   using About = algebra3d::Diagnostics::About;
   algebra3d::Diagnostics own;
-  Context writing{own, context.cancel, context.folder, context.memory, context.report};
+  Context writing = context.with(own);
   ALGEBRA3D_RETURN_IF_ERROR(append(writing));
   const std::vector<std::string> lines = own.summary();
   if (own.count(About::unwritten) > 0 || own.count(About::undefined) > 0)
