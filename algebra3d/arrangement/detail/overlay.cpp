@@ -17,7 +17,7 @@ namespace {
 
 /// Cuts of garbage with coordinates of all sizes have numbers of thousands of bits, so few of them take long. The exact
 /// arithmetic within this limit takes as long as the greatest number of cuts does with short numbers.
-constexpr std::uint64_t kWorkPerCut = 5'000;
+constexpr std::uint64_t kWorkPerCut = 1'000;
 
 std::uint64_t most_work(std::size_t max_cuts) {
   return max_cuts > UINT64_MAX / kWorkPerCut ? UINT64_MAX : max_cuts * kWorkPerCut;

@@ -20,7 +20,7 @@ ArrangementOptions work_limits(const RepairOptions& options) {
 }
 
 std::uint64_t exact_work_limit(const RepairOptions& options) {
-  return count(options.work_limit * 5e6);
+  return count(options.work_limit * 1e6);
 }
 
 }  // namespace algebra3d

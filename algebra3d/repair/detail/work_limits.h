@@ -13,7 +13,7 @@ namespace algebra3d {
 /// (solid_by_generalized_winding).
 ArrangementOptions work_limits(const RepairOptions& options);
 
-/// The limit of the work with long numbers in the proof of a result (exact_work.h): five products of limbs for each
+/// The limit of the work with long numbers in the proof of a result (exact_work.h): a product of limbs for each
 /// pair of triangles.
 std::uint64_t exact_work_limit(const RepairOptions& options);
 
