@@ -57,10 +57,8 @@ double squared_distance(const Box3& a, const Box3& b) {
   return dot(gap, gap);
 }
 
-// hypot, so that distances whose square overflows or underflows come out right.
 double distance(const Box3& a, const Box3& b) {
-  const Vec3 gap = gap_between(a, b);
-  return std::hypot(gap.x, gap.y, gap.z);
+  return length(gap_between(a, b));
 }
 
 // Half of the smallest side that there is would be 0.

@@ -1,14 +1,18 @@
 #include "algebra3d/base/vec3.h"
 
 #include <cmath>
+#include <limits>
 #include <ostream>
 
 #include "algebra3d/base/number_text.h"
 
 namespace algebra3d {
 
+// hypot, so that squares that overflow or underflow do no harm. Of infinite sides it is not a number in libstdc++, which
+// divides by the largest.
 double length(const Vec3& v) {
-  return std::hypot(v.x, v.y, v.z);
+  const bool is_infinite = std::isinf(v.x) || std::isinf(v.y) || std::isinf(v.z);
+  return is_infinite ? std::numeric_limits<double>::infinity() : std::hypot(v.x, v.y, v.z);
 }
 
 bool is_finite(const Vec3& v) {

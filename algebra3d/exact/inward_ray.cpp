@@ -16,7 +16,7 @@ using detail::sign_of;
 using Triple = std::array<BoundedPair, 3>;
 
 /// Products of ten coordinates, and of ten of their last bits, are within the range of doubles.
-bool is_in_range(const PointRef& point) {
+bool has_moderate_size(const PointRef& point) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double size = std::abs(point.approx[axis]);
     if (size != 0 && !(size >= 0x1p-40 && size <= 0x1p60)) return false;
@@ -125,7 +125,7 @@ std::optional<int> InwardRay::Meeting::direction() const {
 }
 
 std::optional<InwardRay> InwardRay::from(const TriangleRef& triangle) {
-  if (!std::ranges::all_of(triangle, is_in_range)) return std::nullopt;
+  if (!std::ranges::all_of(triangle, has_moderate_size)) return std::nullopt;
   InwardRay ray(triangle);
   const auto& [a, b, c] = triangle;
   ray.normal_ = cross(difference(c, a), difference(b, a));
@@ -148,7 +148,7 @@ InwardRay::Triple InwardRay::thrice_from_origin(const PointRef& point) const {
 }
 
 std::optional<InwardRay::Meeting> InwardRay::meeting(const TriangleRef& triangle) const {
-  if (!std::ranges::all_of(triangle, is_in_range)) return std::nullopt;
+  if (!std::ranges::all_of(triangle, has_moderate_size)) return std::nullopt;
   const std::array<Triple, 3> corners{thrice_from_origin(triangle[0]), thrice_from_origin(triangle[1]),
                                       thrice_from_origin(triangle[2])};
   Meeting result;

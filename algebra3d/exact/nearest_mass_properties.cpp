@@ -109,7 +109,7 @@ std::optional<PrincipalAxes> principal_axes_within(const NearTensor& tensor) {
   return lower;
 }
 
-std::optional<NearestMassProperties> rounded(const MomentBounds& moments) {
+std::optional<NearestMassProperties> rounded_moments(const MomentBounds& moments) {
   if (moments.volume.has_zero()) return std::nullopt;
   const MassBounds bounds(moments);
   NearestMassProperties result;
@@ -181,7 +181,7 @@ Result<std::optional<T>> by_bounds(const PointArray& points, IndexTriangles tria
 Result<NearestMassProperties> nearest_mass_properties(const PointArray& points, IndexTriangles triangles,
                                                       const std::atomic<bool>* cancel) {
   ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<NearestMassProperties> bounded,
-                             by_bounds<NearestMassProperties>(points, triangles, cancel, rounded));
+                             by_bounds<NearestMassProperties>(points, triangles, cancel, rounded_moments));
   if (bounded) return *std::move(bounded);
   ALGEBRA3D_ASSIGN_OR_RETURN(const MassProperties mass, mass_properties(points, triangles, cancel));
   return nearest(mass);

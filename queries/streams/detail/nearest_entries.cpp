@@ -36,25 +36,13 @@ Result<std::optional<NearestEntries::Neighbor>> NearestEntries::next() {
   return found;
 }
 
-namespace {
-
-/// The distance of two boxes, rounded. Unlike algebra3d::distance it squares nothing that is too large or small for it.
-double distance_of(const algebra3d::Box3& a, const algebra3d::Box3& b) {
-  const auto gap = [&](std::size_t axis) {
-    return std::max({0.0, a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]});
-  };
-  return std::hypot(gap(0), gap(1), gap(2));
-}
-
-}  // namespace
-
 bool has_box_at(const Value& value, const algebra3d::Box3& from, double distance) {
   constexpr double kRounding = 0x1p-40;
   const algebra3d::Box3 box = window_of(value);
   if (box.is_empty()) return false;
   constexpr double kLargest = std::numeric_limits<double>::max(), kSmallest = std::numeric_limits<double>::min();
   const double told = std::min(distance, kLargest);
-  const double found = std::min(distance_of(box, from), kLargest);
+  const double found = std::min(algebra3d::distance(box, from), kLargest);
   return std::abs(found - told) <= kRounding * told + kSmallest;
 }
 

@@ -1,5 +1,6 @@
 #include "algebra3d/base/box3.h"
 
+#include <limits>
 #include <sstream>
 #include <unordered_set>
 
@@ -38,6 +39,8 @@ TEST(Box3, distance_is_that_of_the_nearest_points) {
   EXPECT_EQ(distance(kUnit, {{4, 5, 0}, {5, 6, 1}}), 5);
   EXPECT_EQ(squared_distance(kUnit, {{4, 5, 0}, {5, 6, 1}}), 25);
   EXPECT_EQ(distance(kUnit, Box3::of({0.5, 0.5, 1e300})), 1e300);
+  const Box3 far = Box3::of({-1.5e308, -1.5e308, -1.5e308}), farther = Box3::of({1.5e308, 1.5e308, 1.5e308});
+  EXPECT_EQ(distance(far, farther), std::numeric_limits<double>::infinity());
 }
 
 TEST(Box3, its_length_unit_is_near_its_size) {
