@@ -13,13 +13,13 @@ constexpr sqlite3_int64 kSumsInLogHeader = 24;
 constexpr std::size_t kSaltsInFrame = 8;
 constexpr std::size_t kSumsInFrame = 16;
 
-std::uint32_t big_endian(std::span<const std::byte> bytes) {
+std::uint32_t word_of(std::span<const std::byte> bytes) {
   std::uint32_t value = 0;
   for (const std::byte byte : bytes.first(4)) value = value << 8 | std::to_integer<std::uint32_t>(byte);
   return value;
 }
 
-void set_big_endian(std::span<std::byte> bytes, std::uint32_t value) {
+void set_word(std::span<std::byte> bytes, std::uint32_t value) {
   for (std::size_t i = 0; i < 4; ++i) bytes[i] = static_cast<std::byte>(value >> (24 - 8 * i) & 0xff);
 }
 
@@ -54,7 +54,7 @@ int CheckedLog::read(std::span<std::byte> to, sqlite3_int64 offset) {
   const int code = file_.read(frame_, offset - static_cast<sqlite3_int64>(kFrameHeaderBytes));
   if (code != SQLITE_OK) return file_.read(to, offset);
   std::ranges::copy(page(), to.begin());
-  return pages_.check(page(), {big_endian(header()), true});
+  return pages_.check(page(), {word_of(header()), true});
 }
 
 // SQLite writes the header of a frame, then its page. A page without a header before it overwrites one of the same
@@ -84,7 +84,7 @@ int CheckedLog::write_page(std::span<const std::byte> from, sqlite3_int64 frame)
     return code;
   std::ranges::copy(from, page().begin());
   if (follows_header) return write_frame(frame);
-  set_page_sum(page(), big_endian(header()));
+  set_page_sum(page(), word_of(header()));
   return file_.write(page(), frame + static_cast<sqlite3_int64>(kFrameHeaderBytes));
 }
 
@@ -103,7 +103,7 @@ int CheckedLog::write_part(std::span<const std::byte> from, sqlite3_int64 offset
 // SQLite leaves salts and checksums 0 where it will compute them from what is in the file, at the end of the
 // transaction.
 int CheckedLog::write_frame(sqlite3_int64 frame) {
-  set_page_sum(page(), big_endian(header()));
+  set_page_sum(page(), word_of(header()));
   const auto open = header().subspan(kSaltsInFrame);
   const bool is_open = std::ranges::all_of(open, [](std::byte byte) { return byte == std::byte{0}; });
   if (!is_open) {
@@ -122,7 +122,7 @@ int CheckedLog::prove_predecessor(sqlite3_int64 frame) {
   if (before < kLogHeaderBytes || before == last_written_) return SQLITE_OK;
   std::vector<std::byte> other(frame_bytes());
   if (const int code = file_.read(other, before); code != SQLITE_OK) return code;
-  return pages_.check(std::span(other).subspan(kFrameHeaderBytes), {big_endian(other), true});
+  return pages_.check(std::span(other).subspan(kFrameHeaderBytes), {word_of(other), true});
 }
 
 int CheckedLog::set_frame_sum(sqlite3_int64 frame) {
@@ -133,16 +133,16 @@ int CheckedLog::set_frame_sum(sqlite3_int64 frame) {
   std::array<std::byte, 8> last{};
   if (const int code = file_.read(magic, 0); code != SQLITE_OK) return code;
   if (const int code = file_.read(last, before); code != SQLITE_OK) return code;
-  const bool is_big = big_endian(magic) != kMagic;
-  FrameSums sums{big_endian(last), big_endian(std::span(last).subspan(4))};
+  const bool is_big = word_of(magic) != kMagic;
+  FrameSums sums{word_of(last), word_of(std::span(last).subspan(4))};
   for (const auto part : {header().first(kSaltsInFrame), page()}) {
     if (is_big == (std::endian::native == std::endian::big))
       sums.add<false>(part);
     else
       sums.add<true>(part);
   }
-  set_big_endian(header().subspan(kSumsInFrame), sums.first);
-  set_big_endian(header().subspan(kSumsInFrame + 4), sums.second);
+  set_word(header().subspan(kSumsInFrame), sums.first);
+  set_word(header().subspan(kSumsInFrame + 4), sums.second);
   return SQLITE_OK;
 }
 

@@ -25,7 +25,7 @@ constexpr Field kUncheckedFields[] = {
     {92, 8},  // the counter of changes when the number of pages was written; number of SQLite's version
 };
 
-constexpr std::string_view kSqliteMagic("SQLite format 3\0", 16);
+constexpr std::string_view kFileMagic("SQLite format 3\0", 16);
 
 std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};  // NOLINT(*-reinterpret-cast)
@@ -65,7 +65,7 @@ void set_page_sum(std::span<std::byte> page, std::uint32_t number) {
 
 PageFormat page_format(std::span<const std::byte> header) {
   constexpr std::size_t kPageSizePlace = 16, kReservedPlace = 20, kVersionPlace = 60;
-  if (text_of(header.first(kSqliteMagic.size())) != kSqliteMagic) return {};
+  if (text_of(header.first(kFileMagic.size())) != kSqliteMagic) return {};
   PageFormat format;
   const std::uint32_t page_bytes = big_endian(header.subspan(kPageSizePlace, 2));
   format.page_bytes = page_bytes == 1 ? 65536 : page_bytes;

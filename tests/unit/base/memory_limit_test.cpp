@@ -12,14 +12,14 @@
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/base/without_exceptions.h"
 #include "algebra3d/base/work_memory.h"
-#include "tests/support/scratch_folder.h"
+#include "support/scratch_folder.h"
 
 // The test program keeps the allocation functions of the library, so all that is counted here is what is charged here.
 namespace algebra3d {
 namespace {
 
-constexpr std::size_t kMegabyte = std::size_t{1} << 20U;
-constexpr std::size_t kLimit = 64 * kMegabyte;
+constexpr std::size_t kOneMegabyte = std::size_t{1} << 20U;
+constexpr std::size_t kLimit = 64 * kOneMegabyte;
 
 /// Gives the process its own limit back.
 struct ProcessLimit {
@@ -32,13 +32,13 @@ struct ProcessLimit {
 TEST(MemoryLimit, what_would_exceed_it_is_refused_and_not_counted) {
   MemoryUser user(kLimit);
   const MemoryUserScope scope(&user);
-  ProcessMemory::charge(40 * kMegabyte);
-  EXPECT_EQ(user.used(), 40 * kMegabyte);
-  EXPECT_THROW(ProcessMemory::charge(40 * kMegabyte), MemoryLimitReached);
-  EXPECT_EQ(user.used(), 40 * kMegabyte);
-  EXPECT_EQ(memory_left(), 24 * kMegabyte);
-  ProcessMemory::charge(20 * kMegabyte);
-  ProcessMemory::discharge(60 * kMegabyte);
+  ProcessMemory::charge(40 * kOneMegabyte);
+  EXPECT_EQ(user.used(), 40 * kOneMegabyte);
+  EXPECT_THROW(ProcessMemory::charge(40 * kOneMegabyte), MemoryLimitReached);
+  EXPECT_EQ(user.used(), 40 * kOneMegabyte);
+  EXPECT_EQ(memory_left(), 24 * kOneMegabyte);
+  ProcessMemory::charge(20 * kOneMegabyte);
+  ProcessMemory::discharge(60 * kOneMegabyte);
   EXPECT_EQ(user.used(), 0U);
 }
 
@@ -52,7 +52,7 @@ TEST(MemoryLimit, small_amounts_add_up_to_it) {
         taken += 48;
       },
       MemoryLimitReached);
-  EXPECT_GT(taken, kLimit - kMegabyte);
+  EXPECT_GT(taken, kLimit - kOneMegabyte);
   EXPECT_LE(taken, kLimit + static_cast<std::size_t>(ProcessMemory::kBatch));
   ProcessMemory::discharge(taken);
 }
@@ -63,17 +63,17 @@ TEST(MemoryLimit, what_cannot_fail_is_granted_and_the_next_is_refused) {
   ProcessMemory::charge_always(2 * kLimit);
   EXPECT_THROW(ProcessMemory::charge(1), MemoryLimitReached);
   ProcessMemory::discharge(2 * kLimit);
-  EXPECT_NO_THROW(ProcessMemory::charge(kMegabyte));
-  ProcessMemory::discharge(kMegabyte);
+  EXPECT_NO_THROW(ProcessMemory::charge(kOneMegabyte));
+  ProcessMemory::discharge(kOneMegabyte);
   EXPECT_EQ(user.used(), 0U);
 }
 
 TEST(MemoryLimit, tasks_count_for_the_user_of_their_caller) {
   MemoryUser user(kLimit);
   const MemoryUserScope scope(&user);
-  parallel_for(64, 1, [](std::size_t) { ProcessMemory::charge(kMegabyte / 2); });
-  EXPECT_EQ(user.used(), 32 * kMegabyte);
-  EXPECT_THROW(parallel_for(200, 1, [](std::size_t) { ProcessMemory::charge(kMegabyte); }), MemoryLimitReached);
+  parallel_for(64, 1, [](std::size_t) { ProcessMemory::charge(kOneMegabyte / 2); });
+  EXPECT_EQ(user.used(), 32 * kOneMegabyte);
+  EXPECT_THROW(parallel_for(200, 1, [](std::size_t) { ProcessMemory::charge(kOneMegabyte); }), MemoryLimitReached);
   ProcessMemory::discharge(user.used());
 }
 
@@ -82,44 +82,44 @@ TEST(MemoryLimit, other_users_and_threads_without_one_go_on) {
   {
     const MemoryUserScope scope(&large);
     ProcessMemory::charge(kLimit);
-    EXPECT_THROW(ProcessMemory::charge(kMegabyte), MemoryLimitReached);
+    EXPECT_THROW(ProcessMemory::charge(kOneMegabyte), MemoryLimitReached);
   }
   {
     const MemoryUserScope scope(&small);
-    EXPECT_NO_THROW(ProcessMemory::charge(kMegabyte));
-    ProcessMemory::discharge(kMegabyte);
+    EXPECT_NO_THROW(ProcessMemory::charge(kOneMegabyte));
+    ProcessMemory::discharge(kOneMegabyte);
   }
   ProcessMemory::discharge(kLimit);
 }
 
 TEST(MemoryLimit, the_reserve_of_the_process_is_for_those_that_hold_little) {
-  const ProcessLimit limit(ProcessMemory::used() + 64 * kMegabyte, 16 * kMegabyte);
+  const ProcessLimit limit(ProcessMemory::used() + 64 * kOneMegabyte, 16 * kOneMegabyte);
   MemoryUser large, small;
   std::size_t taken = 0;
   {
     const MemoryUserScope scope(&large);
     EXPECT_THROW(
         while (true) {
-          ProcessMemory::charge(kMegabyte);
-          taken += kMegabyte;
+          ProcessMemory::charge(kOneMegabyte);
+          taken += kOneMegabyte;
         },
         MemoryLimitReached);
   }
-  EXPECT_EQ(taken, 48 * kMegabyte);
+  EXPECT_EQ(taken, 48 * kOneMegabyte);
   {
     const MemoryUserScope scope(&small);
-    EXPECT_NO_THROW(ProcessMemory::charge(2 * kMegabyte));
-    EXPECT_THROW(ProcessMemory::charge(kMegabyte), MemoryLimitReached);
-    ProcessMemory::discharge(2 * kMegabyte);
+    EXPECT_NO_THROW(ProcessMemory::charge(2 * kOneMegabyte));
+    EXPECT_THROW(ProcessMemory::charge(kOneMegabyte), MemoryLimitReached);
+    ProcessMemory::discharge(2 * kOneMegabyte);
   }
   ProcessMemory::discharge(taken);
 }
 
 TEST(MemoryLimit, a_thread_that_ends_has_counted_all) {
   const std::size_t before = ProcessMemory::used();
-  std::thread([] { ProcessMemory::charge(kMegabyte), ProcessMemory::charge(1000); }).join();
-  EXPECT_EQ(ProcessMemory::used(), before + kMegabyte + 1000);
-  ProcessMemory::discharge(kMegabyte + 1000);
+  std::thread([] { ProcessMemory::charge(kOneMegabyte), ProcessMemory::charge(1000); }).join();
+  EXPECT_EQ(ProcessMemory::used(), before + kOneMegabyte + 1000);
+  ProcessMemory::discharge(kOneMegabyte + 1000);
 }
 
 TEST(MemoryLimit, destructors_may_allocate_while_an_exception_is_on_its_way) {
@@ -134,7 +134,7 @@ TEST(MemoryLimit, destructors_may_allocate_while_an_exception_is_on_its_way) {
   EXPECT_THROW(
       {
         const Allocating allocating;
-        ProcessMemory::charge(kMegabyte);
+        ProcessMemory::charge(kOneMegabyte);
       },
       MemoryLimitReached);
   ProcessMemory::discharge(user.used());
@@ -174,12 +174,12 @@ TEST(MemoryLimit, operators_spill_by_what_the_heap_leaves) {
   const MemoryUserScope scope(&user);
   WorkMemory memory(kLimit, "/tmp", &user);
   MemoryAccount account(&memory);
-  EXPECT_TRUE(account.take(20 * kMegabyte));
+  EXPECT_TRUE(account.take(20 * kOneMegabyte));
   account.clear();
-  ProcessMemory::charge(34 * kMegabyte);
-  EXPECT_FALSE(account.take(11 * kMegabyte));
-  EXPECT_TRUE(account.take(9 * kMegabyte));
-  ProcessMemory::discharge(34 * kMegabyte);
+  ProcessMemory::charge(34 * kOneMegabyte);
+  EXPECT_FALSE(account.take(11 * kOneMegabyte));
+  EXPECT_TRUE(account.take(9 * kOneMegabyte));
+  ProcessMemory::discharge(34 * kOneMegabyte);
 }
 
 TEST(MachineMemory, the_least_limit_of_the_control_groups_counts) {
@@ -199,7 +199,7 @@ TEST(MachineMemory, the_least_limit_of_the_control_groups_counts) {
   write(groups, "5:memory,cpu:/c\n4:pids:/d");
   write(root / "memory/c/memory.limit_in_bytes", "800000");
   EXPECT_EQ(control_group_limit(groups, root), 800000U);
-  EXPECT_GT(available_memory(), 16 * kMegabyte);
+  EXPECT_GT(available_memory(), 16 * kOneMegabyte);
 }
 
 }  // namespace
