@@ -65,7 +65,7 @@ void set_page_sum(std::span<std::byte> page, std::uint32_t number) {
 
 PageFormat page_format(std::span<const std::byte> header) {
   constexpr std::size_t kPageSizePlace = 16, kReservedPlace = 20, kVersionPlace = 60;
-  if (text_of(header.first(kFileMagic.size())) != kSqliteMagic) return {};
+  if (text_of(header.first(kFileMagic.size())) != kFileMagic) return {};
   PageFormat format;
   const std::uint32_t page_bytes = big_endian(header.subspan(kPageSizePlace, 2));
   format.page_bytes = page_bytes == 1 ? 65536 : page_bytes;

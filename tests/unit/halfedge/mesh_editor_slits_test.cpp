@@ -151,9 +151,13 @@ class ComparedEdits {
     const std::uint32_t a = editor_.origin(h).index(), b = editor_.target(h).index();
     const std::size_t kind = random_.below(6);
     SCOPED_TRACE(testing::Message() << "kind " << kind << ", edge " << a << " " << b);
-    if (kind == 0) EXPECT_EQ(bool(editor_.flip_edge(h)), expected.flip(a, b));
+    if (kind == 0) {
+      EXPECT_EQ(bool(editor_.flip_edge(h)), expected.flip(a, b));
+    }
     if (kind == 1 || kind == 2) expected.split_edge(a, b, editor_.split_edge(h, Vec3{}).index());
-    if (kind == 3) EXPECT_EQ(bool(editor_.collapse_edge(h)), expected.collapse(a, b));
+    if (kind == 3) {
+      EXPECT_EQ(bool(editor_.collapse_edge(h)), expected.collapse(a, b));
+    }
     if (kind == 4) split_face(h, expected);
     if (kind == 5) split_vertex(h, expected);
     EXPECT_EQ(expected.canonical(), canonical(faces_of(editor_)));
