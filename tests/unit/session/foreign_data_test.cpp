@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kCube = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1))";
 
-std::string content(const fs::path& file) {
+std::string file_content(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -39,7 +39,7 @@ class ForeignData : public testing::Test {
   fs::path foreign() const { return folder_.path() / "foreign"; }
   static void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
   void expect_untouched() const {
-    EXPECT_EQ(content(folder_.path() / "victim"), kSecret);
+    EXPECT_EQ(file_content(folder_.path() / "victim"), kSecret);
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder_.path())) names.insert(entry.path().filename());
     for (const char* ending : {"own.db-wal", "own.db-shm", "new.db", "new.db-wal", "new.db-shm"}) names.erase(ending);
