@@ -296,8 +296,12 @@ TEST(Scales, places_of_boxes_are_bounds) {
       EXPECT_TRUE(place.gap == Box3::kInfinity ? square(reach == Box3::kInfinity ? 0 : reach) < expected
                                                : square(place.gap) <= expected)
           << place.gap;
-      if (reach > distance) EXPECT_LT(place.gap, Box3::kInfinity);
-      if (place.is_inside) EXPECT_EQ(place_in_tetrahedron(ExactPoint(where), set.points), Placement::inside);
+      if (reach > distance) {
+        EXPECT_LT(place.gap, Box3::kInfinity);
+      }
+      if (place.is_inside) {
+        EXPECT_EQ(place_in_tetrahedron(ExactPoint(where), set.points), Placement::inside);
+      }
     }
   }
 }
@@ -342,7 +346,9 @@ TEST(Scales, rays) {
     const std::vector<RayHit> hits = ray_hits(*set.solid, origin, direction);
     const std::size_t count = expected->first.sign() < 0 ? 1 : 2;
     ASSERT_EQ(hits.size(), count);
-    if (count == 2) EXPECT_EQ(hits[0].first, expected->first);
+    if (count == 2) {
+      EXPECT_EQ(hits[0].first, expected->first);
+    }
     EXPECT_EQ(hits.back().first, expected->second);
   }
   EXPECT_GT(passages, round_count());
