@@ -53,6 +53,23 @@ void* operator new(std::size_t bytes, std::align_val_t alignment) {
   return counted(std::aligned_alloc(step, (bytes + step - 1) / step * step));
 }
 
+// The forms below would come from the sanitizer in its builds, and do not go with those above there.
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  try {
+    return operator new(bytes);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
+void* operator new[](std::size_t bytes) {
+  return operator new(bytes);
+}
+
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
+  return operator new(bytes, std::nothrow);
+}
+
 void operator delete(void* memory) noexcept {
   release(memory);
 }
@@ -66,5 +83,21 @@ void operator delete(void* memory, std::align_val_t) noexcept {
 }
 
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  release(memory);
+}
+
+void operator delete(void* memory, const std::nothrow_t&) noexcept {
+  release(memory);
+}
+
+void operator delete[](void* memory) noexcept {
+  release(memory);
+}
+
+void operator delete[](void* memory, std::size_t) noexcept {
+  release(memory);
+}
+
+void operator delete[](void* memory, const std::nothrow_t&) noexcept {
   release(memory);
 }
