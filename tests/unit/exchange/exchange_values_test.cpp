@@ -97,9 +97,9 @@ TEST(ExchangeValue, geometry_as_a_list_has_every_face) {
 TEST(ExchangeValue, fractions_are_texts_or_the_nearest_numbers) {
   const std::string query = "query [const points3d value ((1/3 0 1e300) (-2/3 1 2))]";
   ExchangeSession exact({.geometry = Geometry::list});
-  EXPECT_EQ(exact.json(query), "[[\"-2/3\",1.0,2.0],[\"1/3\",0.0,1e300]]\n");
+  EXPECT_EQ(exact.json(query), "[[\"-2/3\",1.0,2.0],[\"1/3\",0.0,1e+300]]\n");
   ExchangeSession rounded({.geometry = Geometry::list, .rounds_fractions = true});
-  EXPECT_EQ(rounded.json(query), "[[-0.6666666666666666,1.0,2.0],[0.3333333333333333,0.0,1e300]]\n");
+  EXPECT_EQ(rounded.json(query), "[[-0.6666666666666666,1.0,2.0],[0.3333333333333333,0.0,1e+300]]\n");
   // What only looks like a fraction is none.
   EXPECT_EQ(rounded.json("query '1/3'"), "\"1/3\"\n");
 }

@@ -81,7 +81,7 @@ TEST(Results, inquiries_are_relations) {
 TEST(Results, importers_read_back_what_was_written) {
   ExchangeSession session;
   const std::string relation =
-      "[const rel(tuple([S: string, T: text, R: real, B: bool, I: int])) value ((\"a \"\"b\"\" , c\" 'x' 0.1 TRUE 1) "
+      "[const rel(tuple([S: string, T: text, R: real, B: bool, I: int])) value ((\"a 'b' , c\" 'x' 0.1 TRUE 1) "
       "(\" edge \" '' -1e-300 FALSE -9223372036854775808) (\"\" 'caf\u00e9' 1e300 undefined 0))]";
   ASSERT_EQ(session.run_silently("let R = " + relation), "") << relation;
   std::ofstream(session.folder() / "r.csv") << session.csv("query R");

@@ -265,10 +265,9 @@ TEST_F(StoredOrderedIndexes, a_missing_index_is_made_when_it_is_asked) {
   reopen(OpenMode::read_only);
   read([&] { expect_indexes_equal_scan(); });
   reopen(OpenMode::read_write);
-  read([&] {
-    expect_indexes_equal_scan();
-    expect_sound();
-  });
+  // What asks makes it, and later checks find it.
+  read([&] { expect_indexes_equal_scan(); });
+  read([&] { expect_sound(); });
   EXPECT_EQ(sql("SELECT count(*) FROM sqlite_schema WHERE name = '" + name + "'"), "1");
   write([&] { ok(store_->remove("N")); });
   EXPECT_EQ(sql("SELECT count(*) FROM sqlite_schema WHERE name = '" + name + "'"), "0");

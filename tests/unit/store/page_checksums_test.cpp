@@ -139,7 +139,7 @@ TEST_F(PageChecksums, a_version_that_contradicts_the_tables_is_told_in_words) {
   EXPECT_EQ(open_error(path(), OpenMode::read_write).message,
             path().string() +
                 ": the header says that the database has version 2, but it has the table index_pages, which "
-                "came with version 3; the header was changed (in the catalogue of objects)");
+                "came with version 3; the header was changed");
 }
 
 // Nothing proves that what another process has written behind is a page of ours, so nothing is written behind it.
