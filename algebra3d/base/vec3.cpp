@@ -8,8 +8,8 @@
 
 namespace algebra3d {
 
-// hypot, so that squares that overflow or underflow do no harm. Of infinite sides it is not a number in libstdc++, which
-// divides by the largest.
+// hypot, so that squares that overflow or underflow do no harm. Of infinite sides it is not a number in libstdc++,
+// which divides by the largest.
 double length(const Vec3& v) {
   const bool is_infinite = std::isinf(v.x) || std::isinf(v.y) || std::isinf(v.z);
   return is_infinite ? std::numeric_limits<double>::infinity() : std::hypot(v.x, v.y, v.z);
