@@ -144,7 +144,7 @@ std::pair<CoordinateGrid, std::string> any_grid(Chance& chance) {
   }
 }
 
-/// What was measured of one step.
+/// Measurements of one step.
 struct Step {
   std::uint64_t chain = 0;
   std::size_t number = 0, faces = 0;

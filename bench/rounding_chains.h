@@ -5,7 +5,7 @@
 
 namespace bench {
 
-/// What is run of the near-coincident chains.
+/// Selection of the near-coincident chains that are run.
 struct ChainOptions {
   std::uint64_t first = 1;  ///< the number of the first chain; the same number gives the same chain
   std::size_t count = 2000;

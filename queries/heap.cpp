@@ -32,7 +32,7 @@ void release(void* memory) noexcept {
   std::free(memory);
 }
 
-/// What no system would grant is refused for the limit, not because malloc fails.
+/// Refuses a size that no system would grant because of the limit, before malloc fails.
 void refuse_early(std::size_t bytes) {
   constexpr std::size_t kLarge = std::size_t{1} << 30U;
   if (bytes < kLarge || !ProcessMemory::would_exceed(bytes)) return;

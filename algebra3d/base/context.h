@@ -36,7 +36,7 @@ struct Context {
   /// evaluated again at every restore"); empty: it may. The text outlives the context.
   std::string_view unchanging = {};
 
-  /// The same surroundings with other diagnostics; calls that fail are not kept.
+  /// A copy of these surroundings with other diagnostics; calls that fail are not kept.
   Context with(Diagnostics& other) const { return {other, cancel, folder, memory, report, nullptr, reads, unchanging}; }
 
   Monitor monitor() const { return {cancel, report}; }

@@ -81,7 +81,7 @@ inline void poll_interruption() {
     detail::throw_interrupted();
 }
 
-/// The same at every 1024th step of a loop, counted by `step`.
+/// poll_interruption at every 1024th step of a loop, counted by `step`.
 inline void poll_interruption_at(std::size_t step) {
   constexpr std::size_t kSteps = 1024;
   if (step % kSteps == 0) poll_interruption();

@@ -10,8 +10,8 @@
 namespace algebra3d {
 namespace {
 
-/// What a thread has not counted yet. Plain data: allocations come before the constructors of a thread and after its
-/// destructors.
+/// The bytes of a thread that are not counted yet. Plain data: allocations come before the constructors of a thread and
+/// after its destructors.
 struct Tally {
   std::int64_t pending = 0;
   MemoryUser* user = nullptr;
@@ -64,7 +64,7 @@ bool is_to_be_granted(std::size_t bytes) noexcept {
          (tally.user == nullptr || std::uncaught_exceptions() > 0);
 }
 
-/// What was counted or refused last stays refused until the thread holds less: its next `charge` looks again.
+/// A size that was refused last stays refused until the thread holds less: its next `charge` looks again.
 void look_again_soon() noexcept {
   tally.pending += ProcessMemory::kBatch;
   process_used.fetch_sub(ProcessMemory::kBatch, std::memory_order_relaxed);
@@ -124,7 +124,7 @@ MemoryUser* MemoryUser::current() {
   return tally.user;
 }
 
-// What is pending belongs to the user before.
+// Pending bytes belong to the user before.
 static void change_user(MemoryUser* user) {
   if (tally.user == user) return;
   settle();

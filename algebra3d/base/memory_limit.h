@@ -27,9 +27,9 @@ class MemoryLimitReached final : public std::bad_alloc {
 /// The error of a failed allocation: limit_exceeded with limit and remedy, or out_of_memory.
 Error memory_error(const std::bad_alloc& failure);
 
-/// What a piece of work (a session, a statement, a command) holds of the heap, and its limit. Memory that another user
-/// frees counts for that one, so the number is approximate where values change hands. Outlives the scopes in which it
-/// is current. May be used by any number of threads.
+/// The share of the heap of a piece of work (a session, a statement, a command), and its limit. Memory that another
+/// user frees counts for that one, so the number is approximate where values change hands. Outlives the scopes in which
+/// it is current. May be used by any number of threads.
 class MemoryUser {
  public:
   static constexpr std::size_t kNoLimit = SIZE_MAX / 4;
@@ -100,7 +100,7 @@ class ProcessMemory {
   static std::size_t default_limit();
 };
 
-/// What the current user may still take, in bytes; at least MemoryUser::kNoLimit / 2 if nothing limits it.
+/// Bytes that the current user may still take; at least MemoryUser::kNoLimit / 2 if nothing limits it.
 std::size_t memory_left();
 
 /// The error limit_exceeded if about `bytes` are more than the current user may still take: to be asked before work

@@ -17,7 +17,7 @@ Result<Descriptor> PolledInput::open(const std::filesystem::path& path) {
   return file;
 }
 
-// What cannot be read makes the stream bad.
+// An error of reading makes the stream bad.
 PolledInput::int_type PolledInput::underflow() {
   if (fill()) return traits_type::to_int_type(*gptr());
   if (error_ != 0) throw std::system_error(error_, std::generic_category());

@@ -22,9 +22,9 @@ class WorkMemory {
   std::size_t limit() const { return limit_; }
   /// Changes the limit; existing accounts keep their memory.
   void set_limit(std::size_t limit) { limit_ = limit; }
-  /// What the accounts have taken.
+  /// Bytes that the accounts have taken.
   std::size_t used() const { return used_; }
-  /// What the limit leaves beside that, by the heap that is counted if that is less.
+  /// Bytes that the limit leaves beside them, or that the counted heap leaves, if these are fewer.
   std::size_t left() const;
   const std::filesystem::path& folder() const { return folder_; }
 

@@ -161,8 +161,8 @@ NearestMassProperties nearest(const MassProperties& mass) {
           principal_axes(mass.inertia)};
 }
 
-/// What `attempt` makes of bounds by few limbs, or else by many. Nothing if neither is enough, and for doubles, whose
-/// exact sums are fast.
+/// The result of `attempt` for bounds by few limbs, or else by many. Nothing if neither is enough, and for doubles,
+/// whose exact sums are fast.
 template <typename T, typename Attempt>
 Result<std::optional<T>> by_bounds(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel,
                                    const Attempt& attempt) {

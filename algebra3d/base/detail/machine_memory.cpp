@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "max" is no number, and so no limit.
+// "max" is not a number: there is no limit.
 std::size_t limit_in(const fs::path& file) {
   std::ifstream stream(file);
   std::size_t limit = 0;
