@@ -21,7 +21,7 @@ bool is_file_atom(const NestedList& list);
 bool is_file_atom(std::string_view symbol);
 
 /// The bytes of the file in base64, without line breaks; `atom` is a file atom. Relative paths are resolved by the
-/// context. Errors: file_missing, also for what is no regular file; limit_exceeded; io_error.
+/// context. Errors: file_missing, also of anything but a regular file; limit_exceeded; io_error.
 Result<std::string> file_atom_content(const NestedList& atom, const Context& context);
 
 /// Encodes bytes in base64 with padding. Source: [rfc4648], section 4.

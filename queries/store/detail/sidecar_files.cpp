@@ -41,7 +41,7 @@ Status check_sidecar_files(const fs::path& database) {
     if (status.type() == fs::file_type::not_found) continue;
     if (status.type() != fs::file_type::regular)
       return Error{ErrorCode::database_foreign,
-                   "{}: it is no regular file, as SQLite's files beside a database are; remove it", beside.string()};
+                   "{}: not a regular file, as SQLite's files beside a database are; remove it", beside.string()};
     if (ending == "-journal" && names_another_file(beside))
       return Error{ErrorCode::database_foreign,
                    "{}: the journal names another file, which would be deleted; algebra3d makes no such journals; "

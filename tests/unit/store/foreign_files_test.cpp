@@ -88,7 +88,7 @@ TEST_F(ForeignFiles, links_pipes_and_folders_beside_it_are_refused) {
         const Error error = open_error(path(), mode);
         EXPECT_EQ(error.code, ErrorCode::database_foreign);
         EXPECT_EQ(error.message,
-                  file.string() + ": it is no regular file, as SQLite's files beside a database are; remove it");
+                  file.string() + ": not a regular file, as SQLite's files beside a database are; remove it");
       }
     }
     fs::remove(file);
