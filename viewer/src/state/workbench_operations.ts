@@ -94,7 +94,9 @@ export function isWorkbenchStatement(text: string): boolean {
   // Strings are options. Any other, such as one with a quote in it, could hide code from this look.
   const code = text.replace(/"[a-z-]*"/g, "").replace(/\$\w+/g, "");
   const words = code.match(/[A-Za-z_]\w*/g) ?? [];
-  return code.startsWith("query ") && /^[\w\s.,()[\]+-]*$/.test(code) && words.every((word) => kWords.has(word));
+  return (
+    code.startsWith("query ") && /^[\w\s.,()[\]+-]*$/.test(code) && words.every((word) => kWords.has(word))
+  );
 }
 
 /** A number in the notation of the language, with all its digits. */

@@ -13,7 +13,16 @@ const parts: DatabaseObject = {
 };
 const known: Known = {
   keywords: ["query", "let"],
-  operators: [{ name: "volume", family: "measures", syntax: "volume(_)", doc: "Volume.", signatures: [], changes: false }],
+  operators: [
+    {
+      name: "volume",
+      family: "measures",
+      syntax: "volume(_)",
+      doc: "Volume.",
+      signatures: [],
+      changes: false,
+    },
+  ],
   types: [{ name: "volume3d", doc: "A solid." }],
   objects: [parts],
   columns: [{ name: "Price", type: "real", shape: false }],

@@ -9,9 +9,17 @@ const area = {
   family: "measures",
   syntax: "area(_)",
   doc: "The area of a region.",
-  signatures: [], changes: false,
+  signatures: [],
+  changes: false,
 };
-const box = { name: "bbox", family: "boxes", syntax: "bbox(_)", doc: "The bounding box.", signatures: [], changes: false };
+const box = {
+  name: "bbox",
+  family: "boxes",
+  syntax: "bbox(_)",
+  doc: "The bounding box.",
+  signatures: [],
+  changes: false,
+};
 
 async function makeCatalogue() {
   const answers: Record<string, unknown> = {

@@ -36,7 +36,7 @@ test.each([
   // Where a string ends, the language and a simple look do not agree.
   String.raw`query ("\"" = "") or (R feed R deletedirect count > 0) or ("" = "")`,
   String.raw`query ('"' = '') or (R feed R deletedirect count > 0) or ('"' = '')`,
-  "query <text>\"</text---> = (R feed R deletedirect count > 0) = \"\"",
+  'query <text>"</text---> = (R feed R deletedirect count > 0) = ""',
 ])("%s is none", (statement) => {
   expect(isWorkbenchStatement(statement)).toBe(false);
 });
