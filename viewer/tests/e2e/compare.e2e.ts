@@ -1,8 +1,8 @@
 import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from "vitest";
 import type { Page } from "playwright-core";
-import { expectNoErrors, ready, stillScene } from "./support/actions";
+import { boxOf, expectNoErrors, ready, stillScene } from "./support/actions";
 import { Browser, takePicture } from "./support/browser";
-import type { Picture } from "./support/picture";
+import { topRight, touchesSides } from "./support/picture";
 import { Server } from "./support/server";
 
 type SideName = "left" | "right";
@@ -14,11 +14,15 @@ let page: Page;
 const side = (name: SideName) => page.getByTestId(`side-${name}`);
 const sceneOf = (name: SideName) => `[data-testid="side-${name}"] .scene-canvas`;
 
+/** Waits until the steps that made the mesh of a side read like this. */
+async function expectSteps(name: SideName, text: RegExp): Promise<void> {
+  const steps = side(name).locator(".steps");
+  await expect.poll(() => steps.innerText(), { timeout: 30_000 }).toMatch(text);
+}
+
 async function load(name: SideName, object: string): Promise<void> {
   await side(name).getByLabel("Mesh of this side").selectOption(object);
-  await expect
-    .poll(() => side(name).locator(".steps").innerText(), { timeout: 20_000 })
-    .toMatch(new RegExp(`(^|› )${object}$`));
+  await expectSteps(name, new RegExp(`(^|› )${object}$`));
   await side(name).getByTestId("facts").waitFor();
   await stillScene(page, sceneOf(name));
 }
@@ -73,14 +77,6 @@ test("two meshes stand side by side with their statistics", async () => {
   expect(right.colors()).toBeGreaterThan(10);
   for (const picture of [left, right]) expect(touchesSides(picture)).toBe(false);
 });
-
-/** Whether anything reaches the left or the right side of a scene, between the controls and the scale. */
-function touchesSides(picture: Picture): boolean {
-  const rows = Array.from({ length: picture.height - 200 }, (_, i) => i + 120);
-  const isGround = (x: number, y: number) =>
-    picture.at(x, y).every((part, i) => Math.abs(part - picture.at(4, 4)[i]!) < 12);
-  return rows.some((y) => !isGround(1, y) || !isGround(picture.width - 2, y));
-}
 
 test.each([
   ["loop", "48"],
@@ -200,8 +196,7 @@ test("cameras move together, or each alone", async () => {
   await load("left", "Cube");
   await load("right", "Cube");
   const turn = async () => {
-    const box = await page.locator(sceneOf("left")).boundingBox();
-    if (!box) throw new Error("no scene");
+    const box = await boxOf(page, sceneOf("left"));
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     await page.mouse.down();
     await page.mouse.move(box.x + box.width / 2 + 90, box.y + box.height / 2 + 30, { steps: 6 });
@@ -245,8 +240,7 @@ test("a vertex is dragged in the plane of its normal", async () => {
   await expectFact("left", "Volume", "8");
   await press("left", "Vertex ↔ plane");
   await stillScene(page, sceneOf("left"));
-  const box = await page.locator(sceneOf("left")).boundingBox();
-  if (!box) throw new Error("no scene");
+  const box = await boxOf(page, sceneOf("left"));
   // In the isometric view the nearest corner is in the middle.
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
@@ -254,9 +248,7 @@ test("a vertex is dragged in the plane of its normal", async () => {
   await page.mouse.move(x + 70, y, { steps: 8 });
   await takePicture(page, "compare-drag");
   await page.mouse.up();
-  await expect
-    .poll(() => side("left").locator(".steps").innerText(), { timeout: 20_000 })
-    .toMatch(/Cube › move vertex \d/);
+  await expectSteps("left", /Cube › move vertex \d/);
   await expectFact("left", "Vertices", "8");
   await expect
     .poll(() => side("left").locator('[data-fact="Area"]').innerText(), { timeout: 20_000 })
@@ -264,19 +256,6 @@ test("a vertex is dragged in the plane of its normal", async () => {
   await press("left", "Undo");
   await expectFact("left", "Area", "24");
 });
-
-/** The topmost and rightmost place of a scene that differs from its ground. */
-function topRight(picture: Picture): { x: number; y: number } {
-  const ground = picture.at(4, 4);
-  const isObject = (x: number, y: number) =>
-    picture.at(x, y).some((part, i) => Math.abs(part - ground[i]!) > 40);
-  const { width, height } = picture;
-  const rows = Array.from({ length: height - 120 }, (_, i) => i + 60); // without toolbar and axes
-  const inside = (y: number) =>
-    Array.from({ length: width - 200 }, (_, i) => i + 100).filter((x) => isObject(x, y));
-  const y = rows.find((row) => inside(row).length > width / 8) ?? 0;
-  return { x: Math.max(...inside(y)), y };
-}
 
 test("a vertex is dragged along its normal", async () => {
   await load("left", "Cube");
@@ -290,8 +269,7 @@ test("a vertex is dragged along its normal", async () => {
   const corner = topRight(await stillScene(page, sceneOf("left")));
   await press("left", "Vertex ↕ normal");
   await stillScene(page, sceneOf("left")); // the corners are drawn, and can be caught
-  const box = await scene.boundingBox();
-  if (!box) throw new Error("no scene");
+  const box = await boxOf(page, sceneOf("left"));
   const [x, y] = [box.x + corner.x - 1, box.y + corner.y + 1];
   await page.mouse.move(x, y);
   await page.mouse.down();
@@ -299,9 +277,7 @@ test("a vertex is dragged along its normal", async () => {
   await page.mouse.move(x + 60, y, { steps: 8 });
   await takePicture(page, "compare-drag-normal");
   await page.mouse.up();
-  await expect
-    .poll(() => side("left").locator(".steps").innerText(), { timeout: 20_000 })
-    .toMatch(/Cube › move vertex \d/);
+  await expectSteps("left", /Cube › move vertex \d/);
   await expect
     .poll(async () => Number(await side("left").locator('[data-fact="Volume"]').innerText()), {
       timeout: 20_000,
@@ -317,9 +293,7 @@ test("a link restores the split screen", async () => {
   await load("right", "Ball");
   await expectFact("right", "Faces", "528");
   await press("right", "minus");
-  await expect
-    .poll(() => side("right").locator(".steps").innerText(), { timeout: 20_000 })
-    .toMatch(/Ball › minus/);
+  await expectSteps("right", /Ball › minus/);
   const volume = await side("right").locator('[data-fact="Volume"]').innerText();
   await page.getByLabel("Same camera").setChecked(false);
   await page.locator(sceneOf("left")).focus();
@@ -333,9 +307,7 @@ test("a link restores the split screen", async () => {
   try {
     page = await other.open(link);
     // Only objects are shown and operations of the split screen done: nobody has to be asked.
-    await expect
-      .poll(() => side("right").locator(".steps").innerText(), { timeout: 30_000 })
-      .toMatch(/Ball › minus/);
+    await expectSteps("right", /Ball › minus/);
     expect(await side("left").locator(".steps").innerText()).toMatch(/Cube › subdivide catmull-clark/);
     await expectFact("left", "Faces", "24");
     await expectFact("right", "Volume", volume);

@@ -51,10 +51,18 @@ export async function stillScene(page: Page, selector = '[data-testid="scene"]')
   throw new Error("the scene does not stand still");
 }
 
-/** A click into the middle of the scene. */
-export async function clickMiddle(page: Page, selector = '[data-testid="scene"]'): Promise<void> {
+type Box = Readonly<Record<"x" | "y" | "width" | "height", number>>;
+
+/** Where the first element of a selector stands on the page. */
+export async function boxOf(page: Page, selector: string): Promise<Box> {
   const box = await page.locator(selector).first().boundingBox();
   if (!box) throw new Error(`${selector} has no box`);
+  return box;
+}
+
+/** A click into the middle of the scene. */
+export async function clickMiddle(page: Page, selector = '[data-testid="scene"]'): Promise<void> {
+  const box = await boxOf(page, selector);
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
 }
 

@@ -106,3 +106,24 @@ function makePicture(pixels: Uint8Array, width: number, height: number, channels
 export function isNear(color: Rgb, other: Rgb, distance = 24): boolean {
   return color.every((channel, index) => Math.abs(channel - (other[index] ?? 0)) <= distance);
 }
+
+/** The topmost and rightmost place of a scene that differs from its ground. */
+export function topRight(picture: Picture): { x: number; y: number } {
+  const ground = picture.at(4, 4);
+  const isObject = (x: number, y: number) =>
+    picture.at(x, y).some((part, i) => Math.abs(part - ground[i]!) > 40);
+  const { width, height } = picture;
+  const rows = Array.from({ length: height - 120 }, (_, i) => i + 60); // without toolbar and axes
+  const inside = (y: number) =>
+    Array.from({ length: width - 200 }, (_, i) => i + 100).filter((x) => isObject(x, y));
+  const y = rows.find((row) => inside(row).length > width / 8) ?? 0;
+  return { x: Math.max(...inside(y)), y };
+}
+
+/** Whether anything reaches the left or the right side of a scene, between the controls and the scale. */
+export function touchesSides(picture: Picture): boolean {
+  const rows = Array.from({ length: picture.height - 200 }, (_, i) => i + 120);
+  const isGround = (x: number, y: number) =>
+    picture.at(x, y).every((part, i) => Math.abs(part - picture.at(4, 4)[i]!) < 12);
+  return rows.some((y) => !isGround(1, y) || !isGround(picture.width - 2, y));
+}
