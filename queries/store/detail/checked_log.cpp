@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstring>
 
+#include "queries/store/detail/reading_step.h"
+
 namespace queries {
 namespace {
 
@@ -50,6 +52,7 @@ int CheckedLog::read(std::span<std::byte> to, sqlite3_int64 offset) {
   const bool is_page = pages_.has_sums() && !pages_.is_in_checkpoint && to.size() == pages_.page_bytes() &&
                        offset > kLogHeaderBytes && place_in_frame(offset) == kFrameHeaderBytes;
   if (!is_page) return file_.read(to, offset);
+  if (ReadingStep::is_interrupted()) return SQLITE_INTERRUPT;
   frame_.resize(frame_bytes());
   const int code = file_.read(frame_, offset - static_cast<sqlite3_int64>(kFrameHeaderBytes));
   if (code != SQLITE_OK) return file_.read(to, offset);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "queries/store/detail/checked_log.h"
+#include "queries/store/detail/reading_step.h"
 
 namespace queries {
 
@@ -62,6 +63,8 @@ struct LogFile : CheckedFile {
 };
 
 int MainFile::read(std::span<std::byte> to, sqlite3_int64 offset) {
+  // A check of all pages is one step of SQLite's machine, between which it asks.
+  if (is_page(to.size(), offset) && ReadingStep::is_interrupted()) return SQLITE_INTERRUPT;
   const auto end = static_cast<std::size_t>(offset) + to.size();
   if (pages.has_sums() && !is_page(to.size(), offset) && end > kFileHeaderBytes) return read_part(to, offset);
   const int code = RawFile(below).read(to, offset);

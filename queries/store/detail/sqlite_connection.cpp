@@ -4,9 +4,9 @@
 #include <thread>
 #include <utility>
 
-#include "algebra3d/base/interruption_scope.h"
 #include "queries/store/detail/checked_vfs.h"
 #include "queries/store/detail/page_sums.h"
+#include "queries/store/detail/reading_step.h"
 #include "queries/store/detail/sqlite_error.h"
 
 namespace queries {
@@ -119,16 +119,10 @@ bool SqliteConnection::wait_for_lock(int attempt) {
   return true;
 }
 
-thread_local bool SqliteConnection::ReadingStep::reads_ = false;
-
-bool SqliteConnection::ReadingStep::is_to_end() {
-  return reads_ && algebra3d::is_interrupted();
-}
-
 void SqliteConnection::end_when(const std::atomic<bool>* cancel) {
   const auto is_cancelled = [](void* flag) {
     const auto* const own = static_cast<const std::atomic<bool>*>(flag);
-    return (own != nullptr && own->load(std::memory_order_relaxed)) || ReadingStep::is_to_end() ? 1 : 0;
+    return (own != nullptr && own->load(std::memory_order_relaxed)) || ReadingStep::is_interrupted() ? 1 : 0;
   };
   sqlite3_progress_handler(handle_, kStepsBetweenQuestions, is_cancelled,
                            const_cast<std::atomic<bool>*>(cancel));  // NOLINT(cppcoreguidelines-pro-type-const-cast)

@@ -67,21 +67,6 @@ class SqliteConnection {
   /// The pages with wrong checksums that were read since `forget_pages`.
   std::set<PageFault> page_faults() const;
 
-  /// While it exists, SQLite's steps on this thread hear the interruption scope (interruption_scope.h), if they only
-  /// read: SQLite would undo the whole transaction of a step that writes.
-  class ReadingStep {
-   public:
-    explicit ReadingStep(bool reads) : before_(reads_) { reads_ = reads; }
-    ~ReadingStep() { reads_ = before_; }
-    ReadingStep(const ReadingStep&) = delete;
-    ReadingStep& operator=(const ReadingStep&) = delete;
-    static bool is_to_end();
-
-   private:
-    static thread_local bool reads_;  // NOLINT(readability-identifier-naming): a member like others
-    bool before_;
-  };
-
   /// Sets the flag that ends running statements with the error `interrupted`; null for none.
   void end_when(const std::atomic<bool>* cancel);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "algebra3d/base/interruption_scope.h"
+#include "queries/store/detail/reading_step.h"
 #include "queries/store/detail/sqlite_connection.h"
 
 namespace queries {
@@ -116,7 +117,7 @@ SqliteStatement& SqliteStatement::bind(int parameter, RowSink& taker) {
 }
 
 algebra3d::Result<bool> SqliteStatement::step() {
-  const SqliteConnection::ReadingStep reading(sqlite3_stmt_readonly(statement_) != 0);
+  const ReadingStep reading(sqlite3_stmt_readonly(statement_) != 0);
   const int code = bind_code_ == SQLITE_OK ? sqlite3_step(statement_) : bind_code_;
   if (code == SQLITE_ROW) return true;
   if (code == SQLITE_DONE) return false;
