@@ -8,6 +8,7 @@
 
 #include "algebra3d/base/file_content.h"
 #include "algebra3d/base/temporary_folder.h"
+#include "algebra3d/base/without_exceptions.h"
 #include "queries/test_runner/detail/test_file.h"
 #include "queries/test_runner/detail/test_run.h"
 #include "queries/test_runner/detail/text_of_file.h"
@@ -69,7 +70,7 @@ Report run_and_report(const std::string& file, const Registry& registry, TestOpt
       report.lines.push_back(line);
   };
   options.print("== " + file);
-  auto outcome = run_test_file(file, registry, options);
+  auto outcome = algebra3d::without_exceptions([&] { return run_test_file(file, registry, options); });
   if (!outcome) {
     options.print("error: " + outcome.error().message);
     report.summary.failed = 1;

@@ -6,6 +6,7 @@
 #include <deque>
 #include <mutex>
 #include <new>
+#include <shared_mutex>
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -14,6 +15,7 @@
 
 #include "algebra3d/base/input_file.h"
 #include "algebra3d/base/interruption_scope.h"
+#include "algebra3d/base/memory_limit.h"
 #include "algebra3d/types/utf8.h"
 #include "mesh_files/unwritten_file.h"
 
@@ -107,6 +109,7 @@ class FileLoader::Work {
   bool has_event() const;
   bool first_is_running();
   void run(Slot& slot, Slot::Stage stage);
+  Slot::Stage outcome(Slot& slot, Slot::Stage stage);
   Slot::Stage load(Slot& slot);
   bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(); }
 
@@ -114,6 +117,7 @@ class FileLoader::Work {
   const SolidReader reader_;
   const IsKnown is_known_;
   const Options options_;
+  algebra3d::MemoryUser* const memory_user_ = algebra3d::MemoryUser::current();
 
   std::size_t started_ = 0;  // files that have entered the window so far
   std::uint64_t bytes_ = 0;  // listed bytes of the files in the window
@@ -123,6 +127,8 @@ class FileLoader::Work {
   std::mutex mutex_;  // guards the stages and running_
   std::condition_variable changed_;
   int running_ = 0;
+
+  std::shared_mutex turns_;  // held alone by work that found no memory beside others
 
   tbb::global_control threads_;
   tbb::task_arena arena_;
@@ -210,8 +216,7 @@ void FileLoader::Work::run(Slot& slot, Slot::Stage stage) {
     ++running_;
   }
   arena_.enqueue([this, &slot, stage] {
-    Slot::Stage after = Slot::Stage::dropped;
-    if (!stop_.load()) after = stage == Slot::Stage::hashing ? hash(slot, options_.hash_seed, &stop_) : load(slot);
+    const Slot::Stage after = stop_.load() ? Slot::Stage::dropped : outcome(slot, stage);
     // Notified under the lock: once it is released, the destructor may end the life of all this.
     const std::lock_guard lock(mutex_);
     slot.stage = after;
@@ -221,20 +226,19 @@ void FileLoader::Work::run(Slot& slot, Slot::Stage stage) {
 }
 
 // The threads of an arena end the program when an exception leaves them, so none may.
-Slot::Stage FileLoader::Work::load(Slot& slot) {
+Slot::Stage FileLoader::Work::outcome(Slot& slot, Slot::Stage stage) {
   LoadedFile& file = slot.file;
+  const algebra3d::MemoryUserScope memory(memory_user_);
+  const algebra3d::InterruptionScope interruption(&stop_);
+  const auto work = [&] { return stage == Slot::Stage::hashing ? hash(slot, options_.hash_seed, &stop_) : load(slot); };
   try {
-    const algebra3d::InterruptionScope interruption(&stop_);
-    auto result = reader_(slot.listed->path, &stop_);
-    if (result) {
-      file.solid = std::move(result->solid);
-      file.status = without_path(result->status, file.path);
-      file.measures = result->measures;
-      if (!result->was_read) file.identity.reset();
-      return Slot::Stage::ready;
+    try {
+      const std::shared_lock beside_others(turns_);
+      return work();
+    } catch (const algebra3d::MemoryLimitReached&) {
+      const std::unique_lock alone(turns_);
+      return work();
     }
-    if (result.error().code == ErrorCode::interrupted) return Slot::Stage::dropped;
-    file.status = without_path(reason_of(result.error()), file.path);
   } catch (const algebra3d::Interrupted&) {
     return Slot::Stage::dropped;
   } catch (const std::bad_alloc& failure) {
@@ -243,6 +247,22 @@ Slot::Stage FileLoader::Work::load(Slot& slot) {
     file.status = fmt::format("internal error: {}", exception.what());
   }
   file.identity.reset();
+  return stage == Slot::Stage::hashing ? Slot::Stage::hashed : Slot::Stage::ready;
+}
+
+Slot::Stage FileLoader::Work::load(Slot& slot) {
+  LoadedFile& file = slot.file;
+  auto result = reader_(slot.listed->path, &stop_);
+  if (!result && result.error().code == ErrorCode::interrupted) return Slot::Stage::dropped;
+  if (!result) {
+    file.status = without_path(reason_of(result.error()), file.path);
+    file.identity.reset();
+    return Slot::Stage::ready;
+  }
+  file.solid = std::move(result->solid);
+  file.status = without_path(result->status, file.path);
+  file.measures = result->measures;
+  if (!result->was_read) file.identity.reset();
   return Slot::Stage::ready;
 }
 
