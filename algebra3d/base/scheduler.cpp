@@ -5,6 +5,8 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <stdexcept>
+#include <string_view>
 
 #include <pthread.h>
 
@@ -59,6 +61,21 @@ class ForkGuard {
 
 }  // namespace
 
+namespace {
+
+// oneTBB tells nobody but the text that the system had no memory, or no number, for another thread.
+template <typename Work>
+void with_workers(const Work& work) {
+  try {
+    work();
+  } catch (const std::runtime_error& error) {
+    if (std::string_view(error.what()).starts_with("pthread_create")) throw std::bad_alloc();
+    throw;
+  }
+}
+
+}  // namespace
+
 namespace scheduler_detail {
 
 void run_both(const std::function<void()>& first, const std::function<void()>& second) {
@@ -72,27 +89,31 @@ void run_both(const std::function<void()>& first, const std::function<void()>& s
       work();
     };
   };
-  tbb::this_task_arena::isolate([&] {
-    tbb::task_group tasks;
-    tasks.run(rounding_to_nearest(second));
-    tasks.run_and_wait(rounding_to_nearest(first));
+  with_workers([&] {
+    tbb::this_task_arena::isolate([&] {
+      tbb::task_group tasks;
+      tasks.run(rounding_to_nearest(second));
+      tasks.run_and_wait(rounding_to_nearest(first));
+    });
   });
 }
 
 void run_ranges(std::size_t count, std::size_t grain,
                 const std::function<void(std::size_t begin, std::size_t end)>& visit) {
   ForkGuard::prepare();
-  tbb::this_task_arena::isolate([&, scope = detail::interruption_scope] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                      [&, user = MemoryUser::current()](const tbb::blocked_range<std::size_t>& range) {
-                        const MemoryUserScope memory(user);
-                        const NearestRounding rounding;
-                        const AdoptedInterruption interruption(scope);
-                        for (std::size_t begin = range.begin(); begin < range.end(); begin += grain) {
-                          poll_interruption();
-                          visit(begin, std::min(begin + grain, range.end()));
-                        }
-                      });
+  const auto visit_range = [&, scope = detail::interruption_scope,
+                            user = MemoryUser::current()](const tbb::blocked_range<std::size_t>& range) {
+    const MemoryUserScope memory(user);
+    const NearestRounding rounding;
+    const AdoptedInterruption interruption(scope);
+    for (std::size_t begin = range.begin(); begin < range.end(); begin += grain) {
+      poll_interruption();
+      visit(begin, std::min(begin + grain, range.end()));
+    }
+  };
+  with_workers([&] {
+    tbb::this_task_arena::isolate(
+        [&] { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), visit_range); });
   });
 }
 
@@ -101,7 +122,7 @@ void run_ranges(std::size_t count, std::size_t grain,
 void with_threads(int threads, const std::function<void()>& work) {
   ForkGuard::prepare();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::task_arena(threads).execute(work);
+  with_workers([&] { tbb::task_arena(threads).execute(work); });
 }
 
 }  // namespace algebra3d
