@@ -90,6 +90,7 @@ Status Session::run_caught(std::string_view text, const SourcePlace& start, Pres
     ALGEBRA3D_ASSIGN_OR_RETURN(const Command command, parse_command(text, registry_, start, &options_.parameters));
     if (presenter.takes_queries_only() && !std::holds_alternative<Query>(command.content))
       return Error(ErrorCode::type_error, "expected a query; other commands have no value").at(command.place);
+    presenter.begin(command);
     return run(command, presenter, context);
   } catch (const algebra3d::Interrupted&) {
     if (store_ != nullptr) store_->rollback();

@@ -31,6 +31,8 @@ class Presenter {
   Presenter() = default;
   Presenter(const Presenter&) = delete;
   Presenter& operator=(const Presenter&) = delete;
+  /// Receives the statement once it is read, before it runs; not called for one with a syntax error.
+  virtual void begin(const Command& /*command*/) {}
   /// Receives the result of a query.
   virtual Status present(const TypeExpr& type, const Datum& value, Context& context) = 0;
   /// Receives the result list of an inquiry, `(inquiry (...))`.

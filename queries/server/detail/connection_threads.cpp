@@ -1,6 +1,7 @@
 #include "queries/server/detail/connection_threads.h"
 
 #include <algorithm>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -34,7 +35,11 @@ void ConnectionThreads::work() {
     const std::function<void()> task = std::move(tasks_.front());
     tasks_.pop_front();
     lock.unlock();
-    task();
+    try {
+      task();
+    } catch (const std::bad_alloc&) {
+      // There is no memory for this request: its connection is closed, and the others go on.
+    }
     lock.lock();
   }
 }

@@ -5,7 +5,6 @@
 #include <sstream>
 #include <utility>
 
-#include "queries/language/parser.h"
 #include "queries/server/detail/result_json.h"
 
 namespace queries {
@@ -26,9 +25,9 @@ Execution::Execution(StatementRequest request, algebra3d::WorkingFolder folder)
 /// Makes the answer of a statement from its result.
 class Execution::ResultPresenter final : public Presenter {
  public:
-  ResultPresenter(Execution& execution, Session& session, bool is_query)
-      : execution_(execution), session_(session), is_query_(is_query) {}
+  ResultPresenter(Execution& execution, Session& session) : execution_(execution), session_(session) {}
 
+  void begin(const Command& command) override { is_query_ = std::holds_alternative<Query>(command.content); }
   Status present(const TypeExpr& type, const Datum& value, Context& context) override;
   Status present_inquiry(const NestedList& result) override;
   bool takes_streams() const override { return true; }
@@ -42,7 +41,7 @@ class Execution::ResultPresenter final : public Presenter {
 
   Execution& execution_;
   Session& session_;
-  bool is_query_;
+  bool is_query_ = false;
   StatementAnswer answer_;
   std::optional<ResultTable> table_;  // of a result that outlives its statement
 };
@@ -110,11 +109,23 @@ Status Execution::ResultPresenter::present_inquiry(const NestedList& result) {
 }
 
 void Execution::run(Session& session) {
+  const Status status = algebra3d::without_exceptions([&]() -> Status {
+    run_statement(session);
+    return {};
+  });
+  if (!status) answer(status.error());
+  const std::lock_guard lock(mutex_);
+  is_over_ = true;
+  is_to_leave_ = false;
+  questions_.clear();
+  changed_.notify_all();
+}
+
+void Execution::run_statement(Session& session) {
   algebra3d::MemoryUser user;
   const algebra3d::MemoryUserScope scope(&user);
   session.set_parameters(request_.parameters);
-  const auto command = parse_command(request_.text, session.registry(), {"", 1, 1}, &request_.parameters);
-  ResultPresenter presenter(*this, session, command && std::holds_alternative<Query>(command->content));
+  ResultPresenter presenter(*this, session);
   algebra3d::Diagnostics diagnostics;
   const algebra3d::Monitor::Report report = [this](const std::string& how_far) { note_progress(how_far); };
   Context context{.diagnostics = diagnostics, .cancel = &is_cancelled_, .folder = folder_, .report = &report};
@@ -128,11 +139,6 @@ void Execution::run(Session& session) {
   answer(status ? Result<StatementAnswer>(given) : is_interrupted ? interruption() : status.error());
   end_leaving();
   while (status && presenter.table() && serve(*presenter.table())) end_leaving();
-  const std::lock_guard lock(mutex_);
-  is_over_ = true;
-  is_to_leave_ = false;
-  questions_.clear();
-  changed_.notify_all();
 }
 
 std::vector<std::string> Execution::summary_of(const algebra3d::Diagnostics& diagnostics) const {

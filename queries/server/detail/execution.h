@@ -83,6 +83,8 @@ class Execution {
 
  private:
   class ResultPresenter;
+
+  void run_statement(Session& session);
   using Cancel = std::shared_ptr<std::atomic<bool>>;
   struct Question {
     std::function<void(ResultTable&)> work;

@@ -8,6 +8,7 @@
 
 #include "algebra3d/base/diagnostics.h"
 #include "algebra3d/base/memory_limit.h"
+#include "algebra3d/base/without_exceptions.h"
 #include "algebra3d/types/utf8.h"
 #include "queries/language/parser.h"
 #include "queries/shell/detail/interruption.h"
@@ -61,7 +62,8 @@ bool read_line(std::istream& script, std::string& line) {
 }
 
 std::optional<TransactionStep::Step> transaction_step(const CommandText& command, const algebra3d::Registry& registry) {
-  const auto parsed = parse_command(command.text, registry, command.start);
+  const auto parsed =
+      algebra3d::without_exceptions([&] { return parse_command(command.text, registry, command.start); });
   const auto* step = parsed ? std::get_if<TransactionStep>(&parsed->content) : nullptr;
   return step != nullptr ? std::optional(step->step) : std::nullopt;
 }
