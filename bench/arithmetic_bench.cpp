@@ -1,5 +1,5 @@
-// The arithmetic of algebra3d/exact beside GMP's C++ interface and Boost: the same numbers, the same formulas, the same
-// run. Figures and what follows from them: docs/decisions/0013.
+// The arithmetic of algebra3d/kernel/exact beside GMP's C++ interface and Boost: the same numbers, the same formulas,
+// the same run. Figures and what follows from them: docs/decisions/0013.
 
 #include <array>
 #include <cstdint>
@@ -11,11 +11,11 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/numeric/interval.hpp>
 
-#include "algebra3d/exact/detail/exact_sum_wide.h"
-#include "algebra3d/exact/detail/homogeneous.h"
-#include "algebra3d/exact/expansion.h"
-#include "algebra3d/exact/interval.h"
-#include "algebra3d/exact/rational.h"
+#include "algebra3d/kernel/exact/detail/exact_sum_wide.h"
+#include "algebra3d/kernel/exact/detail/homogeneous.h"
+#include "algebra3d/kernel/exact/expansion.h"
+#include "algebra3d/kernel/exact/interval.h"
+#include "algebra3d/kernel/exact/rational.h"
 
 namespace algebra3d {
 namespace {

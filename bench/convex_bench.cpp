@@ -16,10 +16,10 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/convex/bounding_cylinder.h"
-#include "algebra3d/convex/convex_hull.h"
-#include "algebra3d/convex/enclosing_ball.h"
-#include "algebra3d/convex/minimal_box.h"
+#include "algebra3d/kernel/convex/bounding_cylinder.h"
+#include "algebra3d/kernel/convex/convex_hull.h"
+#include "algebra3d/kernel/convex/enclosing_ball.h"
+#include "algebra3d/kernel/convex/minimal_box.h"
 
 namespace {
 

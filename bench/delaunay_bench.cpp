@@ -13,10 +13,10 @@
 #include <cmath>
 #include <random>
 
-#include "algebra3d/planar/boundary_polygons.h"
-#include "algebra3d/planar/constrained_delaunay.h"
-#include "algebra3d/planar/noding.h"
-#include "algebra3d/planar/polygon_validity.h"
+#include "algebra3d/kernel/planar/boundary_polygons.h"
+#include "algebra3d/kernel/planar/constrained_delaunay.h"
+#include "algebra3d/kernel/planar/noding.h"
+#include "algebra3d/kernel/planar/polygon_validity.h"
 #include "support/plane_shapes.h"
 
 namespace {

@@ -15,13 +15,13 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/display/glb.h"
-#include "algebra3d/display/levels_of_detail.h"
-#include "algebra3d/display/shape_of_value.h"
-#include "algebra3d/display/triangle_tree.h"
-#include "algebra3d/soup/spatial_order.h"
-#include "algebra3d/types/codec.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/kernel/soup/spatial_order.h"
+#include "algebra3d/values/display/glb.h"
+#include "algebra3d/values/display/levels_of_detail.h"
+#include "algebra3d/values/display/shape_of_value.h"
+#include "algebra3d/values/display/triangle_tree.h"
+#include "algebra3d/values/types/codec.h"
+#include "algebra3d/values/types/spatial.h"
 #include "shapes.h"
 
 namespace {
@@ -32,7 +32,7 @@ const Value& solid(const benchmark::State& state) {
   static std::map<std::int64_t, Value> solids;
   const std::int64_t frequency = state.range(0);
   if (const auto found = solids.find(frequency); found != solids.end()) return found->second;
-  bench::Shape shape = bench::sphere(static_cast<std::uint32_t>(frequency));
+  bench::DrawnShape shape = bench::sphere(static_cast<std::uint32_t>(frequency));
   for (algebra3d::Vec3& p : shape.points)
     p = (1 + 0.05 * std::sin(7 * p.x) * std::cos(9 * p.y) + 0.01 * std::sin(31 * p.z + 20 * p.x)) * p;
   const algebra3d::TriangleMesh mesh(algebra3d::PointArray(std::move(shape.points)), shape.triangles);
@@ -54,10 +54,10 @@ void whole_shape(benchmark::State& state) {
 }
 
 void search_tree(benchmark::State& state) {
-  const algebra3d::Shape shape = *algebra3d::shape_of(solid(state));
+  const algebra3d::DrawnShape shape = *algebra3d::shape_of(solid(state));
   for (auto step : state) {
     state.PauseTiming();
-    algebra3d::Shape copy = shape;
+    algebra3d::DrawnShape copy = shape;
     state.ResumeTiming();
     algebra3d::add_tree(copy);
     state.counters["moved"] = copy.face_ids.empty() ? 0 : 1;
@@ -65,7 +65,7 @@ void search_tree(benchmark::State& state) {
 }
 
 void file(benchmark::State& state) {
-  algebra3d::Shape shape = *algebra3d::shape_of(solid(state));
+  algebra3d::DrawnShape shape = *algebra3d::shape_of(solid(state));
   algebra3d::add_tree(shape);
   const std::array<algebra3d::GlbNode, 1> nodes = {{{0, &shape}}};
   for (auto step : state) {
@@ -100,15 +100,15 @@ BENCHMARK(levels)->Apply(models);
 #ifdef BENCH_WITH_MESHOPTIMIZER
 /// Positions and indices only: neither normals nor edges.
 void meshoptimizer_sloppy(benchmark::State& state) {
-  const algebra3d::Shape shape = *algebra3d::shape_of(solid(state));
+  const algebra3d::DrawnShape shape = *algebra3d::shape_of(solid(state));
   std::vector<unsigned> result(3 * shape.triangles.size());
   for (auto step : state)
     for (const std::size_t count : kCounts) {
       float error = 0;
-      const std::size_t indices =
-          meshopt_simplifySloppy(result.data(), shape.triangles.front().data(), 3 * shape.triangles.size(),
-                                 shape.positions.front().data(), shape.positions.size(),
-                                 sizeof(algebra3d::Shape::Position), std::min(3 * count, result.size()), 1e30F, &error);
+      const std::size_t indices = meshopt_simplifySloppy(
+          result.data(), shape.triangles.front().data(), 3 * shape.triangles.size(), shape.positions.front().data(),
+          shape.positions.size(), sizeof(algebra3d::DrawnShape::Position), std::min(3 * count, result.size()), 1e30F,
+          &error);
       const std::string name = std::to_string(count);
       state.counters[name] = static_cast<double>(indices / 3);
     }

@@ -14,7 +14,7 @@
 #include <memory>
 #include <numbers>
 
-#include "algebra3d/distance/distance.h"
+#include "algebra3d/kernel/distance/distance.h"
 #include "shapes.h"
 
 namespace {

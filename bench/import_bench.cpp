@@ -14,8 +14,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "algebra3d/formats/import_solid.h"
-#include "algebra3d/soup/weld.h"
+#include "algebra3d/kernel/soup/weld.h"
+#include "algebra3d/values/conversions/import_solid.h"
 #include "import_files.h"
 #include "import_peers.h"
 

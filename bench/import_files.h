@@ -13,13 +13,13 @@
 
 #include <unistd.h>
 
-#include "algebra3d/base/box_corners.h"
-#include "algebra3d/base/polygon_soup.h"
-#include "algebra3d/base/triangle_soup.h"
-#include "mesh_files/obj/obj_writer.h"
-#include "mesh_files/off/off_writer.h"
-#include "mesh_files/stl/stl_writer.h"
+#include "base/box_corners.h"
+#include "base/polygon_soup.h"
+#include "base/triangle_soup.h"
+#include "mesh_formats/obj/obj_writer.h"
+#include "mesh_formats/off/off_writer.h"
 #include "removed_file.h"
+#include "stl/stl_writer.h"
 
 /// Mesh files for import_bench: a knobbly torus, clean or with defects at places that are spread over it evenly.
 namespace bench {
@@ -143,9 +143,9 @@ class TemporaryFile : public RemovedFile {
   /// Of a clean torus.
   TemporaryFile(Format format, std::uint32_t steps) : RemovedFile(path_for(format)) {
     const Torus torus(steps);
-    if (format == Format::obj) set_written(mesh_files::write_obj_file(path(), torus.polygons(), "torus").ok());
+    if (format == Format::obj) set_written(mesh_formats::write_obj_file(path(), torus.polygons(), "torus").ok());
     if (format == Format::off)
-      set_written(mesh_files::write_off_file(path(), torus.polygons(), mesh_files::Encoding::ascii).ok());
+      set_written(mesh_formats::write_off_file(path(), torus.polygons(), mesh_formats::Encoding::ascii).ok());
     if (format == Format::stl || format == Format::ascii_stl) write_stl(format, faulty_torus(steps, Defect::all, 0));
   }
   /// Of triangles, as binary STL.
@@ -159,8 +159,8 @@ class TemporaryFile : public RemovedFile {
     return std::filesystem::temp_directory_path() / ("import_bench_" + std::to_string(getpid()) + ending);
   }
   void write_stl(Format format, const TriangleSoup& soup) {
-    const auto form = format == Format::ascii_stl ? mesh_files::Encoding::ascii : mesh_files::Encoding::binary;
-    set_written(mesh_files::write_stl_file(path(), soup, "torus", form).ok());
+    const auto form = format == Format::ascii_stl ? mesh_formats::Encoding::ascii : mesh_formats::Encoding::binary;
+    set_written(mesh_formats::write_stl_file(path(), soup, "torus", form).ok());
   }
 };
 

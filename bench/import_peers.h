@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "algebra3d/base/triangle_soup.h"
+#include "base/triangle_soup.h"
 
 /// What other programs make of a mesh file. CGAL is always there; admesh and assimp are if CMake found them
 /// (BENCH_WITH_ADMESH, BENCH_WITH_ASSIMP).

@@ -15,8 +15,8 @@
 #include <random>
 #include <vector>
 
-#include "algebra3d/measures/hausdorff_distance.h"
-#include "algebra3d/measures/ray_hits.h"
+#include "algebra3d/values/measures/hausdorff_distance.h"
+#include "algebra3d/values/measures/ray_hits.h"
 #include "cgal_mesh.h"
 #include "shapes.h"
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/normals.h"
-#include "algebra3d/operators/all.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/normals.h"
+#include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
 #include "shapes.h"
 
 namespace {

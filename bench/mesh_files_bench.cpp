@@ -18,13 +18,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include "mesh_files/obj/obj_reader.h"
-#include "mesh_files/obj/obj_writer.h"
-#include "mesh_files/off/off_reader.h"
-#include "mesh_files/off/off_writer.h"
-#include "mesh_files/stl/stl_reader.h"
-#include "mesh_files/stl/stl_writer.h"
+#include "mesh_formats/obj/obj_reader.h"
+#include "mesh_formats/obj/obj_writer.h"
+#include "mesh_formats/off/off_reader.h"
+#include "mesh_formats/off/off_writer.h"
 #include "removed_file.h"
+#include "stl/stl_reader.h"
+#include "stl/stl_writer.h"
 
 namespace {
 
@@ -94,16 +94,16 @@ bool write_stl_with_decimals(const std::filesystem::path& path, const algebra3d:
 bool write_stl_with_all_digits(const std::filesystem::path& path, const algebra3d::PolygonSoup& soup) {
   algebra3d::TriangleSoup triangles;
   for (std::size_t i = 0; i < soup.face_count(); ++i) triangles.triangles.push_back(triangle_of(soup, i));
-  return mesh_files::write_stl_file(path, triangles, "torus", mesh_files::Encoding::ascii).ok();
+  return mesh_formats::write_stl_file(path, triangles, "torus", mesh_formats::Encoding::ascii).ok();
 }
 
 bool write(FileKind kind, const std::filesystem::path& path, const algebra3d::PolygonSoup& soup) {
   if (kind == FileKind::stl) return write_stl_with_decimals(path, soup);
   if (kind == FileKind::stl_all_digits) return write_stl_with_all_digits(path, soup);
-  if (kind == FileKind::obj) return mesh_files::write_obj_file(path, soup, "torus").ok();
+  if (kind == FileKind::obj) return mesh_formats::write_obj_file(path, soup, "torus").ok();
   if (kind == FileKind::obj_with_attributes) return write_with_attributes(path, soup);
-  const auto format = kind == FileKind::off ? mesh_files::Encoding::ascii : mesh_files::Encoding::binary;
-  return mesh_files::write_off_file(path, soup, format).ok();
+  const auto format = kind == FileKind::off ? mesh_formats::Encoding::ascii : mesh_formats::Encoding::binary;
+  return mesh_formats::write_off_file(path, soup, format).ok();
 }
 
 bool is_stl(FileKind kind) {
@@ -128,10 +128,10 @@ class TorusFile : public RemovedFile {
 /// The number of faces that we read, 0 for an error.
 std::size_t faces_read(FileKind kind, const std::filesystem::path& path) {
   if (is_stl(kind)) {
-    const auto read = mesh_files::read_stl_file(path);
+    const auto read = mesh_formats::read_stl_file(path);
     return read ? read->soup.triangles.size() : 0;
   }
-  const auto read = is_obj(kind) ? mesh_files::read_obj_file(path) : mesh_files::read_off_file(path);
+  const auto read = is_obj(kind) ? mesh_formats::read_obj_file(path) : mesh_formats::read_off_file(path);
   return read ? read->soup.face_count() : 0;
 }
 

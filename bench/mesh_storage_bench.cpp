@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/soup/spatial_order.h"
-#include "algebra3d/types/codec.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/kernel/soup/spatial_order.h"
+#include "algebra3d/values/types/codec.h"
+#include "algebra3d/values/types/spatial.h"
+#include "base/scheduler.h"
 #include "models.h"
 #include "shapes.h"
 

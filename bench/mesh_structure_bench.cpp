@@ -23,11 +23,11 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/normals.h"
-#include "algebra3d/halfedge/polygon_mesh.h"
-#include "algebra3d/soup/spatial_order.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/normals.h"
+#include "algebra3d/kernel/halfedge/polygon_mesh.h"
+#include "algebra3d/kernel/soup/spatial_order.h"
+#include "base/scheduler.h"
 #include "indexed_faces.h"
 
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "algebra3d/base/box3.h"
-#include "algebra3d/repair/solid_from_soup.h"
-#include "mesh_files/stl/stl_reader.h"
+#include "algebra3d/kernel/repair/solid_from_soup.h"
 #include "shapes.h"
+#include "stl/stl_reader.h"
 
 /// Real files that several benchmarks use.
 namespace bench {
@@ -23,7 +23,7 @@ inline const std::vector<Shape>& models() {
     const char* names = std::getenv("ALGEBRA3D_MODELS");
     std::istringstream list(names != nullptr ? names : "");
     for (std::string name; std::getline(list, name, ':');) {
-      const auto file = mesh_files::read_stl_file(name);
+      const auto file = mesh_formats::read_stl_file(name);
       if (!file.ok()) continue;
       const auto solid = algebra3d::solid_from_soup(file->soup);
       if (!solid.ok() || !solid->mesh) continue;

@@ -8,7 +8,7 @@
 #include <CGAL/intersections.h>
 #include <benchmark/benchmark.h>
 
-#include "algebra3d/exact/predicates.h"
+#include "algebra3d/kernel/exact/predicates.h"
 
 namespace algebra3d {
 namespace {

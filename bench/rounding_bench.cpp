@@ -7,9 +7,9 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
-#include "algebra3d/arrangement/divide_and_conquer.h"
-#include "algebra3d/rounding/rounded_solid.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/arrangement/divide_and_conquer.h"
+#include "algebra3d/kernel/rounding/rounded_solid.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "cgal_mesh.h"
 #include "models.h"
 #include "shapes.h"

@@ -13,10 +13,10 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/arrangement/divide_and_conquer.h"
-#include "algebra3d/geometry/shape_access.h"
-#include "algebra3d/halfedge/boxes.h"
-#include "algebra3d/rounding/rounded_solid.h"
+#include "algebra3d/kernel/arrangement/divide_and_conquer.h"
+#include "algebra3d/kernel/rounding/rounded_solid.h"
+#include "algebra3d/kernel/search/boxes.h"
+#include "algebra3d/library/shape_access.h"
 #include "models.h"
 #include "rounding_chains.h"
 #include "shapes.h"

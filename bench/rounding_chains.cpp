@@ -14,10 +14,10 @@
 #include <fmt/format.h>
 #include <sys/time.h>
 
-#include "algebra3d/geometry/detail/operator_call.h"
-#include "algebra3d/geometry/shape_access.h"
-#include "algebra3d/halfedge/boxes.h"
-#include "algebra3d/rounding/rounded_solid.h"
+#include "algebra3d/kernel/rounding/rounded_solid.h"
+#include "algebra3d/kernel/search/boxes.h"
+#include "algebra3d/library/detail/operator_call.h"
+#include "algebra3d/library/shape_access.h"
 
 namespace bench {
 namespace {

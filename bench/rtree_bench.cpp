@@ -11,7 +11,7 @@
 #include <map>
 #include <random>
 
-#include "algebra3d/base/scheduler.h"
+#include "base/scheduler.h"
 #include "grid_sweep.h"
 #include "rtree/rtree.h"
 

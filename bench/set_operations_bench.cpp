@@ -15,9 +15,9 @@
 #include <optional>
 #include <random>
 
-#include "algebra3d/arrangement/arrangement.h"
-#include "algebra3d/arrangement/divide_and_conquer.h"
-#include "algebra3d/base/scheduler.h"
+#include "algebra3d/kernel/arrangement/arrangement.h"
+#include "algebra3d/kernel/arrangement/divide_and_conquer.h"
+#include "base/scheduler.h"
 #include "cgal_mesh.h"
 #include "models.h"
 #include "page_faults.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 /// Shapes that several benchmarks use.
 namespace bench {

@@ -30,10 +30,10 @@
 #include <random>
 #include <string>
 
-#include "algebra3d/distance/farthest_point.h"
-#include "algebra3d/halfedge/topology.h"
-#include "algebra3d/simplification/simplification.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/distance/farthest_point.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/simplification/simplification.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "indexed_faces.h"
 #include "models.h"
 #include "shapes.h"

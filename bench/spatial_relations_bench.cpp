@@ -13,8 +13,8 @@
 #include <random>
 #include <vector>
 
-#include "algebra3d/spatial_relations/point_location.h"
-#include "algebra3d/spatial_relations/relation.h"
+#include "algebra3d/values/spatial_relations/point_location.h"
+#include "algebra3d/values/spatial_relations/relation.h"
 #include "cgal_mesh.h"
 #include "shapes.h"
 

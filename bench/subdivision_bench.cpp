@@ -18,8 +18,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/subdivision/subdivided.h"
+#include "algebra3d/kernel/subdivision/subdivided.h"
+#include "base/scheduler.h"
 #include "indexed_faces.h"
 
 namespace {

@@ -13,8 +13,8 @@
 #include <numbers>
 #include <random>
 
-#include "algebra3d/validity/star_shape.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/validity/star_shape.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "cgal_mesh.h"
 #include "shapes.h"
 

@@ -1,18 +1,26 @@
-# add_layer(NAME FOLDER folder [USES layer...] [LIBRARIES lib...])
+# add_layer(NAME FOLDER folder [PUBLIC folder] [USES layer...] [LIBRARIES lib...])
 #
 # The library algebra3d_NAME of all sources in `folder` and the folders in it. Its headers are reached through an include
 # folder that holds nothing but a link to `folder`; so a source compiles only if each of its includes lies in its own
 # layer or in one that it uses. A folder without sources gives a layer of headers; a folder that is not there gives none.
+# PUBLIC is a folder below include/ with headers of the layer that users of the libraries include.
 # LIBRARIES are names of algebra3d-dependencies.cmake.
 function(add_layer name)
-  cmake_parse_arguments(layer "" "FOLDER" "USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(layer "" "FOLDER;PUBLIC" "USES;LIBRARIES" ${ARGN})
   set(view ${PROJECT_BINARY_DIR}/include/${name})
-  cmake_path(GET layer_FOLDER PARENT_PATH parent)
-  file(MAKE_DIRECTORY ${view}/${parent})
-  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${layer_FOLDER} ${view}/${layer_FOLDER} SYMBOLIC)
+  foreach(folder ${layer_FOLDER} ${layer_PUBLIC})
+    string(REGEX REPLACE "^include/" "" place ${folder})
+    cmake_path(GET place PARENT_PATH parent)
+    file(MAKE_DIRECTORY ${view}/${parent})
+    file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${view}/${place} SYMBOLIC)
+  endforeach()
 
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer_FOLDER}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer_FOLDER}/*.h)
+  if(layer_PUBLIC)
+    file(GLOB_RECURSE public_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer_PUBLIC}/*.h)
+    list(APPEND headers ${public_headers})
+  endif()
   set(target algebra3d_${name})
   if(sources)
     joined_sources(units ${target} ${PROJECT_SOURCE_DIR} ${sources})

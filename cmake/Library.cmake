@@ -10,12 +10,12 @@ set(ALGEBRA3D_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/algebra3d)
 configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/base/algebra3d/version.h)
 configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/public/algebra3d/version.h)
 
-# add_public_library(NAME [USES library...] HEADERS file...)
+# add_public_library(NAME [USES library...] FOLDERS folder...)
 #
-# The library algebra3d::NAME of the layer NAME and those below it, without those of the libraries that it uses. HEADERS
-# are those that its users may include, from the folder algebra3d/ on.
+# The library algebra3d::NAME of the layer NAME and those below it, without those of the libraries that it uses. FOLDERS
+# of include/algebra3d hold the headers that its users may include.
 function(add_public_library name)
-  cmake_parse_arguments(library "" "" "USES;HEADERS" ${ARGN})
+  cmake_parse_arguments(library "" "" "USES;FOLDERS" ${ARGN})
   set(target algebra3d_${name}_library)
   set(uses ${library_USES})
   list(TRANSFORM uses REPLACE "(.+)" "algebra3d_\\1_library")
@@ -47,13 +47,10 @@ function(add_public_library name)
   set_property(GLOBAL APPEND PROPERTY ALGEBRA3D_PUBLIC_LIBRARIES ${name})
 
   # A user sees only these, wherever the library comes from.
-  foreach(header ${library_HEADERS})
-    cmake_path(GET header PARENT_PATH folder)
-    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/public/algebra3d/${folder})
-    file(CREATE_LINK ${PROJECT_SOURCE_DIR}/algebra3d/${header} ${PROJECT_BINARY_DIR}/public/algebra3d/${header} SYMBOLIC)
+  foreach(folder ${library_FOLDERS})
+    file(CREATE_LINK ${PROJECT_SOURCE_DIR}/include/algebra3d/${folder} ${PROJECT_BINARY_DIR}/public/algebra3d/${folder} SYMBOLIC)
     if(ALGEBRA3D_INSTALL)
-      install(FILES algebra3d/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/algebra3d/${folder}
-              COMPONENT development)
+      install(DIRECTORY include/algebra3d/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/algebra3d COMPONENT development)
     endif()
   endforeach()
   if(ALGEBRA3D_INSTALL)
@@ -100,10 +97,8 @@ function(write_pkg_config_file name libraries modules)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${folder} COMPONENT development)
 endfunction()
 
-add_public_library(geometry HEADERS
-                   base/error.h base/vec3.h base/box3.h base/monitor.h
-                   geometry/shape.h geometry/solid.h geometry/surface.h geometry/mesh_files.h geometry/box_index.h)
-add_public_library(database USES geometry HEADERS database/database.h database/rows.h database/value.h)
+add_public_library(geometry FOLDERS base geometry)
+add_public_library(database USES geometry FOLDERS database)
 
 # What find_package(algebra3d) and `pkg-config algebra3d` read.
 if(ALGEBRA3D_INSTALL)

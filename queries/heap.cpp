@@ -1,5 +1,5 @@
 // The allocation functions of the program: they count the heap and refuse what exceeds a memory limit
-// (algebra3d/base/memory_limit.h). A matter of the program: a library must leave them to its host.
+// (base/memory_limit.h). A matter of the program: a library must leave them to its host.
 //
 // The size of a block is what malloc says, so that nothing is stored beside it; it is counted after it was allocated,
 // which takes no memory as long as nobody touches it. With a sanitizer malloc is the sanitizer's.
@@ -9,7 +9,7 @@
 
 #include <malloc.h>
 
-#include "algebra3d/base/memory_limit.h"
+#include "base/memory_limit.h"
 
 namespace {
 

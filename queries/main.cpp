@@ -4,7 +4,7 @@
 #include <malloc.h>
 #endif
 
-#include "algebra3d/exact/number_memory.h"
+#include "algebra3d/kernel/exact/number_memory.h"
 #include "queries/shell/program.h"
 #include "queries/store/sqlite_memory.h"
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "algebra3d/base/scheduler.h"
+#include "base/scheduler.h"
 #include "rtree/detail/cursors.h"
 #include "rtree/detail/translation.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
 #include "mesh_structures/structure.h"
 
 namespace bench::structures {

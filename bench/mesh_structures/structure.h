@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "algebra3d/base/vec3.h"
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 /// The data structures for triangle meshes that [campagna1998] compares, for closed manifold meshes; the library has
 /// only one of them, directed edges that are "small". A structure is made of a TriangleMesh, keeps its numbers of

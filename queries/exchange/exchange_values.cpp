@@ -6,16 +6,16 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/diagnostics.h"
-#include "algebra3d/constructions/mesh_conversions.h"
-#include "algebra3d/formats/export_solid.h"
-#include "algebra3d/formats/mesh3d_files.h"
-#include "algebra3d/types/coordinate_text.h"
-#include "algebra3d/types/mesh3d.h"
-#include "algebra3d/types/nested_relation.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
-#include "mesh_files/mesh_format.h"
+#include "algebra3d/values/constructions/mesh_conversions.h"
+#include "algebra3d/values/conversions/export_solid.h"
+#include "algebra3d/values/conversions/mesh3d_files.h"
+#include "algebra3d/values/types/coordinate_text.h"
+#include "algebra3d/values/types/mesh3d.h"
+#include "algebra3d/values/types/nested_relation.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
+#include "base/diagnostics.h"
+#include "mesh_formats/mesh_format.h"
 #include "queries/exchange/json_text.h"
 
 namespace queries {
@@ -42,7 +42,7 @@ NestedList with_doubles(NestedList list) {
 
 /// The form of mesh files with that ending, which there is.
 algebra3d::MeshFileForm form_of_ending(const std::string& ending) {
-  const mesh_files::MeshFormat* const format = mesh_files::known_mesh_formats().of_name("x." + ending);
+  const mesh_formats::MeshFormat* const format = mesh_formats::known_mesh_formats().of_name("x." + ending);
   return {format, format->forms.front().encoding};
 }
 

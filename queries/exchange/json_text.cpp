@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/number_text.h"
+#include "base/number_text.h"
 
 namespace queries {
 

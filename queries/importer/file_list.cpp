@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/types/utf8.h"
-#include "mesh_files/mesh_formats.h"
+#include "algebra3d/values/types/utf8.h"
+#include "mesh_formats/mesh_formats.h"
 
 namespace queries {
 namespace {
@@ -32,7 +32,7 @@ std::string ending_of(const fs::path& path) {
 }
 
 bool has_mesh_ending(const fs::path& path) {
-  return mesh_files::known_mesh_formats().of_name(path.string()) != nullptr;
+  return mesh_formats::known_mesh_formats().of_name(path.string()) != nullptr;
 }
 
 fs::path without_last_slash(const fs::path& path) {
@@ -180,7 +180,7 @@ Result<FileList> list_files(std::span<const std::string> paths) {
     return Error{ErrorCode::io_error, "{}, and there is no other file to import", list.unread_folders.front()};
   return Error{ErrorCode::file_missing, "there is no file to import: no file below {} ends in {}{}",
                paths.size() == 1 ? path_text(paths.front()) : "the given folders",
-               mesh_files::known_mesh_formats().endings("or"),
+               mesh_formats::known_mesh_formats().endings("or"),
                list.skipped.empty() ? "" : fmt::format(" (but {})", skipped_text(list.skipped))};
 }
 

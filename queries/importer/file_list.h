@@ -33,7 +33,7 @@ struct FileList {
 std::string skipped_text(const std::map<std::string, std::uint64_t>& skipped);
 
 /// Expands `paths` to files. A folder stands for all files below it with endings of mesh files
-/// (mesh_files/mesh_formats.h); symbolic links to folders are not followed. A file given by name or by a pattern is
+/// (mesh_formats/mesh_formats.h); symbolic links to folders are not followed. A file given by name or by a pattern is
 /// listed whatever its ending. An existing path is never treated as a pattern. Errors: file_missing for a path that
 /// does not exist, a pattern without matches, or no files at all; wrong_usage for a path that is neither file nor
 /// folder.

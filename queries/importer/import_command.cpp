@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "algebra3d/base/number_text.h"
-#include "mesh_files/mesh_formats.h"
+#include "base/number_text.h"
+#include "mesh_formats/mesh_formats.h"
 
 namespace queries {
 namespace {
@@ -69,7 +69,7 @@ void add_repair_options(CLI::App& app, algebra3d::RepairOptions& repair) {
 }
 
 CLI::App* add_import_command(CLI::App& app, ImportOptions& options) {
-  const mesh_files::MeshFormats& formats = mesh_files::known_mesh_formats();
+  const mesh_formats::MeshFormats& formats = mesh_formats::known_mesh_formats();
   CLI::App* import = app.add_subcommand(
       "import", fmt::format("Import folders of {} files into a relation of solids", formats.names("and")));
   import->add_option("--db", options.database, "Database file; created if it does not exist")

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/repair/repair_options.h"
+#include "algebra3d/kernel/repair/repair_options.h"
 
 namespace queries {
 

@@ -13,8 +13,8 @@
 #include <tbb/info.h>
 #include <xxhash.h>
 
-#include "algebra3d/base/memory_limit.h"
-#include "algebra3d/formats/import_solid.h"
+#include "algebra3d/values/conversions/import_solid.h"
+#include "base/memory_limit.h"
 #include "queries/importer/detail/import_summary.h"
 #include "queries/importer/detail/progress_display.h"
 #include "queries/importer/detail/relation_writer.h"
@@ -123,12 +123,10 @@ Status Import::take_in(const FileList& list) {
   const int jobs = options_.jobs > 0 ? options_.jobs : tbb::info::default_concurrency();
   // Solids that wait take a few times the bytes of their files.
   const std::uint64_t largest_window = std::min(FileLoader::Options().max_bytes, algebra3d::memory_left() / 16);
-  FileLoader loader(list.files, host_.reader ? host_.reader : solid_reader(options_.repair),
-                    [&](const Store::ImportedFile& file) { return writer.is_known(file); },
-                    {.jobs = jobs,
-                     .max_bytes = largest_window,
-                     .cancel = host_.cancel,
-                     .hash_seed = seed_of(options_.repair)});
+  FileLoader loader(
+      list.files, host_.reader ? host_.reader : solid_reader(options_.repair),
+      [&](const Store::ImportedFile& file) { return writer.is_known(file); },
+      {.jobs = jobs, .max_bytes = largest_window, .cancel = host_.cancel, .hash_seed = seed_of(options_.repair)});
   Status status = pump(loader, writer);
   if (status && options_.drops_gone && !was_interrupted_) status = drop_gone(list, writer);
   if (status) status = writer.commit();

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <ostream>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/importer/detail/file_loader.h"
 #include "queries/importer/import_options.h"
 

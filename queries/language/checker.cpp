@@ -1,6 +1,6 @@
 #include "queries/language/checker.h"
 
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/streams/value_operators.h"
 
 namespace queries {

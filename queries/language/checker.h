@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/language/plan_recorder.h"
 #include "queries/language/typed_tree.h"
 

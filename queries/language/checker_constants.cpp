@@ -1,9 +1,9 @@
 // The part of the checker that makes constants and resolves types.
 #include <algorithm>
 
-#include "algebra3d/base/diagnostics.h"
-#include "algebra3d/types/nested_relation.h"
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/nested_relation.h"
+#include "algebra3d/values/types/utf8.h"
+#include "base/diagnostics.h"
 #include "queries/language/checker.h"
 #include "queries/language/list_pieces.h"
 #include "queries/streams/relation.h"

@@ -1,6 +1,6 @@
 // The part of the checker that makes functions, and calls of functions.
-#include "algebra3d/registry/conversion.h"
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/conversion.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/language/checker.h"
 
 namespace queries {

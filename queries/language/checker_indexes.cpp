@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "algebra3d/base/diagnostics.h"
+#include "base/diagnostics.h"
 #include "queries/language/checker.h"
 #include "queries/language/index_condition.h"
 #include "queries/language/index_feed.h"

@@ -3,7 +3,7 @@
 
 #include <fmt/ranges.h>
 
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/language/checker.h"
 
 namespace queries {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/language/example_queries.h"
 #include "queries/streams/nested_relations.h"
 

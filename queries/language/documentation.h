@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/operators/registry/registry.h"
 
 namespace queries {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "algebra3d/registry/example_notation.h"
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/example_notation.h"
+#include "algebra3d/operators/registry/operator.h"
 
 namespace queries {
 namespace {

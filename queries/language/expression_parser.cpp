@@ -4,8 +4,8 @@
 #include <array>
 #include <utility>
 
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/types/file_atom.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/values/types/file_atom.h"
 #include "queries/language/parser.h"
 
 namespace queries {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/language/scanner.h"
 #include "queries/language/session_parameters.h"
 #include "queries/language/syntax_tree.h"

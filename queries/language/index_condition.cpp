@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/streams/value_operators.h"
 
 namespace queries {

@@ -8,7 +8,7 @@
 
 #include <fmt/ranges.h>
 
-#include "algebra3d/base/diagnostics.h"
+#include "base/diagnostics.h"
 #include "queries/streams/index_object.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "algebra3d/base/interruption_scope.h"
-#include "algebra3d/types/file_atom.h"
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/file_atom.h"
+#include "algebra3d/values/types/utf8.h"
+#include "base/interruption_scope.h"
 
 namespace queries {
 namespace {

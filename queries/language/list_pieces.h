@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "algebra3d/base/error.h"
-#include "algebra3d/types/nested_list.h"
+#include "algebra3d/values/types/nested_list.h"
 
 namespace queries {
 

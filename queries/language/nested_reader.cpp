@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "algebra3d/base/number_text.h"
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/types/expression_list.h"
-#include "algebra3d/types/file_atom.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/values/types/expression_list.h"
+#include "algebra3d/values/types/file_atom.h"
+#include "base/number_text.h"
 #include "queries/language/parser.h"
 #include "queries/language/scanner.h"
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/language/command.h"
 
 namespace queries {

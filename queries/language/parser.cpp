@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "algebra3d/types/expression_list.h"
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/expression_list.h"
+#include "algebra3d/values/types/utf8.h"
 #include "queries/language/detail/command_parser.h"
 #include "queries/language/expression_parser.h"
 #include "queries/language/nested_reader.h"

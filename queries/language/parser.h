@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/language/command.h"
 #include "queries/language/session_parameters.h"
 #include "queries/language/syntax_tree.h"

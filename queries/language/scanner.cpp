@@ -4,10 +4,10 @@
 #include <cctype>
 #include <charconv>
 
-#include "algebra3d/base/interruption_scope.h"
-#include "algebra3d/base/number_text.h"
-#include "algebra3d/types/file_atom.h"
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/file_atom.h"
+#include "algebra3d/values/types/utf8.h"
+#include "base/interruption_scope.h"
+#include "base/number_text.h"
 
 namespace queries {
 namespace {

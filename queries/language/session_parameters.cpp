@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "algebra3d/base/diagnostics.h"
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/utf8.h"
+#include "base/diagnostics.h"
 #include "queries/language/scanner.h"
 #include "queries/streams/plain_text.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/language/syntax_tree.h"
 #include "queries/language/token.h"
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
-#include "algebra3d/registry/syntax_pattern.h"
-#include "algebra3d/types/nested_list.h"
-#include "algebra3d/types/type_expr.h"
-#include "algebra3d/types/value.h"
+#include "algebra3d/operators/registry/syntax_pattern.h"
+#include "algebra3d/values/types/nested_list.h"
+#include "algebra3d/values/types/type_expr.h"
+#include "algebra3d/values/types/value.h"
 
 namespace queries {
 

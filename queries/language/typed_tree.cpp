@@ -7,10 +7,10 @@
 #include <memory_resource>
 #include <utility>
 
-#include "algebra3d/arrangement/operand.h"
-#include "algebra3d/registry/conversion.h"
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/kernel/arrangement/operand.h"
+#include "algebra3d/operators/registry/conversion.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/values/types/scalars.h"
 #include "queries/streams/value_operators.h"
 
 namespace queries {

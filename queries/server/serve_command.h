@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/server/server_options.h"
 
 namespace CLI {

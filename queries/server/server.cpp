@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/polled_input.h"
-#include "algebra3d/base/temporary_folder.h"
+#include "base/polled_input.h"
+#include "base/temporary_folder.h"
 #include "queries/server/detail/api.h"
 #include "queries/server/detail/http_listener.h"
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/server/server_options.h"
 
 namespace queries {

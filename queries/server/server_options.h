@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/base/work_memory.h"
+#include "base/work_memory.h"
 
 namespace queries {
 

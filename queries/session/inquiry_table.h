@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/types/nested_list.h"
+#include "algebra3d/values/types/nested_list.h"
 
 namespace queries {
 

@@ -1,8 +1,8 @@
 // The commands of a session that make, change, rename and remove objects and named types.
 #include <fmt/format.h>
 
-#include "algebra3d/registry/conversion.h"
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/conversion.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/language/checker.h"
 #include "queries/language/parser.h"
 #include "queries/language/syntax_tree.h"

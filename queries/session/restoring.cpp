@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/types/file_atom.h"
+#include "algebra3d/values/types/file_atom.h"
 #include "queries/language/checker.h"
 #include "queries/language/list_pieces.h"
 #include "queries/language/nested_reader.h"

@@ -1,6 +1,6 @@
 #include "queries/session/result_text.h"
 
-#include "algebra3d/types/value_text.h"
+#include "algebra3d/values/types/value_text.h"
 
 namespace queries {
 namespace {

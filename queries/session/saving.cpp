@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/atomic_file.h"
-#include "algebra3d/types/value_text.h"
+#include "algebra3d/values/types/value_text.h"
+#include "base/atomic_file.h"
 #include "queries/language/scanner.h"
 #include "queries/session/detail/objects.h"
 #include "queries/session/detail/saved_list.h"

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "algebra3d/base/interruption_scope.h"
+#include "base/interruption_scope.h"
 #include "queries/language/checker.h"
 #include "queries/language/parser.h"
 #include "queries/session/detail/failure_report.h"

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "algebra3d/base/context.h"
-#include "algebra3d/base/work_memory.h"
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
+#include "base/context.h"
+#include "base/work_memory.h"
 #include "queries/language/command.h"
 #include "queries/language/session_parameters.h"
 #include "queries/language/syntax_tree.h"

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <system_error>
 
-#include "algebra3d/base/polled_input.h"
+#include "base/polled_input.h"
 #include "queries/shell/detail/command_table.h"
 #include "queries/shell/detail/file_arguments.h"
 #include "queries/shell/detail/interruption.h"

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "algebra3d/base/box3.h"
-#include "algebra3d/formats/import_solid.h"
-#include "algebra3d/halfedge/boxes.h"
-#include "algebra3d/repair/amount.h"
-#include "algebra3d/repair/mesh_volume.h"
-#include "algebra3d/repair/scaled_triangles.h"
+#include "algebra3d/kernel/repair/amount.h"
+#include "algebra3d/kernel/repair/mesh_volume.h"
+#include "algebra3d/kernel/repair/scaled_triangles.h"
+#include "algebra3d/kernel/search/boxes.h"
+#include "algebra3d/values/conversions/import_solid.h"
 #include "queries/shell/detail/mesh_commands.h"
 #include "queries/shell/detail/mesh_input.h"
 #include "queries/shell/detail/screen.h"

@@ -11,15 +11,15 @@
 #include <optional>
 #include <sstream>
 
-#include "algebra3d/base/interruption_scope.h"
-#include "algebra3d/base/memory_limit.h"
-#include "algebra3d/base/polled_input.h"
-#include "algebra3d/base/signal_block.h"
-#include "algebra3d/base/stack_thread.h"
-#include "algebra3d/base/work_memory.h"
-#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/descriptions/all.h"
 #include "algebra3d/version.h"
-#include "mesh_files/mesh_formats.h"
+#include "base/interruption_scope.h"
+#include "base/memory_limit.h"
+#include "base/polled_input.h"
+#include "base/signal_block.h"
+#include "base/stack_thread.h"
+#include "base/work_memory.h"
+#include "mesh_formats/mesh_formats.h"
 #include "queries/importer/import_command.h"
 #include "queries/importer/import_options.h"
 #include "queries/importer/importer.h"
@@ -284,7 +284,7 @@ void add_options(CLI::App& app, Options& options) {
       ->type_name("DIR");
   app.add_option("FILE", options.scripts,
                  "Scripts to run (- is standard input), a database to open, or " +
-                     mesh_files::known_mesh_formats().names("and") +
+                     mesh_formats::known_mesh_formats().names("and") +
                      " files to look at;\n"
                      "without any, and on a terminal: the interactive shell")
       ->type_name("");

@@ -7,8 +7,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "algebra3d/base/file_error.h"
-#include "algebra3d/base/open_databases.h"
+#include "base/file_error.h"
+#include "base/open_databases.h"
 #include "queries/store/database_draft.h"
 #include "queries/store/detail/database_file.h"
 

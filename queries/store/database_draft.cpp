@@ -15,8 +15,8 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
-#include "algebra3d/base/file_error.h"
-#include "algebra3d/base/open_databases.h"
+#include "base/file_error.h"
+#include "base/open_databases.h"
 #include "queries/store/detail/sqlite_connection.h"
 #include "queries/store/detail/tables.h"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "algebra3d/base/draft_file.h"
+#include "base/draft_file.h"
 #include "queries/store/store_options.h"
 
 namespace queries {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "algebra3d/base/error.h"
-#include "algebra3d/types/value.h"
+#include "algebra3d/values/types/value.h"
 
 /// Levels of detail beside stored values: bytes that somebody has made of a value and wants to find again in another
 /// process. A level belongs to the very bytes of its value: it is found for no others, and goes when its value is

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/base/context.h"
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
+#include "base/context.h"
 #include "queries/streams/datum.h"
 #include "queries/streams/relation.h"
 #include "queries/streams/spatial_index.h"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "algebra3d/base/work_memory.h"
+#include "base/work_memory.h"
 #include "queries/store/store.h"
 
 namespace queries {

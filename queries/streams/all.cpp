@@ -1,5 +1,5 @@
 #include "queries/streams/all.h"
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 
 namespace queries {
 

@@ -1,7 +1,7 @@
 // attr, project, remove, rename, renameAttr: which attributes a tuple has, and their names.
 #include <algorithm>
 
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/changed_tuples.h"
 #include "queries/streams/mapping.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "algebra3d/types/described_type.h"
+#include "algebra3d/values/types/described_type.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/any_stream.h"
 #include "queries/streams/detail/kept_elements.h"

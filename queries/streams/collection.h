@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "algebra3d/types/value.h"
+#include "algebra3d/values/types/value.h"
 #include "queries/streams/datum.h"
 
 namespace queries {

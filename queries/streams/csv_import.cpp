@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/values/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/csv_layout.h"
 #include "queries/streams/detail/import_columns.h"

@@ -8,10 +8,10 @@
 #include <variant>
 #include <vector>
 
-#include "algebra3d/base/context.h"
 #include "algebra3d/base/error.h"
-#include "algebra3d/types/type_expr.h"
-#include "algebra3d/types/value.h"
+#include "algebra3d/values/types/type_expr.h"
+#include "algebra3d/values/types/value.h"
+#include "base/context.h"
 
 namespace queries {
 

@@ -1,5 +1,5 @@
 // transformstream and its relatives: how streams of values become tuples, and tuples values.
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/values/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
 

@@ -1,5 +1,5 @@
 // hashjoin, itHashJoin, mergejoin, sortmergejoin, smouterjoin: pairs of tuples with equal keys.
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/hash_join.h"
 #include "queries/streams/detail/merge_join.h"

@@ -1,8 +1,8 @@
 // extend, projectextend, replaceAttr, addcounter: attributes that functions make.
 #include <limits>
 
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/values/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/changed_tuples.h"
 #include "queries/streams/mapping.h"

@@ -1,8 +1,8 @@
 // getMinVal, getMaxVal: the least and the greatest of several values.
 #include <algorithm>
 
-#include "algebra3d/registry/conversion.h"
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/conversion.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
 

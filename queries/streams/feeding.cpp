@@ -1,7 +1,7 @@
 // feed, consume, count: between relations and streams.
 #include <utility>
 
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/values/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/collection.h"
 #include "queries/streams/detail/nested_tuples.h"

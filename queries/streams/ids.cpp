@@ -1,6 +1,6 @@
 // tupleid, addid, gettuples: the numbers of tuples within their relation.
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/types/tuple_number.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/values/types/tuple_number.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/changed_tuples.h"
 #include "queries/streams/mapping.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "algebra3d/halfedge/boxes.h"
+#include "algebra3d/kernel/search/boxes.h"
 #include "queries/streams/detail/spatial_attribute.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/ordered_index.h"

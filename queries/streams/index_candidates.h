@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/streams/datum.h"
 
 namespace queries {

@@ -4,9 +4,9 @@
 #include <functional>
 #include <limits>
 
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/exact_scan.h"
 #include "queries/streams/detail/index_operands.h"

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "algebra3d/registry/conversion.h"
-#include "algebra3d/types/nested_relation.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/tuple_number.h"
+#include "algebra3d/operators/registry/conversion.h"
+#include "algebra3d/values/types/nested_relation.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/tuple_number.h"
 #include "queries/streams/detail/any_stream.h"
 #include "queries/streams/relation.h"
 

@@ -1,6 +1,6 @@
 #include "queries/streams/nested_relations.h"
 
-#include "algebra3d/types/nested_relation.h"
+#include "algebra3d/values/types/nested_relation.h"
 
 namespace queries {
 

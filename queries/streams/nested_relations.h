@@ -1,6 +1,6 @@
 #pragma once
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/streams/relation.h"
 
 namespace queries {

@@ -1,7 +1,7 @@
 // nest, unnest, afeed, aconsume: between tuples and relations that are values of attributes.
 #include <algorithm>
 
-#include "algebra3d/types/nested_relation.h"
+#include "algebra3d/values/types/nested_relation.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/adjacent_groups.h"
 #include "queries/streams/detail/nested_tuples.h"

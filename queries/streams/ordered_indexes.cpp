@@ -1,5 +1,5 @@
 // createbtree, exactmatch, range, leftrange, rightrange: ordered indexes on relations.
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/index_operands.h"
 #include "queries/streams/ordered_index.h"

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "algebra3d/base/number_text.h"
-#include "algebra3d/base/text.h"
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/utf8.h"
+#include "base/number_text.h"
+#include "base/text.h"
 
 namespace queries {
 

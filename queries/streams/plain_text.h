@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "algebra3d/types/value.h"
+#include "algebra3d/values/types/value.h"
 
 namespace queries {
 

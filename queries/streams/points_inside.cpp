@@ -2,8 +2,8 @@
 #include <span>
 #include <vector>
 
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/spatial_relations/point_location.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/values/spatial_relations/point_location.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/parallel_filter.h"
 #include "queries/streams/mapping.h"

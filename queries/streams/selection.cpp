@@ -3,7 +3,7 @@
 #include <random>
 #include <utility>
 
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/values/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/any_stream.h"
 #include "queries/streams/detail/element_buffer.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/box_join.h"
 #include "queries/streams/detail/join_condition.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/streams/datum.h"
 
 namespace queries {

@@ -1,6 +1,6 @@
 #include "queries/streams/tuple_buffer.h"
 
-#include "algebra3d/types/described_type.h"
+#include "algebra3d/values/types/described_type.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {

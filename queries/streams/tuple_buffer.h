@@ -4,8 +4,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "algebra3d/base/context.h"
-#include "algebra3d/base/work_memory.h"
+#include "base/context.h"
+#include "base/work_memory.h"
 #include "queries/streams/datum.h"
 #include "queries/streams/detail/tuple_file.h"
 

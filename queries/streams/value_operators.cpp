@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "algebra3d/registry/aggregate.h"
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/registry/rows.h"
+#include "algebra3d/operators/registry/aggregate.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/operators/registry/rows.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/registry/registry.h"
-#include "algebra3d/registry/rows.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/operators/registry/registry.h"
+#include "algebra3d/operators/registry/rows.h"
 #include "queries/streams/stream_operator.h"
 
 namespace queries {
 
-// Aggregates and table operators (algebra3d/registry) work on values and rows; these functions apply them to streams of
-// tuples.
+// Aggregates and table operators (algebra3d/operators/registry) work on values and rows; these functions apply them to
+// streams of tuples.
 
 /// Binds an operator that takes streams: a relational operator, or an aggregate over an attribute of a stream.
 /// `op` of `registry` and `context` outlive the result. Errors: type_error "filter: expected ..., got ...".

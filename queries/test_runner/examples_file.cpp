@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
-#include "algebra3d/base/number_text.h"
-#include "algebra3d/types/nested_list.h"
+#include "algebra3d/values/types/nested_list.h"
+#include "base/number_text.h"
 #include "queries/test_runner/detail/test_file.h"
 
 namespace queries {

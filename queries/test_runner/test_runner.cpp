@@ -6,9 +6,9 @@
 #include <memory>
 #include <thread>
 
-#include "algebra3d/base/file_content.h"
-#include "algebra3d/base/temporary_folder.h"
-#include "algebra3d/base/without_exceptions.h"
+#include "base/file_content.h"
+#include "base/temporary_folder.h"
+#include "base/without_exceptions.h"
 #include "queries/test_runner/detail/test_file.h"
 #include "queries/test_runner/detail/test_run.h"
 #include "queries/test_runner/detail/text_of_file.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 
 namespace queries {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "algebra3d/base/scheduler.h"
+#include "base/scheduler.h"
 
 namespace rtree {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/base/hilbert.h"
-#include "algebra3d/base/scheduler.h"
+#include "base/hilbert.h"
+#include "base/scheduler.h"
 #include "rtree/detail/radix_sort.h"
 
 namespace rtree {

@@ -1,6 +1,6 @@
 #include "rtree/detail/translation.h"
 
-#include "algebra3d/base/scheduler.h"
+#include "base/scheduler.h"
 
 namespace rtree {
 namespace {

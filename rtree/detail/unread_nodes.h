@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "algebra3d/base/large_allocator.h"
+#include "base/large_allocator.h"
 #include "rtree/detail/node.h"
 #include "rtree/image.h"
 

@@ -9,8 +9,8 @@
 
 #include <xxhash.h>
 
-#include "algebra3d/types/all.h"
-#include "algebra3d/types/codec.h"
+#include "algebra3d/values/types/all.h"
+#include "algebra3d/values/types/codec.h"
 
 namespace {
 

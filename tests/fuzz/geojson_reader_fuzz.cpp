@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "algebra3d/formats/geojson.h"
-#include "algebra3d/formats/json_tree.h"
+#include "algebra3d/values/conversions/geojson.h"
+#include "algebra3d/values/conversions/json_tree.h"
 
 namespace {
 

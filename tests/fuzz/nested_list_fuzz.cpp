@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "algebra3d/types/nested_list.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
-#include "algebra3d/types/type_expr.h"
+#include "algebra3d/values/types/nested_list.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
+#include "algebra3d/values/types/type_expr.h"
 
 namespace {
 

@@ -5,14 +5,14 @@
 #include <string_view>
 
 #include "fuzz/sound_soup.h"
-#include "mesh_files/mesh_formats.h"
-#include "mesh_files/obj/obj_reader.h"
+#include "mesh_formats/mesh_formats.h"
+#include "mesh_formats/obj/obj_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  require(mesh_files::known_mesh_formats().detect(bytes, "fuzz.obj").ok());
-  const auto read = mesh_files::read_obj(bytes, "fuzz.obj");
-  const auto with_attributes = mesh_files::read_obj(bytes, "fuzz.obj", nullptr, mesh_files::ObjWanted::attributes);
+  require(mesh_formats::known_mesh_formats().detect(bytes, "fuzz.obj").ok());
+  const auto read = mesh_formats::read_obj(bytes, "fuzz.obj");
+  const auto with_attributes = mesh_formats::read_obj(bytes, "fuzz.obj", nullptr, mesh_formats::ObjWanted::attributes);
   require(read.ok() == with_attributes.ok());
   if (!read) {
     require(read.error().message.starts_with("fuzz.obj: "));

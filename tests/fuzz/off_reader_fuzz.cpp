@@ -5,13 +5,13 @@
 #include <string_view>
 
 #include "fuzz/sound_soup.h"
-#include "mesh_files/mesh_formats.h"
-#include "mesh_files/off/off_reader.h"
+#include "mesh_formats/mesh_formats.h"
+#include "mesh_formats/off/off_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  require(mesh_files::known_mesh_formats().detect(bytes, "fuzz.off").ok());
-  const auto read = mesh_files::read_off(bytes, "fuzz.off");
+  require(mesh_formats::known_mesh_formats().detect(bytes, "fuzz.off").ok());
+  const auto read = mesh_formats::read_off(bytes, "fuzz.off");
   if (read)
     require_sound(read->soup);
   else

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/descriptions/all.h"
 #include "fuzz/silent_session.h"
 #include "queries/streams/all.h"
 

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/language/typed_tree.h"
 
 namespace queries::fuzz {

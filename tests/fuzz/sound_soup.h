@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "algebra3d/base/polygon_soup.h"
+#include "base/polygon_soup.h"
 
 /// Stops the fuzzer if a law does not hold.
 inline void require(bool holds) {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "mesh_files/stl/stl_reader.h"
+#include "stl/stl_reader.h"
 
 namespace {
 
@@ -12,7 +12,7 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-void check_value(const mesh_files::ReadStl& read) {
+void check_value(const mesh_formats::ReadStl& read) {
   require(read.soup.normals.size() == read.soup.triangles.size());
   require(read.solid_count > 0);
   for (const auto& triangle : read.soup.triangles)
@@ -24,7 +24,7 @@ void check_value(const mesh_files::ReadStl& read) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const auto read = mesh_files::read_stl(bytes, "fuzz.stl");
+  const auto read = mesh_formats::read_stl(bytes, "fuzz.stl");
   if (read)
     check_value(*read);
   else

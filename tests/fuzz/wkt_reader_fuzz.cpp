@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "algebra3d/formats/wkt.h"
-#include "algebra3d/types/planar.h"
+#include "algebra3d/values/conversions/wkt.h"
+#include "algebra3d/values/types/planar.h"
 
 namespace {
 

@@ -3,11 +3,11 @@
 #include <optional>
 #include <utility>
 
-#include "algebra3d/base/interruption_scope.h"
-#include "algebra3d/registry/aggregate.h"
-#include "algebra3d/registry/example_notation.h"
-#include "algebra3d/types/codec.h"
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/operators/registry/aggregate.h"
+#include "algebra3d/operators/registry/example_notation.h"
+#include "algebra3d/values/types/codec.h"
+#include "algebra3d/values/types/scalars.h"
+#include "base/interruption_scope.h"
 
 namespace algebra3d::interrupts {
 namespace {

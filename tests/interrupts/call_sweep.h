@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "interrupts/large_values.h"
 
 namespace algebra3d::interrupts {

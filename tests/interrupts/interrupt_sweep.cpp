@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/temporary_folder.h"
-#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/descriptions/all.h"
+#include "base/temporary_folder.h"
 #include "interrupts/call_sweep.h"
 #include "interrupts/measured_call.h"
 #include "interrupts/statement_sweep.h"

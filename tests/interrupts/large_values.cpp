@@ -5,13 +5,13 @@
 #include <numbers>
 #include <utility>
 
-#include "algebra3d/base/interruption_scope.h"
-#include "algebra3d/constructions/mesh_conversions.h"
-#include "algebra3d/types/mesh3d.h"
-#include "algebra3d/types/moving_region.h"
-#include "algebra3d/types/planar.h"
-#include "algebra3d/types/spatial.h"
-#include "algebra3d/types/time.h"
+#include "algebra3d/values/constructions/mesh_conversions.h"
+#include "algebra3d/values/types/mesh3d.h"
+#include "algebra3d/values/types/moving_region.h"
+#include "algebra3d/values/types/planar.h"
+#include "algebra3d/values/types/spatial.h"
+#include "algebra3d/values/types/time.h"
+#include "base/interruption_scope.h"
 
 namespace algebra3d::interrupts {
 namespace {

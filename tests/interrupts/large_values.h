@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/registry/registry.h"
-#include "algebra3d/types/value.h"
+#include "algebra3d/operators/registry/registry.h"
+#include "algebra3d/values/types/value.h"
 
 namespace algebra3d::interrupts {
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/types/value_text.h"
+#include "algebra3d/values/types/value_text.h"
 #include "interrupts/measured_call.h"
 #include "queries/exchange/json_presenter.h"
 #include "queries/language/scanner.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "interrupts/call_sweep.h"
 
 namespace algebra3d::interrupts {

@@ -14,11 +14,11 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/arrangement/arrangement.h"
-#include "algebra3d/exact/affine_map.h"
-#include "algebra3d/repair/solid_from_soup.h"
-#include "algebra3d/validity/validity.h"
-#include "mesh_files/stl/stl_reader.h"
+#include "algebra3d/kernel/arrangement/arrangement.h"
+#include "algebra3d/kernel/exact/affine_map.h"
+#include "algebra3d/kernel/repair/solid_from_soup.h"
+#include "algebra3d/kernel/validity/validity.h"
+#include "stl/stl_reader.h"
 #include "support/cgal_verdict.h"
 
 namespace {
@@ -26,7 +26,7 @@ namespace {
 using namespace algebra3d;
 
 std::optional<TriangleMesh> solid_of(const std::filesystem::path& path) {
-  const auto file = mesh_files::read_stl_file(path);
+  const auto file = mesh_formats::read_stl_file(path);
   if (!file.ok()) return std::nullopt;
   auto solid = solid_from_soup(file->soup);
   if (!solid.ok()) return std::nullopt;

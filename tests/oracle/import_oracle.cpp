@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/exact/exact_sum.h"
-#include "algebra3d/formats/import_solid.h"
+#include "algebra3d/kernel/exact/exact_sum.h"
+#include "algebra3d/values/conversions/import_solid.h"
 #include "support/cgal_verdict.h"
 
 namespace {

@@ -12,14 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/formats/import_solid.h"
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/topology.h"
-#include "algebra3d/operators/all.h"
-#include "algebra3d/types/mesh3d.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/values/conversions/import_solid.h"
+#include "algebra3d/values/types/mesh3d.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
 
 namespace {
 

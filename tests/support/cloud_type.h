@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/types/coordinate_text.h"
-#include "algebra3d/types/described_type.h"
+#include "algebra3d/values/types/coordinate_text.h"
+#include "algebra3d/values/types/described_type.h"
 
 /// A type that this library does not have: points of a scan, in the order in which they were taken. Tests register it
 /// to show that the store, tables and moved frames know what a type says of itself, and no name.

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/planar/polygons.h"
+#include "algebra3d/kernel/planar/polygons.h"
 
 /// Polygons for tests and benchmarks of the plane, made without the code under test.
 namespace algebra3d::plane_shapes {

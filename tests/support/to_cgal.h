@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 /// Our meshes as CGAL's, so that its algorithms can be oracles. `Kernel` is any with exact constructions from rationals
 /// (for meshes of doubles alone, any kernel).

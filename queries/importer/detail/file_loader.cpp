@@ -13,11 +13,11 @@
 #include <tbb/task_arena.h>
 #include <xxhash.h>
 
-#include "algebra3d/base/input_file.h"
-#include "algebra3d/base/interruption_scope.h"
-#include "algebra3d/base/memory_limit.h"
-#include "algebra3d/types/utf8.h"
-#include "mesh_files/unwritten_file.h"
+#include "algebra3d/values/types/utf8.h"
+#include "base/input_file.h"
+#include "base/interruption_scope.h"
+#include "base/memory_limit.h"
+#include "mesh_formats/unwritten_file.h"
 
 namespace queries {
 namespace {
@@ -52,7 +52,7 @@ std::string reason_of(const Error& error) {
 Result<Store::ImportedFile> identity_of(const ListedFile& listed, const std::string& path, std::uint64_t seed,
                                         const std::atomic<bool>* cancel) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::InputFile file, algebra3d::InputFile::open(listed.path));
-  ALGEBRA3D_RETURN_IF_ERROR(mesh_files::refuse_unwritten(file));
+  ALGEBRA3D_RETURN_IF_ERROR(mesh_formats::refuse_unwritten(file));
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
   XXH3_64bits_reset_withSeed(state.get(), seed);
   ALGEBRA3D_RETURN_IF_ERROR(file.for_each_block(cancel, [&](std::string_view block) {

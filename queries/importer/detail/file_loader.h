@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
-#include "algebra3d/formats/import_solid.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/values/conversions/import_solid.h"
+#include "algebra3d/values/types/spatial.h"
 #include "queries/importer/file_list.h"
 #include "queries/store/store.h"
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/utf8.h"
 
 namespace queries {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "algebra3d/base/diagnostics.h"
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/values/types/scalars.h"
+#include "base/diagnostics.h"
 #include "queries/streams/relation.h"
 #include "queries/streams/tuple_buffer.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/language/parser.h"
 
 namespace queries {

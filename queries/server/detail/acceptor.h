@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/base/input_file.h"
+#include "base/input_file.h"
 #include "queries/server/detail/request_head.h"
 
 namespace queries {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/server/detail/database_identity.h"
 #include "queries/server/detail/http.h"
 #include "queries/server/detail/kept_results.h"

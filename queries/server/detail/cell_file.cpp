@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cctype>
 
-#include "algebra3d/base/diagnostics.h"
-#include "algebra3d/base/file_content.h"
-#include "algebra3d/base/temporary_folder.h"
-#include "algebra3d/base/text.h"
-#include "algebra3d/constructions/mesh_conversions.h"
-#include "algebra3d/formats/mesh3d_files.h"
-#include "algebra3d/types/mesh3d.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/values/constructions/mesh_conversions.h"
+#include "algebra3d/values/conversions/mesh3d_files.h"
+#include "algebra3d/values/types/mesh3d.h"
+#include "algebra3d/values/types/spatial.h"
+#include "base/diagnostics.h"
+#include "base/file_content.h"
+#include "base/temporary_folder.h"
+#include "base/text.h"
 
 namespace queries {
 namespace {
@@ -69,9 +69,9 @@ std::optional<MeshFileForm> file_form(std::string_view name) {
   const bool is_ascii = name == "stl-ascii";
   std::string upper(is_ascii ? "stl" : name);
   std::ranges::transform(upper, upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  const mesh_files::MeshFormat* const format = mesh_files::known_mesh_formats().named(upper);
+  const mesh_formats::MeshFormat* const format = mesh_formats::known_mesh_formats().named(upper);
   if (format == nullptr) return std::nullopt;
-  return MeshFileForm{format, is_ascii ? mesh_files::Encoding::ascii : format->forms.front().encoding};
+  return MeshFileForm{format, is_ascii ? mesh_formats::Encoding::ascii : format->forms.front().encoding};
 }
 
 Result<CellFile> file_of(const Value& value, const std::string& name, const MeshFileForm& form, Context& context) {

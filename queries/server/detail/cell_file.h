@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "algebra3d/base/context.h"
-#include "algebra3d/formats/export_solid.h"
-#include "algebra3d/types/value.h"
+#include "algebra3d/values/conversions/export_solid.h"
+#include "algebra3d/values/types/value.h"
+#include "base/context.h"
 #include "queries/streams/datum.h"
 
 namespace queries {

@@ -10,11 +10,11 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/display/glb.h"
-#include "algebra3d/display/levels_of_detail.h"
-#include "algebra3d/display/shape_codec.h"
-#include "algebra3d/display/shape_of_value.h"
-#include "algebra3d/display/triangle_tree.h"
+#include "algebra3d/values/display/glb.h"
+#include "algebra3d/values/display/levels_of_detail.h"
+#include "algebra3d/values/display/shape_codec.h"
+#include "algebra3d/values/display/shape_of_value.h"
+#include "algebra3d/values/display/triangle_tree.h"
 #include "queries/server/detail/table_cells.h"
 #include "queries/store/levels.h"
 
@@ -22,8 +22,8 @@ namespace queries {
 namespace {
 
 using algebra3d::Context;
+using algebra3d::DrawnShape;
 using algebra3d::GlbNode;
-using algebra3d::Shape;
 
 // The levels of detail that are kept: the first can be moved on slow machines, the last is hard to tell from the whole.
 constexpr std::array<std::size_t, 3> kLevels = {2'000'000, 200'000, 20'000};
@@ -47,8 +47,8 @@ std::vector<std::size_t> counts_of(const Value& value) {
 }
 
 /// A level that is kept in the database. What keeps it from being read is no reason not to draw: then it is made.
-std::optional<Shape> stored_level(const Value& value, std::size_t count) {
-  std::optional<Shape> shape;
+std::optional<DrawnShape> stored_level(const Value& value, std::size_t count) {
+  std::optional<DrawnShape> shape;
   const auto found = with_level(value, count, [&](std::string_view bytes) -> Status {
     ALGEBRA3D_ASSIGN_OR_RETURN(shape, algebra3d::decode_shape(bytes));
     return {};
@@ -58,44 +58,46 @@ std::optional<Shape> stored_level(const Value& value, std::size_t count) {
 
 /// Makes all levels of a value and keeps them in the database if that is possible. Whatever is in the way, the next one
 /// who asks makes them again.
-Result<std::vector<Shape>> made_levels(const Value& value, Context& context) {
+Result<std::vector<DrawnShape>> made_levels(const Value& value, Context& context) {
   const std::vector<std::size_t> counts = counts_of(value);
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shape> levels, algebra3d::levels_of_detail(value, counts, context.monitor()));
-  for (Shape& level : levels) algebra3d::add_tree(level);
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<DrawnShape> levels,
+                             algebra3d::levels_of_detail(value, counts, context.monitor()));
+  for (DrawnShape& level : levels) algebra3d::add_tree(level);
   for (std::size_t i = 0; i < levels.size() && is_stored(value); ++i)
     if (!keep_level(value, counts[i], algebra3d::encode_shape(levels[i]))) break;
   return levels;
 }
 
 // From the memory, from the database, or made now.
-Result<Shape> kept_level(ResultTable& table, const Value& value, CellPlace place, std::size_t count, Context& context) {
+Result<DrawnShape> kept_level(ResultTable& table, const Value& value, CellPlace place, std::size_t count,
+                              Context& context) {
   const std::vector<std::size_t> counts = counts_of(value);
   const auto index = static_cast<std::size_t>(std::ranges::find(counts, count) - counts.begin());
   if (const LevelCache::Entry* const known = table.levels().find(place.row, place.column)) return known->levels[index];
   if (auto stored = stored_level(value, count)) return *std::move(stored);
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shape> levels, made_levels(value, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<DrawnShape> levels, made_levels(value, context));
   return table.levels().keep({place.row, place.column, std::move(levels)}).levels[index];
 }
 
 // The finest level with at most that many triangles. Below the coarsest that is kept, one is made for this request.
-Result<Shape> coarser_shape(ResultTable& table, const Value& value, CellPlace place, std::size_t most,
-                            Context& context) {
+Result<DrawnShape> coarser_shape(ResultTable& table, const Value& value, CellPlace place, std::size_t most,
+                                 Context& context) {
   for (const std::size_t count : kLevels)
     if (count <= most) return kept_level(table, value, place, count, context);
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shape> levels,
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<DrawnShape> levels,
                              algebra3d::levels_of_detail(value, std::array{most}, context.monitor()));
   algebra3d::add_tree(levels.front());
   return std::move(levels.front());
 }
 
 // Makes the whole shape of a large value and keeps it. The shares of the work are those of ten million triangles.
-Result<Shape> made_whole_shape(const Value& value, const Context& context) {
+Result<DrawnShape> made_whole_shape(const Value& value, const Context& context) {
   const algebra3d::Monitor monitor = context.monitor();
   const auto tell = [&](int percent) { monitor.tell(fmt::format("all triangles, {} %", percent)); };
   tell(0);
   ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
   tell(20);
-  ALGEBRA3D_ASSIGN_OR_RETURN(Shape shape, algebra3d::shape_of(loaded, monitor.silent()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, algebra3d::shape_of(loaded, monitor.silent()));
   tell(45);
   algebra3d::add_tree(shape);
   tell(55);
@@ -105,20 +107,20 @@ Result<Shape> made_whole_shape(const Value& value, const Context& context) {
 }
 
 // That of a large value is kept, too: making it takes longer than reading it.
-Result<Shape> whole_shape(const Value& value, Context& context) {
+Result<DrawnShape> whole_shape(const Value& value, Context& context) {
   const bool is_large =
       is_stored(value) && algebra3d::has_levels(value.type()) && value.header().size >= kLeastKeptWhole;
   if (is_large) {
     if (auto stored = stored_level(value, kWhole)) return *std::move(stored);
     return made_whole_shape(value, context);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(Shape shape, algebra3d::shape_of(value, context.monitor()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, algebra3d::shape_of(value, context.monitor()));
   algebra3d::add_tree(shape);
   return shape;
 }
 
-Result<Shape> shape_of_cell(ResultTable& table, const Value& value, CellPlace place, std::size_t most,
-                            Context& context) {
+Result<DrawnShape> shape_of_cell(ResultTable& table, const Value& value, CellPlace place, std::size_t most,
+                                 Context& context) {
   if (!value.is_defined()) return algebra3d::shape_of(value, context.monitor());
   const bool is_coarser = most > 0 && algebra3d::has_levels(value.type()) && value.header().size > most;
   if (is_coarser) return coarser_shape(table, value, place, most, context);
@@ -133,7 +135,7 @@ Result<CellShapes> shapes_of(ResultTable& table, const ShapeRequest& request, Co
   if (!algebra3d::is_drawable(first.type()))
     return Error{ErrorCode::invalid_value, "the column '{}' has values of type {}, which cannot be drawn",
                  request.column, first.type().name()};
-  std::vector<Shape> shapes;
+  std::vector<DrawnShape> shapes;
   std::size_t bytes = 0;
   const std::size_t end = std::min(table.count(), request.from + request.count);
   std::size_t row = request.from;
@@ -141,7 +143,7 @@ Result<CellShapes> shapes_of(ResultTable& table, const ShapeRequest& request, Co
     ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
     ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, table.row(row));
     ALGEBRA3D_ASSIGN_OR_RETURN(
-        Shape shape, shape_of_cell(table, tuple->attributes[column], {row, column}, request.triangles, context));
+        DrawnShape shape, shape_of_cell(table, tuple->attributes[column], {row, column}, request.triangles, context));
     bytes += algebra3d::glb_bytes(shape);
     shapes.push_back(std::move(shape));
   }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "algebra3d/base/context.h"
+#include "base/context.h"
 #include "queries/server/detail/result_table.h"
 
 namespace queries {

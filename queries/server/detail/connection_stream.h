@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "algebra3d/base/input_file.h"
+#include "base/input_file.h"
 #include "queries/server/detail/http.h"
 #include "queries/server/detail/http_library.h"
 

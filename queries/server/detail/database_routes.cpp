@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/display/shape_of_value.h"
+#include "algebra3d/values/display/shape_of_value.h"
 #include "algebra3d/version.h"
 #include "queries/language/command_list.h"
 #include "queries/language/documentation.h"

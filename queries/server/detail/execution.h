@@ -11,10 +11,10 @@
 #include <optional>
 #include <string>
 
-#include "algebra3d/base/diagnostics.h"
-#include "algebra3d/base/interruption_scope.h"
-#include "algebra3d/base/without_exceptions.h"
-#include "algebra3d/base/working_folder.h"
+#include "base/diagnostics.h"
+#include "base/interruption_scope.h"
+#include "base/without_exceptions.h"
+#include "base/working_folder.h"
 #include "queries/language/session_parameters.h"
 #include "queries/server/detail/http.h"
 #include "queries/server/detail/result_table.h"

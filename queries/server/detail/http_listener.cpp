@@ -18,7 +18,7 @@
 #include <thread>
 #include <utility>
 
-#include "algebra3d/base/memory_limit.h"
+#include "base/memory_limit.h"
 #include "queries/server/detail/acceptor.h"
 #include "queries/server/detail/answer_text.h"
 #include "queries/server/detail/connection_stream.h"

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/memory_limit.h"
+#include "base/memory_limit.h"
 
 namespace queries {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/display/shape.h"
+#include "algebra3d/values/display/shape.h"
 
 namespace queries {
 
@@ -15,7 +15,7 @@ class LevelCache {
   struct Entry {
     std::size_t row = 0;
     std::size_t column = 0;
-    std::vector<algebra3d::Shape> levels;  ///< from the finest to the coarsest
+    std::vector<algebra3d::DrawnShape> levels;  ///< from the finest to the coarsest
   };
 
   /// The levels of a cell; null if they are not there.
@@ -37,7 +37,7 @@ class LevelCache {
   std::size_t bytes() const {
     std::size_t sum = 0;
     for (const Entry& entry : entries_)
-      for (const algebra3d::Shape& shape : entry.levels) sum += content_bytes(shape);
+      for (const algebra3d::DrawnShape& shape : entry.levels) sum += content_bytes(shape);
     return sum;
   }
 

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "algebra3d/formats/json_tree.h"
+#include "algebra3d/values/conversions/json_tree.h"
 #include "queries/language/scanner.h"
 #include "queries/server/detail/result_json.h"
 #include "queries/server/detail/table_cells.h"

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/server/detail/execution.h"
 #include "queries/server/detail/kept_results.h"
 #include "queries/server/detail/refusal.h"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/display/shape_of_value.h"
+#include "algebra3d/values/display/shape_of_value.h"
 #include "queries/exchange/exchange_values.h"
 #include "queries/exchange/json_presenter.h"
 #include "queries/exchange/json_text.h"

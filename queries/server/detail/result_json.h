@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "algebra3d/base/context.h"
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
+#include "base/context.h"
 #include "queries/server/detail/result_table.h"
 
 namespace queries {

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/diagnostics.h"
-#include "algebra3d/formats/export_solid.h"
-#include "algebra3d/formats/mesh3d_files.h"
-#include "algebra3d/types/spatial.h"
-#include "algebra3d/types/type_expr.h"
-#include "mesh_files/mesh_formats.h"
+#include "algebra3d/values/conversions/export_solid.h"
+#include "algebra3d/values/conversions/mesh3d_files.h"
+#include "algebra3d/values/types/spatial.h"
+#include "algebra3d/values/types/type_expr.h"
+#include "base/diagnostics.h"
+#include "mesh_formats/mesh_formats.h"
 #include "queries/server/detail/api.h"
 #include "queries/server/detail/cell_file.h"
 #include "queries/server/detail/cell_shapes.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/base/context.h"
-#include "algebra3d/base/work_memory.h"
+#include "base/context.h"
+#include "base/work_memory.h"
 #include "queries/server/detail/level_cache.h"
 #include "queries/streams/relation.h"
 

@@ -4,8 +4,8 @@
 #include <future>
 #include <utility>
 
-#include "algebra3d/base/signal_block.h"
-#include "algebra3d/base/without_exceptions.h"
+#include "base/signal_block.h"
+#include "base/without_exceptions.h"
 
 namespace queries {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "algebra3d/base/stack_thread.h"
+#include "base/stack_thread.h"
 #include "queries/session/session.h"
 
 namespace queries {

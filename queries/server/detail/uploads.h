@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/base/temporary_folder.h"
+#include "base/temporary_folder.h"
 #include "queries/server/detail/http.h"
 #include "queries/server/detail/refusal.h"
 

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/file_error.h"
-#include "algebra3d/types/nested_list.h"
+#include "algebra3d/values/types/nested_list.h"
 #include "algebra3d/version.h"
+#include "base/file_error.h"
 #include "queries/language/command_reader.h"
 #include "queries/session/session.h"
 #include "queries/streams/datum.h"

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "algebra3d/base/context.h"
 #include "algebra3d/base/error.h"
-#include "algebra3d/registry/failed_calls.h"
+#include "algebra3d/operators/registry/failed_calls.h"
+#include "base/context.h"
 #include "queries/language/session_parameters.h"
 
 namespace queries {

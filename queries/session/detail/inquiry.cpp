@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <system_error>
 
-#include "algebra3d/exact/counters.h"
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/kernel/exact/counters.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/values/types/utf8.h"
 #include "queries/streams/nested_relations.h"
 
 namespace queries {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/language/command.h"
 #include "queries/store/store.h"
 

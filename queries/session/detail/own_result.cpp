@@ -1,7 +1,7 @@
 #include "queries/session/detail/own_result.h"
 
-#include "algebra3d/base/diagnostics.h"
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/values/types/scalars.h"
+#include "base/diagnostics.h"
 
 namespace queries {
 

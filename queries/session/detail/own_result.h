@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "algebra3d/base/context.h"
-#include "algebra3d/base/diagnostics.h"
+#include "base/context.h"
+#include "base/diagnostics.h"
 #include "queries/streams/datum.h"
 
 namespace queries {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/utf8.h"
 
 namespace queries {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/base/context.h"
-#include "algebra3d/base/read_guard.h"
+#include "base/context.h"
+#include "base/read_guard.h"
 #include "queries/session/detail/saved_text.h"
 
 namespace queries {

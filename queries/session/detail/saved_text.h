@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "algebra3d/base/file_content.h"
+#include "base/file_content.h"
 
 namespace queries {
 

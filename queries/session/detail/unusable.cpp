@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "algebra3d/base/diagnostics.h"
+#include "base/diagnostics.h"
 #include "queries/language/checker.h"
 #include "queries/language/syntax_tree.h"
 #include "queries/session/detail/definitions.h"

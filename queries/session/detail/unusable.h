@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/store/store.h"
 
 namespace queries {

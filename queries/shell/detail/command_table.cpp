@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/language/command_list.h"
 #include "queries/language/documentation.h"
 

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/input_file.h"
-#include "algebra3d/base/open_databases.h"
-#include "algebra3d/types/utf8.h"
-#include "mesh_files/foreign_file.h"
-#include "mesh_files/mesh_format.h"
-#include "mesh_files/mesh_formats.h"
+#include "algebra3d/values/types/utf8.h"
+#include "base/input_file.h"
+#include "base/open_databases.h"
+#include "mesh_formats/foreign_file.h"
+#include "mesh_formats/mesh_format.h"
+#include "mesh_formats/mesh_formats.h"
 
 namespace queries {
 
@@ -25,23 +25,23 @@ constexpr std::size_t kSampleBytes = std::size_t{64} << 10U;
 
 std::string expected_text() {
   return fmt::format("expected a script of commands, a database of algebra3d, or an {} file",
-                     mesh_files::known_mesh_formats().names("or"));
+                     mesh_formats::known_mesh_formats().names("or"));
 }
 
 bool has_mesh_ending(const std::string& name) {
-  return mesh_files::known_mesh_formats().of_name(name) != nullptr;
+  return mesh_formats::known_mesh_formats().of_name(name) != nullptr;
 }
 
 std::vector<std::string> importing_operators() {
   std::vector<std::string> operators;
-  for (const mesh_files::MeshFormat& format : mesh_files::known_mesh_formats())
+  for (const mesh_formats::MeshFormat& format : mesh_formats::known_mesh_formats())
     operators.push_back("import" + std::string(format.name));
   return operators;
 }
 
 /// The operator for the ending of the file's name, or the first, since each reads what the content is.
 std::string importing_operator(const std::string& name) {
-  const mesh_files::MeshFormat* const format = mesh_files::known_mesh_formats().of_name(name);
+  const mesh_formats::MeshFormat* const format = mesh_formats::known_mesh_formats().of_name(name);
   return format == nullptr ? importing_operators().front() : "import" + std::string(format->name);
 }
 
@@ -58,9 +58,9 @@ bool is_binary(std::string_view head) {
 
 FileArgument kind_of(std::string_view head, std::size_t size, const std::string& name) {
   if (head.starts_with("SQLite format 3")) return {FileKind::database, {}};
-  if (has_mesh_ending(name) || mesh_files::known_mesh_formats().of_content(head, size) != nullptr)
+  if (has_mesh_ending(name) || mesh_formats::known_mesh_formats().of_content(head, size) != nullptr)
     return {FileKind::mesh, {}};
-  if (const std::string_view kind = mesh_files::foreign_kind(head); !kind.empty())
+  if (const std::string_view kind = mesh_formats::foreign_kind(head); !kind.empty())
     return {FileKind::other, fmt::format("it is {}; {}", kind, expected_text())};
   if (is_binary(head))
     return {FileKind::other, fmt::format("it is a binary file of an unknown kind; {}", expected_text())};

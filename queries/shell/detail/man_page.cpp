@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/version.h"
 #include "queries/language/command_list.h"
 #include "queries/language/documentation.h"

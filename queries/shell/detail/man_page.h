@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/shell/detail/command_line.h"
 
 namespace queries {

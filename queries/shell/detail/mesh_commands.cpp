@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/diagnostics.h"
-#include "algebra3d/base/text.h"
-#include "algebra3d/formats/import_solid.h"
-#include "algebra3d/repair/amount.h"
-#include "mesh_files/mesh_format.h"
-#include "mesh_files/mesh_formats.h"
+#include "algebra3d/kernel/repair/amount.h"
+#include "algebra3d/values/conversions/import_solid.h"
+#include "base/diagnostics.h"
+#include "base/text.h"
+#include "mesh_formats/mesh_format.h"
+#include "mesh_formats/mesh_formats.h"
 #include "queries/importer/import_command.h"
 #include "queries/shell/detail/mesh_input.h"
 #include "queries/shell/detail/screen.h"
@@ -52,8 +52,8 @@ std::string line_of(const std::string& name, const std::string& status) {
   return printable(status.starts_with(name) ? status : name + ": " + status) + "\n";
 }
 
-const mesh_files::MeshFormats& known_formats() {
-  return mesh_files::known_mesh_formats();
+const mesh_formats::MeshFormats& known_formats() {
+  return mesh_formats::known_mesh_formats();
 }
 
 std::string one_input() {
@@ -64,9 +64,9 @@ std::string output_file() {
 }
 
 /// "default for .obj, .off"
-std::string default_for(mesh_files::Encoding encoding) {
+std::string default_for(mesh_formats::Encoding encoding) {
   std::string text;
-  for (const mesh_files::MeshFormat& format : known_formats())
+  for (const mesh_formats::MeshFormat& format : known_formats())
     if (format.forms.front().encoding == encoding)
       text += (text.empty() ? "default for " : ", ") + std::string(format.endings.front());
   return text;
@@ -74,10 +74,10 @@ std::string default_for(mesh_files::Encoding encoding) {
 
 void add_output_options(CLI::App& command, MeshOutput& output) {
   auto* ascii = command.add_flag("--ascii", output.is_ascii,
-                                 fmt::format("Write text ({})", default_for(mesh_files::Encoding::ascii)));
+                                 fmt::format("Write text ({})", default_for(mesh_formats::Encoding::ascii)));
   command
       .add_flag("--binary", output.is_binary,
-                fmt::format("Write a binary file ({})", default_for(mesh_files::Encoding::binary)))
+                fmt::format("Write a binary file ({})", default_for(mesh_formats::Encoding::binary)))
       ->excludes(ascii);
   command.add_flag("--force", output.may_replace, "Replace OUT if it exists, even if it is FILE itself");
 }

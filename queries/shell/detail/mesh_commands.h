@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/repair/repair_options.h"
+#include "algebra3d/kernel/repair/repair_options.h"
 #include "queries/shell/detail/mesh_output.h"
 
 namespace CLI {

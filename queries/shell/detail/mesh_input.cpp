@@ -7,8 +7,8 @@
 #include <system_error>
 #include <utility>
 
-#include "algebra3d/base/polled_input.h"
-#include "mesh_files/unwritten_file.h"
+#include "base/polled_input.h"
+#include "mesh_formats/unwritten_file.h"
 #include "queries/importer/file_list.h"
 
 namespace queries {
@@ -43,7 +43,7 @@ Result<MeshInput> MeshInput::open(const std::string& name, const std::atomic<boo
   }
   input.name_ = name;
   ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::InputFile file, algebra3d::InputFile::open(name));
-  ALGEBRA3D_RETURN_IF_ERROR(mesh_files::refuse_unwritten(file));
+  ALGEBRA3D_RETURN_IF_ERROR(mesh_formats::refuse_unwritten(file));
   ALGEBRA3D_ASSIGN_OR_RETURN(input.content_, algebra3d::FileContent::read(file, cancel));
   return input;
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
-#include "algebra3d/base/file_content.h"
-#include "algebra3d/formats/mesh_file.h"
+#include "algebra3d/values/conversions/mesh_file.h"
+#include "base/file_content.h"
 
 namespace queries {
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <variant>
 
-#include "algebra3d/base/polygon_soup.h"
-#include "mesh_files/mesh_content.h"
-#include "mesh_files/mesh_format.h"
+#include "base/mesh_content.h"
+#include "base/polygon_soup.h"
+#include "mesh_formats/mesh_format.h"
 
 namespace queries {
 
@@ -19,10 +19,10 @@ using algebra3d::PolygonSoup;
 using algebra3d::Result;
 using algebra3d::TriangleSoup;
 using algebra3d::Vec3;
-using mesh_files::Encoding;
-using mesh_files::Facets;
-using mesh_files::MeshFormat;
-using mesh_files::MeshFormats;
+using mesh_formats::Encoding;
+using mesh_formats::Facets;
+using mesh_formats::MeshFormat;
+using mesh_formats::MeshFormats;
 
 namespace {
 
@@ -55,7 +55,7 @@ std::string name_in(const Facets& facets) {
 }  // namespace
 
 Result<MeshFileForm> form_of(const MeshOutput& output) {
-  const MeshFormats& formats = mesh_files::known_mesh_formats();
+  const MeshFormats& formats = mesh_formats::known_mesh_formats();
   const MeshFormat* const format = formats.of_name(output.file);
   if (format == nullptr)
     return Error{ErrorCode::wrong_usage, "{}: the ending says which format to write; expected {}", output.file,
@@ -81,8 +81,8 @@ std::string form_text(const MeshFileForm& form) {
 Result<WrittenMesh> convert_mesh(std::string_view bytes, const std::string& name, const MeshFileForm& form,
                                  const std::filesystem::path& file, std::vector<std::string>& remarks,
                                  const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshFormat* const given, mesh_files::known_mesh_formats().detect(bytes, name));
-  ALGEBRA3D_ASSIGN_OR_RETURN(mesh_files::MeshContent content, given->read(bytes, name, cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshFormat* const given, mesh_formats::known_mesh_formats().detect(bytes, name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(mesh_formats::MeshContent content, given->read(bytes, name, cancel));
   remarks = std::move(content.remarks);
   const MeshFormat& format = *form.format;
   const std::string solid_name = name_in(content.facets);
@@ -94,7 +94,7 @@ Result<WrittenMesh> convert_mesh(std::string_view bytes, const std::string& name
   }
   ALGEBRA3D_RETURN_IF_ERROR(format.write(file, facets, solid_name, form.encoding));
   WrittenMesh written = counts_of(facets);
-  if (format.form(form.encoding)->coordinates == mesh_files::CoordinateRange::floats)
+  if (format.form(form.encoding)->coordinates == mesh_formats::CoordinateRange::floats)
     for_each_point(facets, [&](const Vec3& point) { written.rounding = float_rounding(point, written.rounding); });
   return written;
 }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
-#include "algebra3d/formats/export_solid.h"
-#include "algebra3d/formats/mesh_file.h"
+#include "algebra3d/values/conversions/export_solid.h"
+#include "algebra3d/values/conversions/mesh_file.h"
 
 namespace queries {
 

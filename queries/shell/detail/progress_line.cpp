@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/signal_block.h"
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/utf8.h"
+#include "base/signal_block.h"
 #include "queries/shell/detail/screen.h"
 
 namespace queries {

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "mesh_files/mesh_format.h"
-#include "mesh_files/mesh_formats.h"
+#include "mesh_formats/mesh_format.h"
+#include "mesh_formats/mesh_formats.h"
 #include "queries/exchange/csv_presenter.h"
 #include "queries/exchange/json_presenter.h"
 #include "queries/shell/detail/presenters.h"
@@ -28,7 +28,7 @@ ExchangeOptions exchange_options(const ResultFormat& format) {
 /// The endings of mesh files, without their points.
 std::vector<std::string> mesh_endings() {
   std::vector<std::string> endings;
-  for (const mesh_files::MeshFormat& format : mesh_files::known_mesh_formats())
+  for (const mesh_formats::MeshFormat& format : mesh_formats::known_mesh_formats())
     for (const std::string_view ending : format.endings) endings.emplace_back(ending.substr(1));
   return endings;
 }

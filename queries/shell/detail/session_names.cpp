@@ -1,5 +1,5 @@
 #include "queries/shell/detail/session_names.h"
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/streams/nested_relations.h"
 
 #include <algorithm>

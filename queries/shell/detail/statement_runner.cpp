@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/diagnostics.h"
-#include "algebra3d/base/memory_limit.h"
-#include "algebra3d/base/without_exceptions.h"
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/utf8.h"
+#include "base/diagnostics.h"
+#include "base/memory_limit.h"
+#include "base/without_exceptions.h"
 #include "queries/language/parser.h"
 #include "queries/shell/detail/interruption.h"
 #include "queries/shell/detail/screen.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/base/diagnostics.h"
+#include "base/diagnostics.h"
 #include "queries/language/command_reader.h"
 #include "queries/session/session.h"
 #include "queries/shell/detail/terminal_output.h"

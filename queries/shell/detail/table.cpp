@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/text.h"
-#include "algebra3d/types/nested_relation.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/nested_relation.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
+#include "algebra3d/values/types/utf8.h"
+#include "base/text.h"
 #include "queries/exchange/exchange_values.h"
 #include "queries/shell/detail/screen.h"
 

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/utf8.h"
 
 namespace queries {
 namespace {

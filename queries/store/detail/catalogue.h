@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/types/type_expr.h"
+#include "algebra3d/values/types/type_expr.h"
 #include "queries/store/detail/sqlite_connection.h"
 
 namespace queries {

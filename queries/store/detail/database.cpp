@@ -1,6 +1,6 @@
 #include "queries/store/detail/database.h"
 
-#include "algebra3d/types/codec.h"
+#include "algebra3d/values/types/codec.h"
 #include "queries/store/detail/chunks.h"
 
 namespace queries {

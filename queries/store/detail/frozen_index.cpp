@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "algebra3d/types/binary_io.h"
+#include "algebra3d/values/types/binary_io.h"
 #include "queries/store/detail/index_frame.h"
 
 namespace queries {

@@ -1,7 +1,7 @@
 #include "queries/store/detail/frozen_order.h"
 
-#include "algebra3d/types/binary_io.h"
-#include "algebra3d/types/codec.h"
+#include "algebra3d/values/types/binary_io.h"
+#include "algebra3d/values/types/codec.h"
 #include "queries/store/detail/index_frame.h"
 
 namespace queries {

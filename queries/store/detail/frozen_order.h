@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/streams/ordered_index.h"
 
 namespace queries {

@@ -1,6 +1,6 @@
 #include "queries/store/detail/index_frame.h"
 
-#include "algebra3d/types/binary_io.h"
+#include "algebra3d/values/types/binary_io.h"
 #include "queries/store/detail/cell.h"
 
 namespace queries {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "algebra3d/types/codec.h"
+#include "algebra3d/values/types/codec.h"
 #include "queries/store/detail/frozen_index.h"
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/index_pages.h"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "algebra3d/types/codec.h"
+#include "algebra3d/values/types/codec.h"
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/index_pages.h"
 #include "queries/store/detail/integrity_check.h"

@@ -1,6 +1,6 @@
 #include "queries/store/detail/reading_step.h"
 
-#include "algebra3d/base/interruption_scope.h"
+#include "base/interruption_scope.h"
 
 namespace queries {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/registry/registry.h"
-#include "algebra3d/types/type_expr.h"
+#include "algebra3d/operators/registry/registry.h"
+#include "algebra3d/values/types/type_expr.h"
 
 namespace queries {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "algebra3d/base/open_databases.h"
+#include "base/open_databases.h"
 
 namespace queries {
 namespace {

@@ -13,7 +13,7 @@
 
 #include <sqlite3.h>
 
-#include "algebra3d/base/open_databases.h"
+#include "base/open_databases.h"
 #include "queries/store/detail/checked_pages.h"
 #include "queries/store/detail/sqlite_statement.h"
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "algebra3d/base/memory_limit.h"
+#include "base/memory_limit.h"
 
 namespace queries {
 namespace {

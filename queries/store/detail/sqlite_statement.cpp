@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-#include "algebra3d/base/interruption_scope.h"
+#include "base/interruption_scope.h"
 #include "queries/store/detail/reading_step.h"
 #include "queries/store/detail/sqlite_connection.h"
 

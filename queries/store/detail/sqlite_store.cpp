@@ -1,6 +1,6 @@
 #include "queries/store/detail/sqlite_store.h"
 
-#include "algebra3d/types/codec.h"
+#include "algebra3d/values/types/codec.h"
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/integrity_check.h"
 #include "queries/store/detail/read_scope.h"

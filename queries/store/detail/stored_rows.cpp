@@ -5,8 +5,8 @@
 #include <limits>
 #include <span>
 
-#include "algebra3d/types/codec.h"
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/values/types/codec.h"
+#include "algebra3d/values/types/scalars.h"
 #include "queries/store/detail/chunks.h"
 #include "queries/store/detail/stored_value.h"
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-#include "algebra3d/types/binary_io.h"
+#include "algebra3d/values/types/binary_io.h"
 #include "queries/store/detail/database.h"
 #include "queries/store/detail/index_pages.h"
 #include "queries/store/detail/relation_scan.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "algebra3d/base/memory_limit.h"
+#include "base/memory_limit.h"
 
 namespace queries {
 

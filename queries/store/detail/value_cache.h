@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "algebra3d/types/value.h"
+#include "algebra3d/values/types/value.h"
 
 namespace queries {
 

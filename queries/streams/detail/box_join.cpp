@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/base/work_memory.h"
+#include "base/work_memory.h"
 #include "queries/streams/detail/spatial_attribute.h"
 
 namespace queries {

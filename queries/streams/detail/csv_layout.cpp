@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/number_text.h"
+#include "base/number_text.h"
 #include "queries/streams/detail/import_columns.h"
 #include "queries/streams/plain_text.h"
 

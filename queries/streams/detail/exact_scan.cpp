@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/spatial_relations/nearest_points.h"
+#include "algebra3d/values/spatial_relations/nearest_points.h"
 #include "queries/streams/detail/index_operands.h"
 #include "queries/streams/detail/nearest_entries.h"
 #include "queries/streams/detail/nearest_search.h"

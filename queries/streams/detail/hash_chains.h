@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "algebra3d/base/indices.h"
+#include "base/indices.h"
 
 namespace queries {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "algebra3d/types/described_type.h"
+#include "algebra3d/values/types/described_type.h"
 #include "queries/streams/detail/sorting.h"
 
 namespace queries {

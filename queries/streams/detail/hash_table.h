@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "algebra3d/base/work_memory.h"
+#include "base/work_memory.h"
 #include "queries/streams/detail/hash_chains.h"
 #include "queries/streams/detail/keyed_tuple.h"
 #include "queries/streams/mapping.h"

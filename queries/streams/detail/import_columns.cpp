@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/values/types/scalars.h"
 #include "queries/streams/plain_text.h"
 
 namespace queries {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 
-#include "algebra3d/halfedge/boxes.h"
-#include "algebra3d/spatial_relations/nearest_points.h"
-#include "algebra3d/spatial_relations/place_of_box.h"
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/kernel/search/boxes.h"
+#include "algebra3d/values/spatial_relations/nearest_points.h"
+#include "algebra3d/values/spatial_relations/place_of_box.h"
+#include "algebra3d/values/types/scalars.h"
 
 namespace queries {
 namespace {

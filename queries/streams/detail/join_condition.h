@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/streams/detail/refined_join.h"
 #include "queries/streams/mapping.h"
 

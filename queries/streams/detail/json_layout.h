@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "algebra3d/formats/json_tree.h"
+#include "algebra3d/values/conversions/json_tree.h"
 #include "queries/streams/detail/json_records.h"
 #include "queries/streams/mapping.h"
 

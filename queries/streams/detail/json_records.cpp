@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/formats/json_tree.h"
+#include "algebra3d/values/conversions/json_tree.h"
 
 namespace queries {
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/types/nested_relation.h"
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/nested_relation.h"
+#include "algebra3d/values/types/utf8.h"
 #include "queries/streams/plain_text.h"
 
 namespace queries {

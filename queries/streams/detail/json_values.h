@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "algebra3d/formats/json_tree.h"
-#include "algebra3d/types/value.h"
+#include "algebra3d/values/conversions/json_tree.h"
+#include "algebra3d/values/types/value.h"
 
 namespace queries {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/base/work_memory.h"
+#include "base/work_memory.h"
 #include "queries/streams/detail/any_stream.h"
 #include "queries/streams/tuple_buffer.h"
 

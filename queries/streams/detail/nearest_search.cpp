@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/spatial_relations/nearest_points.h"
-#include "algebra3d/spatial_relations/place_of_box.h"
+#include "algebra3d/values/spatial_relations/nearest_points.h"
+#include "algebra3d/values/spatial_relations/place_of_box.h"
+#include "base/scheduler.h"
 #include "queries/streams/detail/block_join.h"
 #include "queries/streams/detail/spatial_attribute.h"
 

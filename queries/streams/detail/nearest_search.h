@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/distance/distance.h"
-#include "algebra3d/exact/rational.h"
+#include "algebra3d/kernel/distance/distance.h"
+#include "algebra3d/kernel/exact/rational.h"
 #include "queries/streams/datum.h"
 #include "queries/streams/detail/spatial_pairs.h"
 #include "queries/streams/mapping.h"

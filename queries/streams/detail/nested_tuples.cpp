@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "algebra3d/base/work_memory.h"
+#include "base/work_memory.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/types/nested_relation.h"
+#include "algebra3d/values/types/nested_relation.h"
 #include "queries/streams/datum.h"
 
 namespace queries {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "algebra3d/base/scheduler.h"
+#include "base/scheduler.h"
 
 namespace queries {
 namespace {

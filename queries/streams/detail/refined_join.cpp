@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/exact/counters.h"
+#include "algebra3d/kernel/exact/counters.h"
 #include "queries/streams/detail/spatial_pairs.h"
 #include "queries/streams/tuple_buffer.h"
 

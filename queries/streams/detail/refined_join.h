@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "algebra3d/base/box3.h"
-#include "algebra3d/spatial_relations/relation.h"
+#include "algebra3d/values/spatial_relations/relation.h"
 #include "queries/streams/datum.h"
 #include "queries/streams/detail/box_join.h"
 #include "queries/streams/mapping.h"

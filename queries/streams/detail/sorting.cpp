@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include "algebra3d/base/work_memory.h"
+#include "base/work_memory.h"
 #include "queries/streams/detail/run_merge.h"
 #include "queries/streams/detail/sort_order.h"
 

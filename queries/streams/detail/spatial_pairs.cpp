@@ -5,8 +5,8 @@
 #include <optional>
 #include <unordered_map>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/operators/set_of_value.h"
+#include "algebra3d/operators/descriptions/set_of_value.h"
+#include "base/scheduler.h"
 
 namespace queries {
 

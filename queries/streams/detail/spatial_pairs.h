@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/base/work_memory.h"
-#include "algebra3d/spatial_relations/relation.h"
+#include "algebra3d/values/spatial_relations/relation.h"
+#include "base/work_memory.h"
 #include "queries/streams/datum.h"
 #include "queries/streams/mapping.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "algebra3d/base/error.h"
-#include "algebra3d/base/input_file.h"
+#include "base/input_file.h"
 
 namespace queries {
 

@@ -4,9 +4,9 @@
 #include <cassert>
 #include <cstring>
 
-#include "algebra3d/base/work_memory.h"
-#include "algebra3d/types/binary_io.h"
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/values/types/binary_io.h"
+#include "algebra3d/values/types/scalars.h"
+#include "base/work_memory.h"
 
 namespace queries {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/base/context.h"
+#include "base/context.h"
 #include "queries/streams/datum.h"
 #include "queries/streams/detail/temporary_file.h"
 

@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "algebra3d/base/number_text.h"
+#include "base/number_text.h"
 
 namespace queries {
 namespace {

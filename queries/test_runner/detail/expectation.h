@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
-#include "algebra3d/types/nested_list.h"
+#include "algebra3d/values/types/nested_list.h"
 #include "queries/test_runner/detail/comparison.h"
 
 namespace queries {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "algebra3d/exact/plane.h"
-#include "algebra3d/types/coordinate_text.h"
+#include "algebra3d/kernel/exact/plane.h"
+#include "algebra3d/values/types/coordinate_text.h"
 
 namespace queries {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "algebra3d/base/vec3.h"
-#include "algebra3d/exact/point.h"
-#include "algebra3d/registry/registry.h"
-#include "algebra3d/types/nested_list.h"
-#include "algebra3d/types/type_expr.h"
+#include "algebra3d/kernel/exact/point.h"
+#include "algebra3d/operators/registry/registry.h"
+#include "algebra3d/values/types/nested_list.h"
+#include "algebra3d/values/types/type_expr.h"
 
 namespace queries {
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "algebra3d/base/text.h"
+#include "base/text.h"
 #include "queries/session/variables.h"
 #include "queries/test_runner/detail/text_of_file.h"
 

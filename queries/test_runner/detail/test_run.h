@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/base/diagnostics.h"
+#include "base/diagnostics.h"
 #include "queries/session/session.h"
 #include "queries/test_runner/detail/expectation.h"
 #include "queries/test_runner/detail/test_file.h"

@@ -1,6 +1,6 @@
 #include "queries/test_runner/detail/text_of_file.h"
 
-#include "algebra3d/base/file_content.h"
+#include "base/file_content.h"
 
 namespace queries {
 

@@ -16,8 +16,8 @@
 
 #include <algorithm>
 
-#include "algebra3d/registry/operator.h"
-#include "algebra3d/types/expression_list.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/values/types/expression_list.h"
 #include "queries/language/expression_parser.h"
 #include "queries/language/token.h"
 #include "queries/test_runner/detail/restored_source.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 #include "queries/test_runner/detail/motion.h"
 #include "queries/test_runner/detail/test_folders.h"
 

@@ -1,5 +1,5 @@
 // Ninth stage: the result, in four steps. The unions are worked out by hand.
-#include "algebra3d/arrangement/detail/build_result_mesh.h"
+#include "algebra3d/kernel/arrangement/detail/build_result_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <map>
 #include <utility>
 
-#include "algebra3d/arrangement/detail/classification.h"
-#include "algebra3d/arrangement/detail/pseudo_nodes.h"
-#include "algebra3d/arrangement/detail/regions.h"
-#include "algebra3d/halfedge/audit.h"
+#include "algebra3d/kernel/arrangement/detail/classification.h"
+#include "algebra3d/kernel/arrangement/detail/pseudo_nodes.h"
+#include "algebra3d/kernel/arrangement/detail/regions.h"
+#include "algebra3d/kernel/halfedge/audit.h"
 #include "unit/arrangement/stages.h"
 
 namespace algebra3d::arrangement {

@@ -1,5 +1,5 @@
 // First stage: which faces may touch, by their boxes alone.
-#include "algebra3d/arrangement/detail/candidates.h"
+#include "algebra3d/kernel/arrangement/detail/candidates.h"
 
 #include <gtest/gtest.h>
 

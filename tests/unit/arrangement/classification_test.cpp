@@ -1,16 +1,16 @@
 // Winding jumps, and stage 8: front windings. What is expected of sub-facets is worked out anew from the boxes
 // alone: a place is in a box or it is not.
-#include "algebra3d/arrangement/detail/classification.h"
+#include "algebra3d/kernel/arrangement/detail/classification.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
-#include "algebra3d/arrangement/detail/linking.h"
-#include "algebra3d/arrangement/detail/propagating.h"
-#include "algebra3d/arrangement/detail/seeding.h"
-#include "algebra3d/arrangement/detail/sub_facets.h"
+#include "algebra3d/kernel/arrangement/detail/linking.h"
+#include "algebra3d/kernel/arrangement/detail/propagating.h"
+#include "algebra3d/kernel/arrangement/detail/seeding.h"
+#include "algebra3d/kernel/arrangement/detail/sub_facets.h"
 #include "unit/arrangement/stages.h"
 
 namespace algebra3d::arrangement {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "algebra3d/arrangement/detail/compact_windings.h"
-#include "algebra3d/arrangement/detail/numbers_by_bucket.h"
-#include "algebra3d/arrangement/detail/region_edges.h"
-#include "algebra3d/arrangement/detail/sub_edges.h"
+#include "algebra3d/kernel/arrangement/detail/compact_windings.h"
+#include "algebra3d/kernel/arrangement/detail/numbers_by_bucket.h"
+#include "algebra3d/kernel/arrangement/detail/region_edges.h"
+#include "algebra3d/kernel/arrangement/detail/sub_edges.h"
 
 namespace algebra3d::arrangement_tests {
 namespace {

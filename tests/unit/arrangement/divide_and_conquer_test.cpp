@@ -1,4 +1,4 @@
-#include "algebra3d/arrangement/divide_and_conquer.h"
+#include "algebra3d/kernel/arrangement/divide_and_conquer.h"
 
 #include <cmath>
 #include <string>

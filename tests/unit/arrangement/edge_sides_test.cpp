@@ -1,11 +1,11 @@
-#include "algebra3d/arrangement/detail/edge_sides.h"
+#include "algebra3d/kernel/arrangement/detail/edge_sides.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <vector>
 
-#include "algebra3d/arrangement/detail/bucket_sort.h"
+#include "algebra3d/kernel/arrangement/detail/bucket_sort.h"
 
 namespace algebra3d::arrangement_tests {
 namespace {

@@ -1,5 +1,5 @@
 // Fourth stage: common parts of facets, and the boundaries of facets, as segments. Diagonals of sides are not seen.
-#include "algebra3d/arrangement/detail/facet_contacts.h"
+#include "algebra3d/kernel/arrangement/detail/facet_contacts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Third stage: the coplanar facets that touch something, and their planes. A side of a box is one facet of two faces.
-#include "algebra3d/arrangement/detail/facets.h"
+#include "algebra3d/kernel/arrangement/detail/facets.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "algebra3d/arrangement/detail/id_map.h"
+#include "algebra3d/kernel/arrangement/detail/id_map.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <unordered_map>
 
-#include "algebra3d/arrangement/detail/ids.h"
+#include "algebra3d/kernel/arrangement/detail/ids.h"
 
 namespace algebra3d::arrangement_tests {
 namespace {

@@ -1,12 +1,12 @@
 // No identifier of an arrangement passes for another one, for a handle of a mesh, or for an integer.
-#include "algebra3d/arrangement/detail/ids.h"
+#include "algebra3d/kernel/arrangement/detail/ids.h"
 
 #include <gtest/gtest.h>
 
 #include <type_traits>
 
-#include "algebra3d/arrangement/detail/front_winding_ids.h"
-#include "algebra3d/halfedge/handle.h"
+#include "algebra3d/kernel/arrangement/detail/front_winding_ids.h"
+#include "algebra3d/kernel/halfedge/handle.h"
 #include "support/separate_ids.h"
 
 namespace algebra3d::arrangement {

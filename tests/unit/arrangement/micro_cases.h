@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "algebra3d/exact/rational.h"
+#include "algebra3d/kernel/exact/rational.h"
 #include "unit/arrangement/solids.h"
 
 namespace algebra3d::solids {

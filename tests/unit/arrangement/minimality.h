@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/exact/predicates.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/exact/predicates.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 namespace algebra3d::solids {
 

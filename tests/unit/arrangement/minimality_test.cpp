@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/arrangement/divide_and_conquer.h"
+#include "algebra3d/kernel/arrangement/divide_and_conquer.h"
 #include "unit/arrangement/micro_cases.h"
 #include "unit/arrangement/minimality.h"
 #include "unit/arrangement/random_solids.h"

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/arrangement/arrangement.h"
-#include "algebra3d/arrangement/surface_arrangement.h"
+#include "algebra3d/kernel/arrangement/arrangement.h"
+#include "algebra3d/kernel/arrangement/surface_arrangement.h"
 #include "unit/arrangement/random_solids.h"
 
 namespace algebra3d::solids {

@@ -1,5 +1,5 @@
 // Input of an arrangement: elements of several meshes, numbered through.
-#include "algebra3d/arrangement/detail/operands.h"
+#include "algebra3d/kernel/arrangement/detail/operands.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Fifth stage: the segments of each plane, cut at one another.
-#include "algebra3d/arrangement/detail/overlay.h"
+#include "algebra3d/kernel/arrangement/detail/overlay.h"
 
 #include <gtest/gtest.h>
 

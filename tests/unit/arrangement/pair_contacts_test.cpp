@@ -1,5 +1,5 @@
 // Second stage: what two triangles have in common, by places and without constructing a point.
-#include "algebra3d/arrangement/detail/pair_contacts.h"
+#include "algebra3d/kernel/arrangement/detail/pair_contacts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Seventh stage: the faces that touch nothing, by connected parts.
-#include "algebra3d/arrangement/detail/patches.h"
+#include "algebra3d/kernel/arrangement/detail/patches.h"
 
 #include <gtest/gtest.h>
 

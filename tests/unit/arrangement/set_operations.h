@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/arrangement/arrangement.h"
-#include "algebra3d/exact/exact_sum.h"
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/arrangement/arrangement.h"
+#include "algebra3d/kernel/exact/exact_sum.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/arrangement/solids.h"
 
 /// The engine as the tests call it. No operation may fail on valid solids, and each result has to be one: what is wrong

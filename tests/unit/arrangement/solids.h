@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 /// Solids whose corners and triangles are written down directly, without the engine under test.
 namespace algebra3d::solids {

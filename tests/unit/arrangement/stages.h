@@ -9,15 +9,15 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/arrangement/detail/candidates.h"
-#include "algebra3d/arrangement/detail/facet_contacts.h"
-#include "algebra3d/arrangement/detail/facets.h"
-#include "algebra3d/arrangement/detail/incident_facets.h"
-#include "algebra3d/arrangement/detail/overlay.h"
-#include "algebra3d/arrangement/detail/pair_contacts.h"
-#include "algebra3d/arrangement/detail/patches.h"
-#include "algebra3d/arrangement/detail/sub_edges.h"
-#include "algebra3d/arrangement/detail/subdivision.h"
+#include "algebra3d/kernel/arrangement/detail/candidates.h"
+#include "algebra3d/kernel/arrangement/detail/facet_contacts.h"
+#include "algebra3d/kernel/arrangement/detail/facets.h"
+#include "algebra3d/kernel/arrangement/detail/incident_facets.h"
+#include "algebra3d/kernel/arrangement/detail/overlay.h"
+#include "algebra3d/kernel/arrangement/detail/pair_contacts.h"
+#include "algebra3d/kernel/arrangement/detail/patches.h"
+#include "algebra3d/kernel/arrangement/detail/sub_edges.h"
+#include "algebra3d/kernel/arrangement/detail/subdivision.h"
 #include "unit/arrangement/solids.h"
 
 /// The stages of an arrangement one by one, and their outputs as text: by places, not by ids, and sorted, so that an

@@ -1,5 +1,5 @@
 // Sixth stage: the subdivision of all planes.
-#include "algebra3d/arrangement/detail/sub_edges.h"
+#include "algebra3d/kernel/arrangement/detail/sub_edges.h"
 
 #include <gtest/gtest.h>
 

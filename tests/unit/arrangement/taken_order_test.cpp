@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/arrangement/arrangement.h"
-#include "algebra3d/base/scheduler.h"
+#include "algebra3d/kernel/arrangement/arrangement.h"
+#include "base/scheduler.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/solids.h"
 

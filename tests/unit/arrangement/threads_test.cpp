@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/arrangement/arrangement.h"
-#include "algebra3d/arrangement/divide_and_conquer.h"
-#include "algebra3d/base/scheduler.h"
+#include "algebra3d/kernel/arrangement/arrangement.h"
+#include "algebra3d/kernel/arrangement/divide_and_conquer.h"
+#include "base/scheduler.h"
 #include "unit/arrangement/solids.h"
 
 // The number of threads changes nothing: not the points, their order, or the triangles.

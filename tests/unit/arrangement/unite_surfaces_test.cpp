@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/arrangement/surface_arrangement.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/arrangement/surface_arrangement.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "unit/arrangement/random_solids.h"
 
 namespace algebra3d::solids {

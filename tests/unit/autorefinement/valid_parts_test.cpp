@@ -1,4 +1,4 @@
-#include "algebra3d/autorefinement/valid_parts.h"
+#include "algebra3d/kernel/autorefinement/valid_parts.h"
 
 #include <algorithm>
 #include <atomic>
@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "unit/repair/soups.h"
 
 namespace algebra3d::soups {

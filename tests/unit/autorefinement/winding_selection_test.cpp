@@ -1,12 +1,12 @@
-#include "algebra3d/autorefinement/winding_selection.h"
+#include "algebra3d/kernel/autorefinement/winding_selection.h"
 
 #include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/vertical_line.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/exact/vertical_line.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/validity/sample_meshes.h"

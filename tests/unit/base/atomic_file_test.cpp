@@ -1,6 +1,6 @@
 // AtomicFile with files that must be new; what it does to files that it replaces is tested by the writers of mesh
 // files.
-#include "algebra3d/base/atomic_file.h"
+#include "base/atomic_file.h"
 
 #include <atomic>
 #include <utility>

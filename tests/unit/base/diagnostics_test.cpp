@@ -1,4 +1,4 @@
-#include "algebra3d/base/diagnostics.h"
+#include "base/diagnostics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The curve by its definition: it visits each cell once, and goes on to a neighbour each time.
-#include "algebra3d/base/hilbert.h"
+#include "base/hilbert.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "algebra3d/base/interruption_scope.h"
+#include "base/interruption_scope.h"
 
 #include <atomic>
 #include <thread>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/base/scheduler.h"
+#include "base/scheduler.h"
 
 namespace algebra3d {
 namespace {

@@ -1,4 +1,4 @@
-#include "algebra3d/base/intrusive_pointer.h"
+#include "base/intrusive_pointer.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "algebra3d/base/reference_count.h"
+#include "base/reference_count.h"
 
 namespace algebra3d {
 namespace {

@@ -1,4 +1,4 @@
-#include "algebra3d/base/memory_limit.h"
+#include "base/memory_limit.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <thread>
 #include <vector>
 
-#include "algebra3d/base/detail/machine_memory.h"
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/base/without_exceptions.h"
-#include "algebra3d/base/work_memory.h"
+#include "base/detail/machine_memory.h"
+#include "base/scheduler.h"
+#include "base/without_exceptions.h"
+#include "base/work_memory.h"
 #include "support/scratch_folder.h"
 
 // The test program keeps the allocation functions of the library, so all that is counted here is what is charged here.

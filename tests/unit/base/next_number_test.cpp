@@ -1,5 +1,5 @@
 // Oracle: std::nextafter.
-#include "algebra3d/base/next_number.h"
+#include "base/next_number.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "algebra3d/base/detail/plain_number.h"
+#include "base/detail/plain_number.h"
 
 #include <bit>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "algebra3d/base/ascii_cursor.h"
+#include "base/ascii_cursor.h"
 
 namespace {
 

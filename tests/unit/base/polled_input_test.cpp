@@ -1,4 +1,4 @@
-#include "algebra3d/base/polled_input.h"
+#include "base/polled_input.h"
 
 #include <chrono>
 #include <fstream>
@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "algebra3d/base/temporary_folder.h"
+#include "base/temporary_folder.h"
 
 namespace algebra3d {
 namespace {

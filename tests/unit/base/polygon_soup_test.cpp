@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/base/polygon_soup.h"
+#include "base/polygon_soup.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "algebra3d/base/scheduler.h"
+#include "base/scheduler.h"
 
 #include <array>
 #include <atomic>

@@ -1,10 +1,10 @@
-#include "algebra3d/base/stack_thread.h"
+#include "base/stack_thread.h"
 
 #include <csignal>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/base/signal_block.h"
+#include "base/signal_block.h"
 
 namespace algebra3d {
 namespace {

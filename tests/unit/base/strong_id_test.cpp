@@ -1,4 +1,4 @@
-#include "algebra3d/base/strong_id.h"
+#include "base/strong_id.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "algebra3d/base/id_vector.h"
+#include "base/id_vector.h"
 
 namespace algebra3d {
 namespace {

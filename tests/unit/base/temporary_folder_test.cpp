@@ -1,4 +1,4 @@
-#include "algebra3d/base/temporary_folder.h"
+#include "base/temporary_folder.h"
 
 #include <optional>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "algebra3d/base/work_memory.h"
+#include "base/work_memory.h"
 
 #include <gtest/gtest.h>
 

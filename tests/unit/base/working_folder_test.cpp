@@ -1,4 +1,4 @@
-#include "algebra3d/base/working_folder.h"
+#include "base/working_folder.h"
 
 #include <gtest/gtest.h>
 

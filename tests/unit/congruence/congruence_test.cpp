@@ -1,6 +1,6 @@
 // Copies of solids that were turned, mirrored, moved, rounded and divided into other triangles; what the motion must be
 // is known from how they were made. And solids that differ by more than the tolerance.
-#include "algebra3d/congruence/congruence.h"
+#include "algebra3d/kernel/congruence/congruence.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <random>
 #include <string>
 
-#include "algebra3d/congruence/detail/point_grid.h"
-#include "algebra3d/exact/affine_map.h"
+#include "algebra3d/kernel/congruence/detail/point_grid.h"
+#include "algebra3d/kernel/exact/affine_map.h"
 
 namespace algebra3d {
 namespace {

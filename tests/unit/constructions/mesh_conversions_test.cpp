@@ -1,12 +1,12 @@
-#include "algebra3d/constructions/mesh_conversions.h"
+#include "algebra3d/values/constructions/mesh_conversions.h"
 
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "unit/operators/call_operator.h"
 #include "unit/validity/sample_meshes.h"
 

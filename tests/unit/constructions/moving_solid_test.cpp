@@ -1,13 +1,13 @@
-#include "algebra3d/constructions/moving_solid.h"
+#include "algebra3d/values/constructions/moving_solid.h"
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/exact_sum.h"
-#include "algebra3d/halfedge/mesh_triangles.h"
-#include "algebra3d/planar/boundary_polygons.h"
-#include "algebra3d/planar/polygon_measures.h"
-#include "algebra3d/types/planar.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/exact/exact_sum.h"
+#include "algebra3d/kernel/halfedge/mesh_triangles.h"
+#include "algebra3d/kernel/planar/boundary_polygons.h"
+#include "algebra3d/kernel/planar/polygon_measures.h"
+#include "algebra3d/kernel/validity/validity.h"
+#include "algebra3d/values/types/planar.h"
 #include "support/plane_shapes.h"
 #include "unit/operators/call_operator.h"
 

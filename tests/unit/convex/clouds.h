@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "algebra3d/exact/point.h"
+#include "algebra3d/kernel/exact/point.h"
 
 /// Random sets of points for the tests of convex sets, most of them degenerate.
 namespace algebra3d::clouds {

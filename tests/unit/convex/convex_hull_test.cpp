@@ -1,7 +1,7 @@
 // Hulls of random points, most of them degenerate. CGAL's exact kernel tells that a hull is the hull: it bounds a valid
 // solid, no point is in front of a facet, and the normals at each vertex, which is one of the points, span the space.
 // ALGEBRA3D_ROUNDS sets the number of sets.
-#include "algebra3d/convex/convex_hull.h"
+#include "algebra3d/kernel/convex/convex_hull.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Smallest enclosing balls of random points against brute force over rationals: all balls through one to four points
 // that contain the others. And against CGAL's exact Min_sphere_d.
-#include "algebra3d/convex/enclosing_ball.h"
+#include "algebra3d/kernel/convex/enclosing_ball.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include <cstdlib>
 
-#include "algebra3d/exact/plane.h"
+#include "algebra3d/kernel/exact/plane.h"
 #include "unit/convex/clouds.h"
 
 namespace algebra3d {

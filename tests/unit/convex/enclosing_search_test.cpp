@@ -6,13 +6,13 @@
 #include <numbers>
 #include <random>
 
-#include "algebra3d/convex/bounding_cylinder.h"
-#include "algebra3d/convex/convex_hull.h"
-#include "algebra3d/convex/detail/hull_outline.h"
-#include "algebra3d/convex/minimal_box.h"
-#include "algebra3d/exact/affine_map.h"
-#include "algebra3d/exact/plane.h"
-#include "algebra3d/exact/predicates.h"
+#include "algebra3d/kernel/convex/bounding_cylinder.h"
+#include "algebra3d/kernel/convex/convex_hull.h"
+#include "algebra3d/kernel/convex/detail/hull_outline.h"
+#include "algebra3d/kernel/convex/minimal_box.h"
+#include "algebra3d/kernel/exact/affine_map.h"
+#include "algebra3d/kernel/exact/plane.h"
+#include "algebra3d/kernel/exact/predicates.h"
 #include "unit/convex/clouds.h"
 
 namespace algebra3d {

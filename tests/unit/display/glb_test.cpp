@@ -1,4 +1,4 @@
-#include "algebra3d/display/glb.h"
+#include "algebra3d/values/display/glb.h"
 
 #include <array>
 #include <map>
@@ -15,16 +15,16 @@
 namespace algebra3d {
 namespace {
 
-std::string file_of(const std::vector<Shape>& shapes) {
+std::string file_of(const std::vector<DrawnShape>& shapes) {
   std::vector<GlbNode> nodes;
-  for (const Shape& shape : shapes) nodes.push_back({10 + nodes.size(), &shape});
+  for (const DrawnShape& shape : shapes) nodes.push_back({10 + nodes.size(), &shape});
   Result<std::string> file = glb_of(nodes);
   EXPECT_TRUE(file.ok());
   return std::move(file).value();
 }
 
 TEST(Glb, has_a_node_for_each_shape) {
-  Shape nothing;
+  DrawnShape nothing;
   nothing.kind = "region";
   const GlbFile file(file_of({shape_of_solid(cube_triangles(1, 3)), shape_from<Box3>("(0 1 0 2 0 3)"), nothing}));
   ASSERT_EQ(file.json["nodes"].size(), 3U);
@@ -41,7 +41,7 @@ TEST(Glb, has_a_node_for_each_shape) {
 }
 
 TEST(Glb, arrays_are_those_of_the_shape) {
-  Shape shape = shape_of_solid(cube_triangles(1, 3));
+  DrawnShape shape = shape_of_solid(cube_triangles(1, 3));
   shape.face_ids.assign(12, 7);
   shape.tree.assign(64, std::byte{42});
   shape.deviation = 0.25;
@@ -72,7 +72,7 @@ TEST(Glb, arrays_are_those_of_the_shape) {
 /// 65,535 would restart a primitive.
 TEST(Glb, indices_have_32_bits_from_65536_vertices_on) {
   for (const std::size_t count : {65535U, 65536U}) {
-    Shape shape;
+    DrawnShape shape;
     for (std::size_t i = 0; i < count; ++i) {
       shape.positions.push_back({static_cast<float>(i), 0, 0});
       shape.points.push_back(static_cast<std::uint32_t>(i));

@@ -1,4 +1,4 @@
-#include "algebra3d/display/levels_of_detail.h"
+#include "algebra3d/values/display/levels_of_detail.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/mesh_triangles.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/mesh_triangles.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "unit/display/values.h"
 
 namespace algebra3d {
@@ -24,7 +24,7 @@ TEST(LevelsOfDetail, are_shapes_of_the_value_with_fewer_triangles) {
   EXPECT_EQ((*levels)[0].triangles.size(), mesh.face_count()) << "the whole shape";
   EXPECT_FALSE((*levels)[0].deviation.has_value());
   for (std::size_t i : {1U, 2U}) {
-    const Shape& level = (*levels)[i];
+    const DrawnShape& level = (*levels)[i];
     EXPECT_EQ(level.kind, "volume3d");
     EXPECT_EQ(level.triangle_count, mesh.face_count());
     EXPECT_EQ(level.box, (*levels)[0].box);
@@ -60,7 +60,7 @@ TEST(LevelsOfDetail, boundaries_are_those_of_the_value) {
   const Value disc = Value::of(Surface3d::trusted(TriangleMesh(PointArray(std::move(points)), triangles)));
   const auto levels = levels_of_detail(disc, std::array<std::size_t, 1>{1000});
   ASSERT_TRUE(levels.ok());
-  const Shape& level = levels->front();
+  const DrawnShape& level = levels->front();
   ASSERT_GT(level.boundary.size(), 20U);
   ASSERT_LT(level.boundary.size(), 200U);
   double around = 0;
@@ -119,7 +119,7 @@ TEST(LevelsOfDetail, of_meshes_with_defects) {
   ASSERT_EQ(mesh.get<Mesh3d>().mesh().nonmanifold_edge_count(), static_cast<std::size_t>(kCells));
   const auto levels = levels_of_detail(mesh, std::array<std::size_t, 1>{600});
   ASSERT_TRUE(levels.ok());
-  const Shape& level = levels->front();
+  const DrawnShape& level = levels->front();
   EXPECT_EQ(level.triangle_count, 2U * 3 * kCells * kCells);
   EXPECT_GE(level.nonmanifold.size(), 5U);
   EXPECT_LE(level.nonmanifold.size(), 15U);

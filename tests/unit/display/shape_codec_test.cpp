@@ -1,19 +1,19 @@
-#include "algebra3d/display/shape_codec.h"
+#include "algebra3d/values/display/shape_codec.h"
 
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/display/glb.h"
-#include "algebra3d/display/triangle_tree.h"
+#include "algebra3d/values/display/glb.h"
+#include "algebra3d/values/display/triangle_tree.h"
 #include "unit/display/values.h"
 
 namespace algebra3d {
 namespace {
 
 /// A shape with something in every field.
-Shape full_shape() {
-  Shape shape = shape_of_solid(unit_sphere(30, 40));
+DrawnShape full_shape() {
+  DrawnShape shape = shape_of_solid(unit_sphere(30, 40));
   add_tree(shape);
   shape.boundary = {{0, 1}};
   shape.nonmanifold = {{1, 2}, {2, 3}};
@@ -26,7 +26,7 @@ Shape full_shape() {
 }
 
 TEST(ShapeCodec, gives_back_what_was_encoded) {
-  const Shape shape = full_shape();
+  const DrawnShape shape = full_shape();
   ASSERT_FALSE(shape.tree.empty());
   const auto decoded = decode_shape(encode_shape(shape));
   ASSERT_TRUE(decoded.ok());

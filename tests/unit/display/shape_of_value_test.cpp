@@ -1,4 +1,4 @@
-#include "algebra3d/display/shape_of_value.h"
+#include "algebra3d/values/display/shape_of_value.h"
 
 #include <atomic>
 #include <cmath>
@@ -7,11 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/mesh_triangles.h"
-#include "algebra3d/types/all.h"
-#include "algebra3d/types/nested_relation.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/time.h"
+#include "algebra3d/kernel/halfedge/mesh_triangles.h"
+#include "algebra3d/values/types/all.h"
+#include "algebra3d/values/types/nested_relation.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/time.h"
 #include "unit/display/values.h"
 
 namespace algebra3d {
@@ -20,7 +20,7 @@ namespace {
 using Lines = std::set<std::pair<Vec3, Vec3>>;
 
 /// Lines by their ends, which are ordered.
-Lines lines_of(const Shape& shape, const LargeVector<Shape::Line>& lines) {
+Lines lines_of(const DrawnShape& shape, const LargeVector<DrawnShape::Line>& lines) {
   Lines found;
   for (const auto& [a, b] : lines) {
     const Vec3 from = place(shape, a), to = place(shape, b);
@@ -46,7 +46,7 @@ Lines edges_of_box(const Vec3& low, const Vec3& high) {
 }
 
 TEST(ShapeOfValue, of_a_cube_has_twelve_edges_and_four_vertices_for_each_side) {
-  const Shape shape = shape_of_solid(cube_triangles(1, 3));
+  const DrawnShape shape = shape_of_solid(cube_triangles(1, 3));
   EXPECT_EQ(shape.kind, "volume3d");
   EXPECT_EQ(shape.box, (Box3{{1, 1, 1}, {3, 3, 3}}));
   EXPECT_EQ(shape.origin, (Vec3{2, 2, 2}));
@@ -61,7 +61,7 @@ TEST(ShapeOfValue, of_a_cube_has_twelve_edges_and_four_vertices_for_each_side) {
 }
 
 TEST(ShapeOfValue, normals_point_to_the_front_of_their_triangles) {
-  const Shape shape = shape_of_solid(cube_triangles(-1, 1));
+  const DrawnShape shape = shape_of_solid(cube_triangles(-1, 1));
   for (const IndexTriangle& triangle : shape.triangles) {
     const Vec3 area = doubled_area(shape, triangle);
     EXPECT_GT(dot(area, place(shape, triangle[0])), 0) << "counter-clockwise seen from outside";
@@ -75,7 +75,7 @@ TEST(ShapeOfValue, normals_point_to_the_front_of_their_triangles) {
 
 TEST(ShapeOfValue, vertex_ids_tell_the_vertices_that_were_divided) {
   const TriangleMesh cube = cube_triangles(0, 1);
-  const Shape shape = shape_of_solid(cube);
+  const DrawnShape shape = shape_of_solid(cube);
   ASSERT_EQ(shape.vertex_ids.size(), shape.positions.size());
   for (std::uint32_t i = 0; i < shape.positions.size(); ++i)
     EXPECT_EQ(place(shape, i), cube.points().approx()[shape.vertex_ids[i]]);
@@ -83,7 +83,7 @@ TEST(ShapeOfValue, vertex_ids_tell_the_vertices_that_were_divided) {
 
 TEST(ShapeOfValue, a_smooth_surface_keeps_its_vertices) {
   const TriangleMesh mesh = unit_sphere(40, 60);
-  const Shape shape = shape_of_solid(mesh);
+  const DrawnShape shape = shape_of_solid(mesh);
   EXPECT_EQ(shape.positions.size(), mesh.vertex_count());
   EXPECT_TRUE(shape.vertex_ids.empty());
   for (std::uint32_t i = 0; i < shape.positions.size(); ++i)
@@ -103,20 +103,20 @@ TEST(ShapeOfValue, of_large_meshes_only_creases_are_edges) {
   }
   const std::vector<TriangleMesh::Triangle> triangles = triangles_of(sphere);
   ASSERT_GT(triangles.size(), 1000000U);
-  const Shape shape = shape_of_solid(TriangleMesh(PointArray(std::move(points)), triangles));
+  const DrawnShape shape = shape_of_solid(TriangleMesh(PointArray(std::move(points)), triangles));
   EXPECT_EQ(shape.edges.size(), kColumns);
   for (const auto& line : shape.edges)
     for (const std::uint32_t end : line) EXPECT_NEAR(place(shape, end).z, 0, 1e-6);
 }
 
 TEST(ShapeOfValue, far_from_zero_nothing_moves) {
-  const Shape shape = shape_of_solid(cube_triangles(1e9, 1e9 + 0.5));
+  const DrawnShape shape = shape_of_solid(cube_triangles(1e9, 1e9 + 0.5));
   EXPECT_EQ(lines_of(shape, shape.edges), edges_of_box({1e9, 1e9, 1e9}, {1e9 + 0.5, 1e9 + 0.5, 1e9 + 0.5}));
 }
 
 /// A square of two triangles with a corner that is no double.
 TEST(ShapeOfValue, flat_surfaces_have_boundary_and_no_edges) {
-  const Shape shape = shape_from<Surface3d>("(((0 0 1/3) (1 0 1/3) (1 1 1/3)) ((0 0 1/3) (1 1 1/3) (0 1 1/3)))");
+  const DrawnShape shape = shape_from<Surface3d>("(((0 0 1/3) (1 0 1/3) (1 1 1/3)) ((0 0 1/3) (1 1 1/3) (0 1 1/3)))");
   EXPECT_EQ(shape.triangles.size(), 2U);
   EXPECT_EQ(shape.positions.size(), 4U);
   EXPECT_EQ(shape.boundary.size(), 4U);
@@ -124,22 +124,22 @@ TEST(ShapeOfValue, flat_surfaces_have_boundary_and_no_edges) {
 }
 
 TEST(ShapeOfValue, a_slight_bend_is_an_edge) {
-  const Shape shape = shape_from<Surface3d>("(((0 0 0) (1 0 0) (1 1 1e-300)) ((0 0 0) (1 1 1e-300) (0 1 0)))");
+  const DrawnShape shape = shape_from<Surface3d>("(((0 0 0) (1 0 0) (1 1 1e-300)) ((0 0 0) (1 1 1e-300) (0 1 0)))");
   EXPECT_EQ(shape.edges.size(), 1U);
 }
 
 TEST(ShapeOfValue, polygons_of_a_mesh_are_divided_and_keep_their_edges) {
-  const Shape shape = shape_from<Mesh3d>(cube_mesh(0, 2));
+  const DrawnShape shape = shape_from<Mesh3d>(cube_mesh(0, 2));
   EXPECT_EQ(shape.triangle_count, 12U);
   EXPECT_EQ(shape.triangles.size(), 12U);
   EXPECT_EQ(lines_of(shape, shape.edges), edges_of_box({0, 0, 0}, {2, 2, 2}));
   EXPECT_EQ(shape.face_ids, (LargeVector<std::uint32_t>{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5}));
-  const Shape flat = shape_from<Mesh3d>("(((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2) (0 2 3)))");
+  const DrawnShape flat = shape_from<Mesh3d>("(((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2) (0 2 3)))");
   EXPECT_EQ(lines_of(flat, flat.edges), (Lines{{{0, 0, 0}, {1, 1, 0}}})) << "between two faces, if flat";
 }
 
 TEST(ShapeOfValue, defects_of_a_mesh_are_shown) {
-  const Shape shape =
+  const DrawnShape shape =
       shape_from<Mesh3d>("(((0 0 0) (0 0 1) (1 0 0) (0 1 0) (-1 -1 0) (5 5 5)) ((0 1 2) (1 0 3) (0 1 4)))");
   EXPECT_EQ(lines_of(shape, shape.nonmanifold), (Lines{{{0, 0, 0}, {0, 0, 1}}}));
   EXPECT_EQ(shape.boundary.size(), 6U);
@@ -151,7 +151,7 @@ TEST(ShapeOfValue, defects_of_a_mesh_are_shown) {
 }
 
 TEST(ShapeOfValue, of_points) {
-  const Shape shape = shape_from<Points3d>("((0 0 0) (1 2 3) (4 0 0))");
+  const DrawnShape shape = shape_from<Points3d>("((0 0 0) (1 2 3) (4 0 0))");
   ASSERT_EQ(shape.points, (LargeVector<std::uint32_t>{0, 1, 2}));
   EXPECT_EQ(place(shape, 1), (Vec3{1, 2, 3}));
   EXPECT_EQ(place(shape_from<Point3d>("(1 2 3)"), 0), (Vec3{1, 2, 3}));
@@ -159,7 +159,7 @@ TEST(ShapeOfValue, of_points) {
 }
 
 TEST(ShapeOfValue, a_vector_is_an_arrow) {
-  const Shape shape = shape_from<Vector3d>("(0 0 8)");
+  const DrawnShape shape = shape_from<Vector3d>("(0 0 8)");
   ASSERT_EQ(shape.lines.size(), 5U);
   EXPECT_EQ(place(shape, shape.lines[0][0]), (Vec3{0, 0, 0}));
   EXPECT_EQ(place(shape, shape.lines[0][1]), (Vec3{0, 0, 8}));
@@ -168,7 +168,7 @@ TEST(ShapeOfValue, a_vector_is_an_arrow) {
 }
 
 TEST(ShapeOfValue, a_plane_is_a_square_round_the_point_nearest_to_the_origin) {
-  const Shape shape = shape_from<Plane3d>("(6.0 2.0 1.0 2.0)");  // foot (4 2 4)
+  const DrawnShape shape = shape_from<Plane3d>("(6.0 2.0 1.0 2.0)");  // foot (4 2 4)
   ASSERT_EQ(shape.triangles.size(), 2U);
   Vec3 area;
   for (const IndexTriangle& triangle : shape.triangles) {
@@ -181,7 +181,7 @@ TEST(ShapeOfValue, a_plane_is_a_square_round_the_point_nearest_to_the_origin) {
 }
 
 TEST(ShapeOfValue, boxes_have_as_many_lines_as_edges) {
-  const Shape shape = shape_from<Box3>("(0 1 0 2 0 3)");
+  const DrawnShape shape = shape_from<Box3>("(0 1 0 2 0 3)");
   EXPECT_EQ(lines_of(shape, shape.lines), edges_of_box({0, 0, 0}, {1, 2, 3}));
   EXPECT_EQ(shape_from<Box3>("(0 1 0 2 3 3)").lines.size(), 4U);
   EXPECT_EQ(shape_from<Box3>("(0 1 2 2 3 3)").lines.size(), 1U);
@@ -190,12 +190,12 @@ TEST(ShapeOfValue, boxes_have_as_many_lines_as_edges) {
 }
 
 TEST(ShapeOfValue, values_in_the_plane_look_up) {
-  const Shape rect = shape_from<Rect>("(0 2 0 3)");
+  const DrawnShape rect = shape_from<Rect>("(0 2 0 3)");
   EXPECT_EQ(rect.lines.size(), 4U);
   ASSERT_EQ(rect.triangles.size(), 2U);
   for (const IndexTriangle& triangle : rect.triangles) EXPECT_EQ(doubled_area(rect, triangle), (Vec3{0, 0, 6}));
 
-  const Shape region = shape_from<Region>("((((0 0) (4 0) (4 4) (0 4)) ((1 1) (2 1) (2 2) (1 2))))");
+  const DrawnShape region = shape_from<Region>("((((0 0) (4 0) (4 4) (0 4)) ((1 1) (2 1) (2 2) (1 2))))");
   EXPECT_EQ(region.lines.size(), 8U);
   double area = 0;
   for (const IndexTriangle& triangle : region.triangles) {
@@ -203,13 +203,13 @@ TEST(ShapeOfValue, values_in_the_plane_look_up) {
     area += doubled_area(region, triangle).z / 2;
   }
   EXPECT_EQ(area, 15);
-  EXPECT_EQ(region.normals[0], (Shape::Normal{0, 0, 127, 0}));
+  EXPECT_EQ(region.normals[0], (DrawnShape::Normal{0, 0, 127, 0}));
 }
 
 TEST(ShapeOfValue, is_empty_for_undefined_and_empty_values) {
   for (const Type* type : all_types()) {
     if (!is_drawable(*type)) continue;
-    const Result<Shape> shape = shape_of(Value(*type));
+    const Result<DrawnShape> shape = shape_of(Value(*type));
     ASSERT_TRUE(shape.ok());
     EXPECT_TRUE(shape->is_empty());
     EXPECT_EQ(shape->kind, type->name());
@@ -233,7 +233,7 @@ TEST(ShapeOfValue, all_spatial_types_but_moving_ones_are_drawable) {
     Context context{diagnostics, nullptr, {}};
     const auto value = value_from_nested(*type, *NestedList::parse(type->example()), context);
     ASSERT_TRUE(value.ok()) << type->name();
-    const Result<Shape> shape = shape_of(*value);
+    const Result<DrawnShape> shape = shape_of(*value);
     ASSERT_TRUE(shape.ok()) << type->name();
     EXPECT_FALSE(shape->is_empty()) << type->name();
     if (type->is_spatial()) {
@@ -259,7 +259,7 @@ TEST(ShapeOfValue, a_nested_relation_has_the_shapes_of_its_tuples) {
                                            " (undefined undefined) ((10 20 0 2 0 2) (((15 1 1) undefined))))"),
                         context);
   ASSERT_TRUE(value.ok()) << value.error().message;
-  const Result<Shape> shape = shape_of(*value);
+  const Result<DrawnShape> shape = shape_of(*value);
   ASSERT_TRUE(shape.ok());
   EXPECT_EQ(shape->kind, "arel");
   EXPECT_EQ(shape->box, (Box3{{0, 0, 0}, {20, 9, 9}}));
@@ -269,7 +269,7 @@ TEST(ShapeOfValue, a_nested_relation_has_the_shapes_of_its_tuples) {
   EXPECT_EQ(shape->points.size(), 2U);
   EXPECT_EQ(shape->normals.size(), shape->positions.size());
   const auto place_of = [&](std::uint32_t position) {
-    const Shape::Position& p = shape->positions[position];
+    const DrawnShape::Position& p = shape->positions[position];
     return shape->origin + Vec3{p[0], p[1], p[2]};
   };
   EXPECT_EQ(place_of(shape->points[0]), (Vec3{9, 9, 9}));
@@ -277,13 +277,13 @@ TEST(ShapeOfValue, a_nested_relation_has_the_shapes_of_its_tuples) {
   for (const std::uint32_t corner : shape->triangles[0]) {
     EXPECT_GE(place_of(corner).x, 8);
     EXPECT_EQ(place_of(corner).z, 0);
-    EXPECT_NE(shape->normals[corner], Shape::Normal());
+    EXPECT_NE(shape->normals[corner], DrawnShape::Normal());
   }
   EXPECT_TRUE(shape_of(Value(type))->is_empty());
 }
 
 TEST(ShapeOfValue, refuses_what_floats_cannot_hold) {
-  const Result<Shape> shape = shape_of(value_of<Box3>("(0 1e300 0 1 0 1)"));
+  const Result<DrawnShape> shape = shape_of(value_of<Box3>("(0 1e300 0 1 0 1)"));
   ASSERT_FALSE(shape.ok());
   EXPECT_EQ(shape.error().code, ErrorCode::limit_exceeded);
   EXPECT_EQ(shape.error().message,
@@ -293,7 +293,7 @@ TEST(ShapeOfValue, refuses_what_floats_cannot_hold) {
 TEST(ShapeOfValue, what_floats_cannot_resolve_is_a_point) {
   for (const double size : {1e-30, 1e-160}) {
     const TriangleMesh cube = cube_triangles(0, size);
-    const Result<Shape> shape = shape_of(Value::of(Volume3d::trusted(cube)));
+    const Result<DrawnShape> shape = shape_of(Value::of(Volume3d::trusted(cube)));
     ASSERT_TRUE(shape.ok());
     EXPECT_EQ(shape->box.max, (Vec3{size, size, size}));
     EXPECT_EQ(shape->triangle_count, 12U);
@@ -306,7 +306,7 @@ TEST(ShapeOfValue, what_floats_cannot_resolve_is_a_point) {
     EXPECT_TRUE(shape->triangles.empty() && shape->edges.empty() && shape->normals.empty());
     EXPECT_EQ(shape->origin, (Vec3{size / 2, size / 2, size / 2}));
     ASSERT_EQ(shape->positions.size(), 1U);
-    EXPECT_EQ(shape->positions[0], (Shape::Position{0, 0, 0}));
+    EXPECT_EQ(shape->positions[0], (DrawnShape::Position{0, 0, 0}));
     ASSERT_EQ(shape->points.size(), 1U);
     EXPECT_EQ(shape->points[0], 0U);
   }
@@ -314,7 +314,7 @@ TEST(ShapeOfValue, what_floats_cannot_resolve_is_a_point) {
 
 TEST(ShapeOfValue, can_be_interrupted) {
   const std::atomic<bool> cancel = true;
-  const Result<Shape> shape = shape_of(Value::of(Volume3d::trusted(cube_triangles(0, 1))), Monitor(&cancel));
+  const Result<DrawnShape> shape = shape_of(Value::of(Volume3d::trusted(cube_triangles(0, 1))), Monitor(&cancel));
   ASSERT_FALSE(shape.ok());
   EXPECT_EQ(shape.error().code, ErrorCode::interrupted);
 }

@@ -1,4 +1,4 @@
-#include "algebra3d/display/triangle_tree.h"
+#include "algebra3d/values/display/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/halfedge/mesh_triangles.h"
-#include "algebra3d/soup/spatial_order.h"
+#include "algebra3d/kernel/halfedge/mesh_triangles.h"
+#include "algebra3d/kernel/soup/spatial_order.h"
+#include "base/scheduler.h"
 #include "unit/display/values.h"
 
 namespace algebra3d {
@@ -22,7 +22,7 @@ namespace {
 /// bits.
 class TreeReader {
  public:
-  explicit TreeReader(const Shape& shape) : bytes_(shape.tree) {}
+  explicit TreeReader(const DrawnShape& shape) : bytes_(shape.tree) {}
 
   std::size_t node_count() const { return bytes_.size() / 32; }
   bool is_leaf(std::size_t node) const { return half_word(node, 15) == 0xFFFF; }
@@ -54,7 +54,7 @@ struct Ray {
 };
 
 /// The distance at which a ray meets a triangle, or infinity. Source: Möller and Trumbore.
-double hit(const Shape& shape, std::size_t triangle, const Ray& ray) {
+double hit(const DrawnShape& shape, std::size_t triangle, const Ray& ray) {
   const auto corner = [&](std::size_t i) {
     const auto& [x, y, z] = shape.positions[shape.triangles[triangle][i]];
     return Vec3{x, y, z};
@@ -79,7 +79,7 @@ bool meets(const TreeReader& tree, std::size_t node, const Ray& ray) {
 }
 
 /// The first hit; counts the triangles that were looked at.
-double first_hit(const Shape& shape, const TreeReader& tree, const Ray& ray, std::size_t& looked_at) {
+double first_hit(const DrawnShape& shape, const TreeReader& tree, const Ray& ray, std::size_t& looked_at) {
   double nearest = Box3::kInfinity;
   std::vector<std::size_t> stack{0};
   while (!stack.empty()) {
@@ -100,8 +100,8 @@ double first_hit(const Shape& shape, const TreeReader& tree, const Ray& ray, std
 }
 
 /// A sphere with its triangles in random order, or in order along the meridians.
-Shape sphere_with_tree(bool is_shuffled) {
-  Shape shape = shape_of_solid(unit_sphere(60, 120));
+DrawnShape sphere_with_tree(bool is_shuffled) {
+  DrawnShape shape = shape_of_solid(unit_sphere(60, 120));
   std::mt19937 random(1);
   if (is_shuffled) std::ranges::shuffle(shape.triangles, random);
   add_tree(shape);
@@ -110,7 +110,7 @@ Shape sphere_with_tree(bool is_shuffled) {
 
 TEST(TriangleTree, each_triangle_is_in_one_leaf_and_in_the_boxes_above_it) {
   for (const bool is_shuffled : {false, true}) {
-    const Shape shape = sphere_with_tree(is_shuffled);
+    const DrawnShape shape = sphere_with_tree(is_shuffled);
     const TreeReader tree(shape);
     struct Waiting {
       std::size_t node, depth;
@@ -151,7 +151,7 @@ TEST(TriangleTree, each_triangle_is_in_one_leaf_and_in_the_boxes_above_it) {
 
 TEST(TriangleTree, finds_the_first_hit_and_looks_at_few_triangles) {
   for (const bool is_shuffled : {false, true}) {
-    const Shape shape = sphere_with_tree(is_shuffled);
+    const DrawnShape shape = sphere_with_tree(is_shuffled);
     const TreeReader tree(shape);
     std::mt19937 random(2);
     std::normal_distribution<double> normal;
@@ -172,7 +172,7 @@ TEST(TriangleTree, finds_the_first_hit_and_looks_at_few_triangles) {
 
 /// A sphere, and the same with its triangles in random order before it got its tree.
 struct Reordered {
-  Shape before, after;
+  DrawnShape before, after;
 
   Reordered() : before(shape_of_solid(unit_sphere(60, 120))), after(before) {
     std::mt19937 random(1);
@@ -205,7 +205,7 @@ TEST(TriangleTree, ids_tell_triangles_and_vertices_that_were_moved) {
 }
 
 TEST(TriangleTree, triangles_that_were_moved_use_their_positions_in_order) {
-  const Shape shape = Reordered().after;
+  const DrawnShape shape = Reordered().after;
   std::uint32_t used = 0;
   for (const IndexTriangle& triangle : shape.triangles)
     for (const std::uint32_t corner : triangle) {
@@ -221,19 +221,19 @@ TEST(TriangleTree, triangles_in_spatial_order_stay_where_they_are) {
   std::vector<Vec3> points = sphere.points().approx();
   for (Vec3& p : points) p = {p.x, 0.3 * p.y, 0.77 * p.z};
   const TriangleMesh mesh(PointArray(std::move(points)), triangles_of(sphere));
-  Shape shape = shape_of_solid(in_spatial_order(mesh));
+  DrawnShape shape = shape_of_solid(in_spatial_order(mesh));
   const LargeVector<IndexTriangle> triangles = shape.triangles;
   add_tree(shape);
   EXPECT_EQ(shape.triangles, triangles);
   EXPECT_TRUE(shape.face_ids.empty());
-  Shape by_columns = shape_of_solid(mesh);
+  DrawnShape by_columns = shape_of_solid(mesh);
   add_tree(by_columns);
   EXPECT_FALSE(by_columns.face_ids.empty());
 }
 
 /// Its triangles are not those of the value, so they have no numbers there.
 TEST(TriangleTree, a_coarser_level_that_is_reordered_gets_no_ids) {
-  Shape level = shape_of_solid(unit_sphere(60, 120));
+  DrawnShape level = shape_of_solid(unit_sphere(60, 120));
   std::mt19937 random(1);
   std::ranges::shuffle(level.triangles, random);
   level.deviation = 0.1;
@@ -244,13 +244,13 @@ TEST(TriangleTree, a_coarser_level_that_is_reordered_gets_no_ids) {
 }
 
 TEST(TriangleTree, small_shapes_have_none) {
-  Shape shape = shape_of_solid(cube_triangles(0, 1));
+  DrawnShape shape = shape_of_solid(cube_triangles(0, 1));
   add_tree(shape);
   EXPECT_TRUE(shape.tree.empty());
 }
 
 TEST(TriangleTree, does_not_depend_on_the_number_of_threads) {
-  const Shape shape = sphere_with_tree(true);
+  const DrawnShape shape = sphere_with_tree(true);
   with_threads(1, [&] { EXPECT_EQ(sphere_with_tree(true).tree, shape.tree); });
 }
 

@@ -10,10 +10,10 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/display/shape_of_value.h"
-#include "algebra3d/types/mesh3d.h"
-#include "algebra3d/types/planar.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/values/display/shape_of_value.h"
+#include "algebra3d/values/types/mesh3d.h"
+#include "algebra3d/values/types/planar.h"
+#include "algebra3d/values/types/spatial.h"
 
 /// Values read from their lists, and their shapes.
 namespace algebra3d {
@@ -31,8 +31,8 @@ Value value_of(std::string_view text) {
 }
 
 template <typename T>
-Shape shape_from(std::string_view text) {
-  Result<Shape> shape = shape_of(value_of<T>(text));
+DrawnShape shape_from(std::string_view text) {
+  Result<DrawnShape> shape = shape_of(value_of<T>(text));
   EXPECT_TRUE(shape.ok()) << text;
   return std::move(shape).value();
 }
@@ -82,26 +82,26 @@ inline TriangleMesh unit_sphere(std::uint32_t rings, std::uint32_t columns) {
   return {PointArray(std::move(points)), triangles};
 }
 
-inline Shape shape_of_solid(TriangleMesh mesh) {
-  Result<Shape> shape = shape_of(Value::of(Volume3d::trusted(std::move(mesh))));
+inline DrawnShape shape_of_solid(TriangleMesh mesh) {
+  Result<DrawnShape> shape = shape_of(Value::of(Volume3d::trusted(std::move(mesh))));
   EXPECT_TRUE(shape.ok());
   return std::move(shape).value();
 }
 
 /// Where a position lies in space.
-inline Vec3 place(const Shape& shape, std::uint32_t position) {
+inline Vec3 place(const DrawnShape& shape, std::uint32_t position) {
   const auto& [x, y, z] = shape.positions[position];
   return shape.origin + Vec3{x, y, z};
 }
 
 /// Twice the area of a triangle as a vector along its normal.
-inline Vec3 doubled_area(const Shape& shape, const IndexTriangle& triangle) {
+inline Vec3 doubled_area(const DrawnShape& shape, const IndexTriangle& triangle) {
   const Vec3 a = place(shape, triangle[0]);
   return cross(place(shape, triangle[1]) - a, place(shape, triangle[2]) - a);
 }
 
 /// The volume that the triangles of a shape enclose, relative to its origin.
-inline double enclosed_volume(const Shape& shape) {
+inline double enclosed_volume(const DrawnShape& shape) {
   double volume = 0;
   for (const IndexTriangle& triangle : shape.triangles)
     volume += dot(place(shape, triangle[0]) - shape.origin, doubled_area(shape, triangle)) / 6;

@@ -1,4 +1,4 @@
-#include "algebra3d/display/vertex_clustering.h"
+#include "algebra3d/values/display/vertex_clustering.h"
 
 #include <algorithm>
 #include <atomic>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/halfedge/mesh_triangles.h"
+#include "algebra3d/kernel/halfedge/mesh_triangles.h"
+#include "base/scheduler.h"
 #include "unit/display/values.h"
 
 namespace algebra3d {

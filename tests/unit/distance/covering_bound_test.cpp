@@ -1,4 +1,4 @@
-#include "algebra3d/distance/covering_bound.h"
+#include "algebra3d/kernel/distance/covering_bound.h"
 
 #include <atomic>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "algebra3d/distance/distance.h"
+#include "algebra3d/kernel/distance/distance.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/distance/distance.h"
+#include "algebra3d/kernel/distance/distance.h"
 
 /// Distances by CGAL, over GMP rationals: the smallest of the squared distances of all pairs of faces, each from those
 /// of edges with edges and corners with triangles. Shares neither code nor method with the layer.

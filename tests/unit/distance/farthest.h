@@ -1,6 +1,6 @@
 #pragma once
 
-#include "algebra3d/distance/farthest_point.h"
+#include "algebra3d/kernel/distance/farthest_point.h"
 #include "unit/distance/triangle_set.h"
 
 namespace algebra3d {

@@ -1,5 +1,5 @@
 // The largest distance of one set from another: cases by hand, and random sets against samples.
-#include "algebra3d/distance/farthest_point.h"
+#include "algebra3d/kernel/distance/farthest_point.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Half-spaces beside rational arithmetic, with points next to their planes and numbers of all sizes.
-#include "algebra3d/distance/detail/half_space.h"
+#include "algebra3d/kernel/distance/detail/half_space.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "algebra3d/exact/plane.h"
+#include "algebra3d/kernel/exact/plane.h"
 
 namespace algebra3d::distances {
 namespace {

@@ -9,9 +9,9 @@
 #include <random>
 #include <type_traits>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/distance/detail/face_bounds.h"
-#include "algebra3d/distance/distance_bound.h"
+#include "algebra3d/kernel/distance/detail/face_bounds.h"
+#include "algebra3d/kernel/distance/distance_bound.h"
+#include "base/scheduler.h"
 #include "unit/distance/farthest.h"
 
 namespace algebra3d {

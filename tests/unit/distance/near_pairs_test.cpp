@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "algebra3d/distance/detail/rounded_closest.h"
-#include "algebra3d/distance/distance.h"
+#include "algebra3d/kernel/distance/detail/rounded_closest.h"
+#include "algebra3d/kernel/distance/distance.h"
 #include "unit/distance/triangle_set.h"
 
 namespace algebra3d {

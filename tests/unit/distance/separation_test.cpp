@@ -1,5 +1,5 @@
 // How far nodes reach along a direction, beside brute force over their corners; and how much is looked at for that.
-#include "algebra3d/distance/detail/separation.h"
+#include "algebra3d/kernel/distance/detail/separation.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "algebra3d/distance/distance.h"
+#include "algebra3d/kernel/distance/distance.h"
 
 namespace algebra3d {
 

@@ -1,4 +1,4 @@
-#include "algebra3d/exact/affine_map.h"
+#include "algebra3d/kernel/exact/affine_map.h"
 
 #include <cmath>
 #include <limits>
@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 #include <mpfr.h>
 
-#include "algebra3d/exact/counters.h"
-#include "algebra3d/exact/trigonometry.h"
+#include "algebra3d/kernel/exact/counters.h"
+#include "algebra3d/kernel/exact/trigonometry.h"
 
 namespace algebra3d {
 namespace {

@@ -6,9 +6,9 @@
 #include <CGAL/intersections.h>
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/detail/homogeneous.h"
-#include "algebra3d/exact/intersection_point.h"
-#include "algebra3d/exact/plane.h"
+#include "algebra3d/kernel/exact/detail/homogeneous.h"
+#include "algebra3d/kernel/exact/intersection_point.h"
+#include "algebra3d/kernel/exact/plane.h"
 #include "unit/exact/point_families.h"
 
 namespace algebra3d {

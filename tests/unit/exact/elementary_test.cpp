@@ -1,4 +1,4 @@
-#include "algebra3d/exact/elementary.h"
+#include "algebra3d/kernel/exact/elementary.h"
 
 #include <cmath>
 #include <limits>

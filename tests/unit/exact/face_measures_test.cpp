@@ -1,6 +1,6 @@
 // Normals, areas, means and distances of polygons in space against GMP rationals: a double is the nearest to a root if
 // the root is between the middles to its neighbours, which squares decide exactly.
-#include "algebra3d/exact/face_measures.h"
+#include "algebra3d/kernel/exact/face_measures.h"
 
 #include <cmath>
 #include <limits>
@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/counters.h"
-#include "algebra3d/exact/plane.h"
+#include "algebra3d/kernel/exact/counters.h"
+#include "algebra3d/kernel/exact/plane.h"
 #include "unit/exact/point_families.h"
 
 namespace algebra3d {

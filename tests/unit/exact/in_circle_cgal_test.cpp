@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/in_circle.h"
+#include "algebra3d/kernel/exact/in_circle.h"
 #include "unit/exact/point_families.h"
 
 namespace algebra3d {

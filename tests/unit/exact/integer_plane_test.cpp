@@ -1,4 +1,4 @@
-#include "algebra3d/exact/integer_plane.h"
+#include "algebra3d/kernel/exact/integer_plane.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // Rounded mass properties against the exact ones, rounded: of solids whose corners are no doubles.
-#include "algebra3d/exact/nearest_mass_properties.h"
+#include "algebra3d/kernel/exact/nearest_mass_properties.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <vector>
 
-#include "algebra3d/base/box_corners.h"
-#include "algebra3d/exact/counters.h"
+#include "algebra3d/kernel/exact/counters.h"
+#include "base/box_corners.h"
 
 namespace algebra3d {
 namespace {

@@ -1,4 +1,4 @@
-#include "algebra3d/exact/plane.h"
+#include "algebra3d/kernel/exact/plane.h"
 
 #include <cmath>
 #include <limits>

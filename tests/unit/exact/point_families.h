@@ -11,7 +11,7 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include "algebra3d/exact/predicates.h"
+#include "algebra3d/kernel/exact/predicates.h"
 
 /// Points for tests of exact geometry, each in both worlds: ours and CGAL's over GMP rationals, which is the oracle.
 namespace algebra3d::point_families {

@@ -1,4 +1,4 @@
-#include "algebra3d/exact/point_table.h"
+#include "algebra3d/kernel/exact/point_table.h"
 
 #include <gtest/gtest.h>
 

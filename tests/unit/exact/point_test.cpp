@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/point.h"
+#include "algebra3d/kernel/exact/point.h"
 
 namespace algebra3d {
 namespace {

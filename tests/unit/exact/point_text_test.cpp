@@ -1,4 +1,4 @@
-#include "algebra3d/exact/point_text.h"
+#include "algebra3d/kernel/exact/point_text.h"
 
 #include <random>
 #include <string>

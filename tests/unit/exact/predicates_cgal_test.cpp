@@ -8,7 +8,7 @@
 #include <CGAL/intersections.h>
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/predicates.h"
+#include "algebra3d/kernel/exact/predicates.h"
 #include "unit/exact/point_families.h"
 
 namespace algebra3d {

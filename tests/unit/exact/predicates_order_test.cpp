@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/predicates.h"
+#include "algebra3d/kernel/exact/predicates.h"
 
 namespace algebra3d {
 namespace {

@@ -1,5 +1,5 @@
 // Matrices whose eigenvalues and eigenvectors are known: an exact rotation of a diagonal matrix.
-#include "algebra3d/exact/principal_axes.h"
+#include "algebra3d/kernel/exact/principal_axes.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <random>
 
-#include "algebra3d/base/box_corners.h"
-#include "algebra3d/exact/mass_properties.h"
-#include "algebra3d/exact/plane.h"
+#include "algebra3d/kernel/exact/mass_properties.h"
+#include "algebra3d/kernel/exact/plane.h"
+#include "base/box_corners.h"
 
 namespace algebra3d {
 namespace {

@@ -1,4 +1,4 @@
-#include "algebra3d/exact/rational.h"
+#include "algebra3d/kernel/exact/rational.h"
 
 #include <array>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <mpfr.h>
 
-#include "algebra3d/exact/counters.h"
+#include "algebra3d/kernel/exact/counters.h"
 
 namespace algebra3d {
 namespace {

@@ -1,4 +1,4 @@
-#include "algebra3d/exact/real_sum.h"
+#include "algebra3d/kernel/exact/real_sum.h"
 
 #include <algorithm>
 #include <bit>

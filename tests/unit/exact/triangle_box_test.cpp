@@ -6,7 +6,7 @@
 #include <CGAL/intersections.h>
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/triangle_box.h"
+#include "algebra3d/kernel/exact/triangle_box.h"
 #include "unit/exact/point_families.h"
 
 namespace algebra3d {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/vertical_line.h"
+#include "algebra3d/kernel/exact/vertical_line.h"
 
 namespace algebra3d {
 namespace {

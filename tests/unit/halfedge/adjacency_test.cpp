@@ -1,12 +1,12 @@
 // The nine adjacency relations and the numbers of edges against searches in lists of polygons.
-#include "algebra3d/halfedge/adjacency.h"
+#include "algebra3d/kernel/halfedge/adjacency.h"
 
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/edge_numbers.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/edge_numbers.h"
 #include "polygon_lists.h"
 
 namespace algebra3d {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/halfedge/mesh_attributes.h"
+#include "algebra3d/kernel/halfedge/mesh_attributes.h"
 
 namespace algebra3d::samples {
 

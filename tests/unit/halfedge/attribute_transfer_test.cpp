@@ -1,6 +1,6 @@
 // Blends by hand, and attributes of edited meshes. The oracle of random edits is the geometry: an attribute that is the
 // position of its vertex must still be so afterwards, and the value of a face says where its parts may lie.
-#include "algebra3d/halfedge/attribute_transfer.h"
+#include "algebra3d/kernel/halfedge/attribute_transfer.h"
 
 #include <cmath>
 #include <random>
@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/base/indices.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/mesh_editor.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/mesh_editor.h"
 #include "attribute_samples.h"
+#include "base/indices.h"
 #include "polygon_samples.h"
 
 namespace algebra3d {

@@ -1,4 +1,4 @@
-#include "algebra3d/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/audit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Oracle: brute force over all pairs of exact boxes.
-#include "algebra3d/halfedge/box_hierarchy.h"
+#include "algebra3d/kernel/search/box_hierarchy.h"
 
 #include <gtest/gtest.h>
 

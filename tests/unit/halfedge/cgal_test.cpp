@@ -5,8 +5,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "mesh_samples.h"
 #include "support/to_cgal.h"
 

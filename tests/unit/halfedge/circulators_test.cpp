@@ -1,4 +1,4 @@
-#include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Normals and angles of batches of faces against long doubles, and one instruction set against another.
-#include "algebra3d/halfedge/detail/corner_weights.h"
+#include "algebra3d/kernel/halfedge/detail/corner_weights.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "algebra3d/halfedge/edge_balance.h"
+#include "algebra3d/kernel/halfedge/edge_balance.h"
 
 #include <vector>
 

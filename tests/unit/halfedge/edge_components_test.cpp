@@ -1,4 +1,4 @@
-#include "algebra3d/halfedge/edge_components.h"
+#include "algebra3d/kernel/halfedge/edge_components.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Hierarchies of meshes that know the order of most of their faces. Oracle: those of the same meshes without.
-#include "algebra3d/halfedge/face_order.h"
+#include "algebra3d/kernel/halfedge/face_order.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/halfedge/box_hierarchy.h"
+#include "algebra3d/kernel/search/box_hierarchy.h"
 
 namespace algebra3d::face_orders {
 namespace {

@@ -1,7 +1,7 @@
 // Meshes linked in one pass beside the same linked by sorting: a mesh with all half-edges given as unlinked is sorted.
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "mesh_samples.h"
 #include "same_mesh.h"
 

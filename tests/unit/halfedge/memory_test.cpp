@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
+#include "base/scheduler.h"
 #include "mesh_samples.h"
 
 // Counts the bytes that are asked for on the heap and not given back, while it is switched on. All replaceable forms

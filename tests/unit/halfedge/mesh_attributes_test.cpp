@@ -1,9 +1,9 @@
-#include "algebra3d/halfedge/mesh_attributes.h"
+#include "algebra3d/kernel/halfedge/mesh_attributes.h"
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/base/indices.h"
 #include "attribute_samples.h"
+#include "base/indices.h"
 #include "polygon_samples.h"
 
 namespace algebra3d {

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <random>
 
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/mesh_editor.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/mesh_editor.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "face_list_edits.h"
 #include "mesh_samples.h"
 

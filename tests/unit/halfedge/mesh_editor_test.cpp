@@ -1,7 +1,7 @@
 // Edits of manifold meshes: by hand on small ones, with every reason for refusal, and in random sequences. The result
 // is audited by the editor's own auditor, and as a mesh that is linked anew from its faces: that knows nothing of the
 // edits.
-#include "algebra3d/halfedge/mesh_editor.h"
+#include "algebra3d/kernel/halfedge/mesh_editor.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <optional>
 #include <random>
 
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "mesh_samples.h"
 
 namespace algebra3d {

@@ -1,10 +1,10 @@
-#include "algebra3d/halfedge/mesh_image.h"
+#include "algebra3d/kernel/halfedge/mesh_image.h"
 
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/audit.h"
 
 namespace algebra3d {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 /// Meshes with known properties, random ones of every kind, and what brute force says about a list of triangles.
 namespace algebra3d::samples {

@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "algebra3d/halfedge/detail/nonmanifold_tables.h"
-#include "algebra3d/halfedge/halfedge_mesh.h"
+#include "algebra3d/kernel/halfedge/detail/nonmanifold_tables.h"
+#include "algebra3d/kernel/halfedge/halfedge_mesh.h"
 
 namespace algebra3d {
 

@@ -1,6 +1,6 @@
 // Lower bounds of the distance of triangles and boxes, and of nodes of hierarchies: beside sampled points, which give
 // upper bounds, and beside closed forms.
-#include "algebra3d/halfedge/node_gaps.h"
+#include "algebra3d/kernel/search/node_gaps.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // Upper bounds of how far nodes reach, and nodes told apart by them: beside brute force over the corners.
-#include "algebra3d/halfedge/node_slabs.h"
+#include "algebra3d/kernel/search/node_slabs.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "algebra3d/exact/predicates.h"
-#include "algebra3d/halfedge/slab_gaps.h"
+#include "algebra3d/kernel/exact/predicates.h"
+#include "algebra3d/kernel/search/slab_gaps.h"
 #include "unit/halfedge/slab_samples.h"
 
 namespace algebra3d {

@@ -1,5 +1,5 @@
 // Normals and angles against closed forms and CGAL.
-#include "algebra3d/halfedge/normals.h"
+#include "algebra3d/kernel/halfedge/normals.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
@@ -8,9 +8,9 @@
 #include <numeric>
 #include <random>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/detail/angles.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/detail/angles.h"
+#include "base/scheduler.h"
 #include "polygon_lists.h"
 #include "support/to_cgal.h"
 

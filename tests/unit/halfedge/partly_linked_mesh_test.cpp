@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "mesh_samples.h"
 #include "same_mesh.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/halfedge/polygon_mesh.h"
+#include "algebra3d/kernel/halfedge/polygon_mesh.h"
 #include "mesh_samples.h"
 
 /// Lists of polygons, and what searches say about them.

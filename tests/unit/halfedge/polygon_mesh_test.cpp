@@ -1,11 +1,11 @@
-#include "algebra3d/halfedge/polygon_mesh.h"
+#include "algebra3d/kernel/halfedge/polygon_mesh.h"
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/nonmanifold_text.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/nonmanifold_text.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "mesh_tester.h"
 #include "polygon_samples.h"
 #include "same_mesh.h"

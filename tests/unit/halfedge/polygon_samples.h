@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/halfedge/polygon_mesh.h"
+#include "algebra3d/kernel/halfedge/polygon_mesh.h"
 #include "mesh_samples.h"
 
 /// Meshes of polygons, and what brute force says about a list of polygons.

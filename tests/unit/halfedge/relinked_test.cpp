@@ -1,4 +1,4 @@
-#include "algebra3d/halfedge/relinked.h"
+#include "algebra3d/kernel/halfedge/relinked.h"
 
 #include <random>
 

@@ -1,8 +1,8 @@
-#include "algebra3d/halfedge/render_buffers.h"
+#include "algebra3d/kernel/halfedge/render_buffers.h"
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
 #include "polygon_lists.h"
 
 namespace algebra3d {

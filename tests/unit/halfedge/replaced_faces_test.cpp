@@ -1,4 +1,4 @@
-#include "algebra3d/halfedge/replaced_faces.h"
+#include "algebra3d/kernel/halfedge/replaced_faces.h"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "mesh_samples.h"
 #include "same_mesh.h"
 

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 namespace algebra3d::samples {
 

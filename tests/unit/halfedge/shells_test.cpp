@@ -1,14 +1,14 @@
-#include "algebra3d/halfedge/shells.h"
+#include "algebra3d/kernel/halfedge/shells.h"
 
 #include <atomic>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/dual.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/dual.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "polygon_lists.h"
 
 namespace algebra3d {

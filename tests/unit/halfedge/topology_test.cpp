@@ -1,4 +1,4 @@
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
 #include "mesh_samples.h"
 
 namespace algebra3d {

@@ -1,8 +1,8 @@
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/audit.h"
 #include "mesh_samples.h"
 
 namespace algebra3d {

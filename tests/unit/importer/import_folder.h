@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/operators/all.h"
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/values/types/scalars.h"
 #include "queries/importer/importer.h"
 #include "queries/store/store.h"
 #include "queries/streams/all.h"

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/descriptions/all.h"
 #include "queries/language/checker.h"
 #include "queries/language/parser.h"
 #include "queries/streams/all.h"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
 #include "queries/language/parser.h"
 #include "unit/language/language_samples.h"
 

@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/arrangement/arrangement.h"
-#include "algebra3d/measures/clash.h"
-#include "algebra3d/measures/common_volume.h"
-#include "algebra3d/measures/contact_area.h"
-#include "algebra3d/measures/detail/ray_sections.h"
-#include "algebra3d/measures/hausdorff_distance.h"
-#include "algebra3d/measures/ray_hits.h"
-#include "algebra3d/measures/thickness.h"
+#include "algebra3d/kernel/arrangement/arrangement.h"
+#include "algebra3d/values/measures/clash.h"
+#include "algebra3d/values/measures/common_volume.h"
+#include "algebra3d/values/measures/contact_area.h"
+#include "algebra3d/values/measures/detail/ray_sections.h"
+#include "algebra3d/values/measures/hausdorff_distance.h"
+#include "algebra3d/values/measures/ray_hits.h"
+#include "algebra3d/values/measures/thickness.h"
 #include "unit/arrangement/random_solids.h"
 
 namespace algebra3d {

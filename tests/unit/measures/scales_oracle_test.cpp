@@ -9,12 +9,12 @@
 #include <map>
 #include <random>
 
-#include "algebra3d/measures/hausdorff_distance.h"
-#include "algebra3d/measures/ray_hits.h"
-#include "algebra3d/spatial_relations/boundary_faces.h"
-#include "algebra3d/spatial_relations/nearest_points.h"
-#include "algebra3d/spatial_relations/place_of_box.h"
-#include "algebra3d/spatial_relations/point_location.h"
+#include "algebra3d/values/measures/hausdorff_distance.h"
+#include "algebra3d/values/measures/ray_hits.h"
+#include "algebra3d/values/spatial_relations/boundary_faces.h"
+#include "algebra3d/values/spatial_relations/nearest_points.h"
+#include "algebra3d/values/spatial_relations/place_of_box.h"
+#include "algebra3d/values/spatial_relations/point_location.h"
 #include "unit/distance/exact_distances.h"
 
 namespace algebra3d {

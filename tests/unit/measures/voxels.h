@@ -5,9 +5,9 @@
 #include <set>
 #include <vector>
 
-#include "algebra3d/arrangement/divide_and_conquer.h"
-#include "algebra3d/base/box_corners.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/kernel/arrangement/divide_and_conquer.h"
+#include "algebra3d/values/types/spatial.h"
+#include "base/box_corners.h"
 #include "unit/arrangement/random_solids.h"
 
 namespace algebra3d {

@@ -1,5 +1,5 @@
 // However the input of an aggregate is divided into consecutive parts, the parts combined give the same result.
-#include "algebra3d/registry/aggregate.h"
+#include "algebra3d/operators/registry/aggregate.h"
 
 #include <bit>
 #include <cmath>

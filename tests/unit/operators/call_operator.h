@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/operators/all.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
 
 /// Calls operators as a statement does: by name, through the registry.
 namespace algebra3d::calls {

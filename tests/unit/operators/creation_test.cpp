@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/trigonometry.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/exact/trigonometry.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "unit/operators/call_operator.h"
 
 namespace algebra3d {

@@ -1,12 +1,12 @@
 // Every example of an operator over values is what really happens, called through the registry alone: as any host does.
-#include "algebra3d/registry/example_notation.h"
+#include "algebra3d/operators/registry/example_notation.h"
 
 #include <optional>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/operators/all.h"
-#include "algebra3d/registry/aggregate.h"
+#include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/operators/registry/aggregate.h"
 
 namespace algebra3d {
 namespace {

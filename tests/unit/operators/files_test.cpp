@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/formats/import_solid.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/values/conversions/import_solid.h"
 #include "support/scratch_folder.h"
 #include "unit/operators/call_operator.h"
 

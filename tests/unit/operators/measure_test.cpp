@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/counters.h"
-#include "algebra3d/exact/exact_sum.h"
-#include "algebra3d/halfedge/mesh_triangles.h"
+#include "algebra3d/kernel/exact/counters.h"
+#include "algebra3d/kernel/exact/exact_sum.h"
+#include "algebra3d/kernel/halfedge/mesh_triangles.h"
 #include "unit/operators/call_operator.h"
 #include "unit/validity/sample_meshes.h"
 

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/counters.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/topology.h"
-#include "algebra3d/types/mesh3d.h"
+#include "algebra3d/kernel/exact/counters.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/values/types/mesh3d.h"
 #include "unit/halfedge/polygon_lists.h"
 #include "unit/operators/call_operator.h"
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "algebra3d/registry/registry.h"
-#include "algebra3d/types/coordinate_text.h"
-#include "algebra3d/types/value.h"
+#include "algebra3d/operators/registry/registry.h"
+#include "algebra3d/values/types/coordinate_text.h"
+#include "algebra3d/values/types/value.h"
 
 /// Arguments for every type, at any scale, for tests of operators at both ends of the range of doubles.
 namespace algebra3d::ranges {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/registry/aggregate.h"
-#include "algebra3d/types/codec.h"
+#include "algebra3d/operators/registry/aggregate.h"
+#include "algebra3d/values/types/codec.h"
 #include "unit/operators/call_operator.h"
 #include "unit/operators/range_samples.h"
 

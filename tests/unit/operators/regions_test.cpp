@@ -1,12 +1,12 @@
 // Regions as surfaces and solids, and back.
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/exact_sum.h"
-#include "algebra3d/halfedge/mesh_triangles.h"
-#include "algebra3d/planar/polygon_measures.h"
-#include "algebra3d/planar/polygon_validity.h"
-#include "algebra3d/types/planar.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/exact/exact_sum.h"
+#include "algebra3d/kernel/halfedge/mesh_triangles.h"
+#include "algebra3d/kernel/planar/polygon_measures.h"
+#include "algebra3d/kernel/planar/polygon_validity.h"
+#include "algebra3d/kernel/validity/validity.h"
+#include "algebra3d/values/types/planar.h"
 #include "support/plane_shapes.h"
 #include "unit/operators/call_operator.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/audit.h"
 #include "unit/operators/call_operator.h"
 #include "unit/validity/sample_meshes.h"
 

@@ -1,4 +1,4 @@
-#include "algebra3d/planar/boundary_polygons.h"
+#include "algebra3d/kernel/planar/boundary_polygons.h"
 
 #include <gtest/gtest.h>
 

@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/base/indices.h"
-#include "algebra3d/exact/predicates.h"
-#include "algebra3d/planar/boundary_polygons.h"
-#include "algebra3d/planar/constrained_delaunay.h"
-#include "algebra3d/planar/noding.h"
-#include "algebra3d/planar/polygon_measures.h"
-#include "algebra3d/planar/polygon_validity.h"
+#include "algebra3d/kernel/exact/predicates.h"
+#include "algebra3d/kernel/planar/boundary_polygons.h"
+#include "algebra3d/kernel/planar/constrained_delaunay.h"
+#include "algebra3d/kernel/planar/noding.h"
+#include "algebra3d/kernel/planar/polygon_measures.h"
+#include "algebra3d/kernel/planar/polygon_validity.h"
+#include "base/indices.h"
 #include "support/plane_shapes.h"
 
 /// What the tests of the plane say about results, by CGAL's predicates over GMP rationals.

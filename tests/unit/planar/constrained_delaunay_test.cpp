@@ -1,4 +1,4 @@
-#include "algebra3d/planar/constrained_delaunay.h"
+#include "algebra3d/kernel/planar/constrained_delaunay.h"
 
 #include <gtest/gtest.h>
 

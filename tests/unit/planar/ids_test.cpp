@@ -1,9 +1,9 @@
 // No identifier of a triangulation of the plane passes for another one or for an integer.
-#include "algebra3d/planar/detail/ids.h"
+#include "algebra3d/kernel/planar/detail/ids.h"
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/planar/detail/subdivision.h"
+#include "algebra3d/kernel/planar/detail/subdivision.h"
 #include "support/separate_ids.h"
 
 namespace algebra3d::planar {

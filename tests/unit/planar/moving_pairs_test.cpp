@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/planar/detail/moving_pairs.h"
+#include "algebra3d/kernel/planar/detail/moving_pairs.h"
 
 namespace algebra3d::moving_pairs_tests {
 namespace {

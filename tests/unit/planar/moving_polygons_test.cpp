@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/planar/moving_polygons.h"
+#include "algebra3d/kernel/planar/moving_polygons.h"
 
 namespace algebra3d::moving_polygons_tests {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/planar/detail/moving_segments.h"
+#include "algebra3d/kernel/planar/detail/moving_segments.h"
 
 namespace algebra3d::moving_segments_tests {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "algebra3d/planar/polygon_validity.h"
+#include "algebra3d/kernel/planar/polygon_validity.h"
 #include "support/plane_shapes.h"
 
 namespace algebra3d {

@@ -1,4 +1,4 @@
-#include "algebra3d/planar/noding.h"
+#include "algebra3d/kernel/planar/noding.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "algebra3d/planar/polygon_measures.h"
+#include "algebra3d/kernel/planar/polygon_measures.h"
 
 #include <gtest/gtest.h>
 #include <mpfr.h>

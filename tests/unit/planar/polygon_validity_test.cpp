@@ -1,4 +1,4 @@
-#include "algebra3d/planar/polygon_validity.h"
+#include "algebra3d/kernel/planar/polygon_validity.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>

@@ -1,6 +1,6 @@
 // Regions of a plane, triangulated: the triangles have to tile the regions without gap or overlap (they turn left,
 // their areas add up, each edge has its two sides), and there may be no more than the formula n + 2h - 2 allows.
-#include "algebra3d/planar/sweep_triangulation.h"
+#include "algebra3d/kernel/planar/sweep_triangulation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "algebra3d/registry/registry.h"
+#include "algebra3d/operators/registry/registry.h"
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/registry/aggregate.h"
-#include "algebra3d/registry/detail/host_name.h"
-#include "algebra3d/registry/overload.h"
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/operators/registry/aggregate.h"
+#include "algebra3d/operators/registry/detail/host_name.h"
+#include "algebra3d/operators/registry/overload.h"
+#include "algebra3d/values/types/scalars.h"
 
 namespace algebra3d {
 namespace {

@@ -1,4 +1,4 @@
-#include "algebra3d/registry/syntax_pattern.h"
+#include "algebra3d/operators/registry/syntax_pattern.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Bands between boundaries that run close to each other: boxes with gaps, whose volumes are products.
-#include "algebra3d/repair/detail/bands.h"
+#include "algebra3d/kernel/repair/detail/bands.h"
 
 #include <limits>
 

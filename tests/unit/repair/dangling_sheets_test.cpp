@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/dangling_sheets.h"
+#include "algebra3d/kernel/repair/detail/dangling_sheets.h"
 
 #include "unit/repair/soups.h"
 

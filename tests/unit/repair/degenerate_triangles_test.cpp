@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/degenerate_triangles.h"
+#include "algebra3d/kernel/repair/detail/degenerate_triangles.h"
 
 #include <cmath>
 

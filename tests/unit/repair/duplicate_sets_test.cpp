@@ -1,6 +1,6 @@
-#include "algebra3d/repair/detail/duplicate_sets.h"
+#include "algebra3d/kernel/repair/detail/duplicate_sets.h"
 
-#include "algebra3d/repair/detail/opposite_sets.h"
+#include "algebra3d/kernel/repair/detail/opposite_sets.h"
 #include "unit/repair/soups.h"
 
 namespace algebra3d::soups {

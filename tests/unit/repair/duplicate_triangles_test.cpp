@@ -1,10 +1,10 @@
-#include "algebra3d/repair/detail/duplicate_triangles.h"
+#include "algebra3d/kernel/repair/detail/duplicate_triangles.h"
 
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "algebra3d/repair/detail/degenerate_triangles.h"
+#include "algebra3d/kernel/repair/detail/degenerate_triangles.h"
 #include "unit/repair/soups.h"
 
 namespace algebra3d::soups {

@@ -1,7 +1,7 @@
-#include "algebra3d/repair/detail/edge_splits.h"
+#include "algebra3d/kernel/repair/detail/edge_splits.h"
 
-#include "algebra3d/repair/detail/split_selection.h"
-#include "algebra3d/repair/detail/vertex_merging.h"
+#include "algebra3d/kernel/repair/detail/split_selection.h"
+#include "algebra3d/kernel/repair/detail/vertex_merging.h"
 #include "unit/repair/soups.h"
 
 namespace algebra3d::soups {

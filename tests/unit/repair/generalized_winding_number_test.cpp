@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/generalized_winding_number.h"
+#include "algebra3d/kernel/repair/detail/generalized_winding_number.h"
 
 #include "unit/repair/soups.h"
 

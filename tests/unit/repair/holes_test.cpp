@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/holes.h"
+#include "algebra3d/kernel/repair/detail/holes.h"
 
 #include <atomic>
 #include <limits>

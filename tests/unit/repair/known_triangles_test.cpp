@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/known_triangles.h"
+#include "algebra3d/kernel/repair/detail/known_triangles.h"
 
 #include <memory>
 #include <tuple>

@@ -1,4 +1,4 @@
-#include "algebra3d/repair/mesh_volume.h"
+#include "algebra3d/kernel/repair/mesh_volume.h"
 
 #include <atomic>
 

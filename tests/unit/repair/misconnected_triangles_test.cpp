@@ -1,5 +1,5 @@
 // Triangles that were written with a wrong corner.
-#include "algebra3d/repair/detail/misconnected_triangles.h"
+#include "algebra3d/kernel/repair/detail/misconnected_triangles.h"
 
 #include "unit/repair/repaired.h"
 

@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/missing_halfedges.h"
+#include "algebra3d/kernel/repair/detail/missing_halfedges.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/nonmanifold_loops.h"
+#include "algebra3d/kernel/repair/detail/nonmanifold_loops.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
-#include "algebra3d/repair/detail/oriented_patches.h"
+#include "algebra3d/kernel/repair/detail/oriented_patches.h"
 
-#include "algebra3d/repair/detail/patch_balance.h"
-#include "algebra3d/repair/detail/patch_links.h"
+#include "algebra3d/kernel/repair/detail/patch_balance.h"
+#include "algebra3d/kernel/repair/detail/patch_links.h"
 #include "unit/repair/soups.h"
 
 namespace algebra3d::soups {

@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/parity_estimate.h"
+#include "algebra3d/kernel/repair/detail/parity_estimate.h"
 
 #include "unit/repair/soups.h"
 

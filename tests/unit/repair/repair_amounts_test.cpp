@@ -1,5 +1,5 @@
 // Amounts of repairs, compared with what is known of boxes and sheets by formulas.
-#include "algebra3d/repair/detail/repair_amounts.h"
+#include "algebra3d/kernel/repair/detail/repair_amounts.h"
 
 #include <cmath>
 

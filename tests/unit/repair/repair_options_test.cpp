@@ -1,11 +1,11 @@
-#include "algebra3d/repair/repair_options.h"
+#include "algebra3d/kernel/repair/repair_options.h"
 
 #include <cstdint>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/repair/detail/work_limits.h"
+#include "algebra3d/kernel/repair/detail/work_limits.h"
 
 namespace algebra3d {
 namespace {

@@ -1,4 +1,4 @@
-#include "algebra3d/repair/repair_report.h"
+#include "algebra3d/kernel/repair/repair_report.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "algebra3d/repair/detail/repair_strategy.h"
+#include "algebra3d/kernel/repair/detail/repair_strategy.h"
 
 #include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "algebra3d/repair/detail/repair_attempt.h"
+#include "algebra3d/kernel/repair/detail/repair_attempt.h"
 #include "unit/repair/repaired.h"
 
 namespace algebra3d::soups {

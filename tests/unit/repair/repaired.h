@@ -1,6 +1,6 @@
 #pragma once
 
-#include "algebra3d/repair/solid_from_soup.h"
+#include "algebra3d/kernel/repair/solid_from_soup.h"
 #include "unit/repair/soups.h"
 
 // What tests of the whole repair ask of its result.

@@ -1,5 +1,5 @@
 // The repair of what is hardly a solid, or none at all.
-#include "algebra3d/repair/detail/repaired_solid.h"
+#include "algebra3d/kernel/repair/detail/repaired_solid.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/repaired_solid.h"
+#include "algebra3d/kernel/repair/detail/repaired_solid.h"
 
 #include <atomic>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/shell_orientation.h"
+#include "algebra3d/kernel/repair/detail/shell_orientation.h"
 
 #include <atomic>
 

@@ -1,8 +1,8 @@
-#include "algebra3d/repair/detail/shell_volumes.h"
+#include "algebra3d/kernel/repair/detail/shell_volumes.h"
 
 #include <cmath>
 
-#include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
 #include "unit/repair/soups.h"
 
 namespace algebra3d::soups {

@@ -1,6 +1,6 @@
-#include "algebra3d/repair/detail/shells.h"
+#include "algebra3d/kernel/repair/detail/shells.h"
 
-#include "algebra3d/repair/detail/manifold_patches.h"
+#include "algebra3d/kernel/repair/detail/manifold_patches.h"
 #include "unit/repair/soups.h"
 
 namespace algebra3d::soups {

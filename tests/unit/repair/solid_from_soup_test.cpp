@@ -1,4 +1,4 @@
-#include "algebra3d/repair/solid_from_soup.h"
+#include "algebra3d/kernel/repair/solid_from_soup.h"
 
 #include <algorithm>
 #include <atomic>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/exact_sum.h"
-#include "algebra3d/soup/spatial_order.h"
+#include "algebra3d/kernel/exact/exact_sum.h"
+#include "algebra3d/kernel/soup/spatial_order.h"
 #include "unit/validity/sample_meshes.h"
 
 namespace algebra3d {

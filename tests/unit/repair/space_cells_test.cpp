@@ -1,9 +1,9 @@
-#include "algebra3d/repair/detail/space_cells.h"
+#include "algebra3d/kernel/repair/detail/space_cells.h"
 
 #include <set>
 
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/repair/detail/cell_classification.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/repair/detail/cell_classification.h"
 #include "unit/repair/repaired.h"
 
 namespace algebra3d::soups {

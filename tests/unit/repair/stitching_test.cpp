@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/stitching.h"
+#include "algebra3d/kernel/repair/detail/stitching.h"
 
 #include <map>
 #include <set>

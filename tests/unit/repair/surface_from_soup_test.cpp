@@ -1,4 +1,4 @@
-#include "algebra3d/repair/surface_from_soup.h"
+#include "algebra3d/kernel/repair/surface_from_soup.h"
 
 #include <atomic>
 

@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/triangle_orientation.h"
+#include "algebra3d/kernel/repair/detail/triangle_orientation.h"
 
 #include <map>
 

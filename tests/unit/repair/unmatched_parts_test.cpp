@@ -1,6 +1,6 @@
-#include "algebra3d/repair/detail/unmatched_parts.h"
+#include "algebra3d/kernel/repair/detail/unmatched_parts.h"
 
-#include "algebra3d/repair/detail/inside_test.h"
+#include "algebra3d/kernel/repair/detail/inside_test.h"
 #include "unit/repair/repaired.h"
 
 namespace algebra3d::soups {

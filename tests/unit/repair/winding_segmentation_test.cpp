@@ -1,4 +1,4 @@
-#include "algebra3d/repair/detail/winding_segmentation.h"
+#include "algebra3d/kernel/repair/detail/winding_segmentation.h"
 
 #include <atomic>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "algebra3d/validity/contacts.h"
+#include "algebra3d/kernel/validity/contacts.h"
 
 #include <algorithm>
 #include <map>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/rounding/divided_contacts.h"
-#include "algebra3d/validity/edge_contacts.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/rounding/divided_contacts.h"
+#include "algebra3d/kernel/validity/edge_contacts.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/rounding/faults_by_cgal.h"

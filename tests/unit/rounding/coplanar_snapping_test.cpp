@@ -1,12 +1,12 @@
-#include "algebra3d/rounding/detail/coplanar_snapping.h"
+#include "algebra3d/kernel/rounding/detail/coplanar_snapping.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/autorefinement/winding_selection.h"
-#include "algebra3d/halfedge/topology.h"
-#include "algebra3d/rounding/detail/snap_rounding.h"
+#include "algebra3d/kernel/autorefinement/winding_selection.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/rounding/detail/snap_rounding.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 

@@ -4,14 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/affine_map.h"
-#include "algebra3d/halfedge/topology.h"
-#include "algebra3d/rounding/detail/met_cells.h"
-#include "algebra3d/rounding/detail/rounding_rungs.h"
-#include "algebra3d/rounding/detail/solid_part.h"
-#include "algebra3d/rounding/detail/solid_rounding.h"
-#include "algebra3d/rounding/detail/square_cover.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/exact/affine_map.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/rounding/detail/met_cells.h"
+#include "algebra3d/kernel/rounding/detail/rounding_rungs.h"
+#include "algebra3d/kernel/rounding/detail/solid_part.h"
+#include "algebra3d/kernel/rounding/detail/solid_rounding.h"
+#include "algebra3d/kernel/rounding/detail/square_cover.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/rounding/distances.h"

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "algebra3d/base/box3.h"
-#include "algebra3d/exact/rational.h"
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/exact/rational.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 /// Distances of the points of a mesh from another one, by brute force.
 namespace algebra3d::solids {

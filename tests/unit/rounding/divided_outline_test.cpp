@@ -1,4 +1,4 @@
-#include "algebra3d/rounding/detail/divided_outline.h"
+#include "algebra3d/kernel/rounding/detail/divided_outline.h"
 
 #include <algorithm>
 #include <cstddef>

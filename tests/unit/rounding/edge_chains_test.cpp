@@ -1,4 +1,4 @@
-#include "algebra3d/rounding/detail/edge_chains.h"
+#include "algebra3d/kernel/rounding/detail/edge_chains.h"
 
 #include <cmath>
 

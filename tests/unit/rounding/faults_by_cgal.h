@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 /// The definition of a valid solid, by CGAL's exact intersections of all pairs of triangles whose boxes meet.
 namespace algebra3d::solids {

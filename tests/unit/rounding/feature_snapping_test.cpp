@@ -1,4 +1,4 @@
-#include "algebra3d/rounding/detail/feature_snapping.h"
+#include "algebra3d/kernel/rounding/detail/feature_snapping.h"
 
 #include <algorithm>
 #include <array>
@@ -10,12 +10,12 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/distance/farthest_point.h"
-#include "algebra3d/halfedge/box_hierarchy.h"
-#include "algebra3d/rounding/detail/crossing_faces.h"
-#include "algebra3d/rounding/detail/near_features.h"
-#include "algebra3d/rounding/detail/snapped_faces.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/distance/farthest_point.h"
+#include "algebra3d/kernel/rounding/detail/crossing_faces.h"
+#include "algebra3d/kernel/rounding/detail/near_features.h"
+#include "algebra3d/kernel/rounding/detail/snapped_faces.h"
+#include "algebra3d/kernel/search/box_hierarchy.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/rounding/distances.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 namespace algebra3d::solids {
 

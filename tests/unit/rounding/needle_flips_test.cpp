@@ -1,11 +1,11 @@
-#include "algebra3d/rounding/detail/needle_flips.h"
+#include "algebra3d/kernel/rounding/detail/needle_flips.h"
 
 #include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 
 namespace algebra3d::solids {

@@ -1,8 +1,8 @@
-#include "algebra3d/rounding/detail/paired_faces.h"
+#include "algebra3d/kernel/rounding/detail/paired_faces.h"
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 

@@ -1,12 +1,12 @@
-#include "algebra3d/rounding/rounded_image.h"
+#include "algebra3d/kernel/rounding/rounded_image.h"
 
 #include <atomic>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/mesh_image.h"
-#include "algebra3d/rounding/rounded_solid.h"
+#include "algebra3d/kernel/halfedge/mesh_image.h"
+#include "algebra3d/kernel/rounding/rounded_solid.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/rounding/distances.h"

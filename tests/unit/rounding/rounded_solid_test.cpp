@@ -1,4 +1,4 @@
-#include "algebra3d/rounding/rounded_solid.h"
+#include "algebra3d/kernel/rounding/rounded_solid.h"
 
 #include <algorithm>
 #include <atomic>
@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/affine_map.h"
-#include "algebra3d/exact/vertical_line.h"
-#include "algebra3d/halfedge/topology.h"
-#include "algebra3d/rounding/detail/bodies_apart.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/exact/affine_map.h"
+#include "algebra3d/kernel/exact/vertical_line.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/rounding/detail/bodies_apart.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/rounding/distances.h"

@@ -1,4 +1,4 @@
-#include "algebra3d/rounding/rounded_surface.h"
+#include "algebra3d/kernel/rounding/rounded_surface.h"
 
 #include <atomic>
 #include <cmath>
@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/arrangement/surface_arrangement.h"
-#include "algebra3d/exact/affine_map.h"
-#include "algebra3d/halfedge/boxes.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/arrangement/surface_arrangement.h"
+#include "algebra3d/kernel/exact/affine_map.h"
+#include "algebra3d/kernel/search/boxes.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/rounding/mesh_area.h"

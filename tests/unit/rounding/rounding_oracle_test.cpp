@@ -8,9 +8,9 @@
 #include <map>
 #include <string>
 
-#include "algebra3d/exact/affine_map.h"
-#include "algebra3d/halfedge/boxes.h"
-#include "algebra3d/rounding/rounded_solid.h"
+#include "algebra3d/kernel/exact/affine_map.h"
+#include "algebra3d/kernel/rounding/rounded_solid.h"
+#include "algebra3d/kernel/search/boxes.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/rounding/faults_by_cgal.h"

@@ -1,4 +1,4 @@
-#include "algebra3d/rounding/detail/snap_rounding.h"
+#include "algebra3d/kernel/rounding/detail/snap_rounding.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/autorefinement/winding_selection.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/autorefinement/winding_selection.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 

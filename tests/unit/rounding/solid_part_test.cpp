@@ -1,4 +1,4 @@
-#include "algebra3d/rounding/detail/solid_part.h"
+#include "algebra3d/kernel/rounding/detail/solid_part.h"
 
 #include <cstdint>
 #include <numeric>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/base/indices.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/validity/validity.h"
+#include "base/indices.h"
 #include "unit/arrangement/random_solids.h"
 
 namespace algebra3d::solids {

@@ -1,4 +1,4 @@
-#include "algebra3d/rounding/detail/thickening.h"
+#include "algebra3d/kernel/rounding/detail/thickening.h"
 
 #include <atomic>
 #include <cmath>
@@ -10,12 +10,12 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/autorefinement/winding_selection.h"
-#include "algebra3d/exact/affine_map.h"
-#include "algebra3d/rounding/detail/solid_part.h"
-#include "algebra3d/rounding/detail/solid_rounding.h"
-#include "algebra3d/rounding/detail/thickened_faces.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/autorefinement/winding_selection.h"
+#include "algebra3d/kernel/exact/affine_map.h"
+#include "algebra3d/kernel/rounding/detail/solid_part.h"
+#include "algebra3d/kernel/rounding/detail/solid_rounding.h"
+#include "algebra3d/kernel/rounding/detail/thickened_faces.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/rounding/distances.h"

@@ -1,4 +1,4 @@
-#include "algebra3d/rounding/detail/vertex_fan.h"
+#include "algebra3d/kernel/rounding/detail/vertex_fan.h"
 
 #include <array>
 #include <cmath>

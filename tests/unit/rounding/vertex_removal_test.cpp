@@ -1,4 +1,4 @@
-#include "algebra3d/rounding/detail/vertex_removal.h"
+#include "algebra3d/kernel/rounding/detail/vertex_removal.h"
 
 #include <array>
 #include <atomic>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/soup/weld.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/soup/weld.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/rounding/distances.h"

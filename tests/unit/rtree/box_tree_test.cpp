@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "algebra3d/base/scheduler.h"
+#include "base/scheduler.h"
 #include "unit/rtree/rtree_samples.h"
 
 namespace rtree {

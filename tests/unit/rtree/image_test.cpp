@@ -4,7 +4,7 @@
 #include <cstring>
 #include <thread>
 
-#include "algebra3d/base/scheduler.h"
+#include "base/scheduler.h"
 #include "unit/rtree/rtree_samples.h"
 
 namespace rtree {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/descriptions/all.h"
 #include "queries/server/detail/pages.h"
 #include "queries/streams/all.h"
 #include "support/scratch_folder.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/descriptions/all.h"
 #include "queries/session/session.h"
 #include "queries/streams/all.h"
 

@@ -2,10 +2,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "algebra3d/registry/aggregate.h"
-#include "algebra3d/registry/overload.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/operators/registry/aggregate.h"
+#include "algebra3d/operators/registry/overload.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
 #include "queries/language/command_reader.h"
 #include "unit/session/example_session.h"
 

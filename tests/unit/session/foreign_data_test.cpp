@@ -4,7 +4,7 @@
 #include <iterator>
 #include <set>
 
-#include "algebra3d/registry/operator.h"
+#include "algebra3d/operators/registry/operator.h"
 #include "queries/language/example_queries.h"
 #include "unit/session/example_session.h"
 

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/utf8.h"
 #include "queries/language/session_parameters.h"
 #include "unit/session/example_session.h"
 

@@ -1,7 +1,7 @@
 // A database of a version that did not know the operators sqrt, pow, round, distance, top, ... opens in one that does,
 // and everything in it still means the same. tests/regression/data/names holds it, as a file and as a saved list.
-#include "algebra3d/registry/overload.h"
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/operators/registry/overload.h"
+#include "algebra3d/values/types/scalars.h"
 #include "queries/language/example_queries.h"
 #include "queries/streams/stream_operator.h"
 #include "unit/session/example_session.h"

@@ -9,7 +9,7 @@
 #include <regex>
 #include <set>
 
-#include "algebra3d/registry/detail/host_name.h"
+#include "algebra3d/operators/registry/detail/host_name.h"
 #include "queries/language/example_queries.h"
 #include "unit/session/example_session.h"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/descriptions/all.h"
 #include "queries/shell/detail/completion_script.h"
 #include "queries/shell/detail/man_page.h"
 

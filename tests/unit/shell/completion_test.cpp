@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/descriptions/all.h"
 #include "queries/language/command_list.h"
 #include "queries/language/command_reader.h"
 #include "queries/language/parser.h"

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "algebra3d/formats/mesh3d_files.h"
-#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/values/conversions/mesh3d_files.h"
 #include "queries/exchange/csv_presenter.h"
 #include "queries/exchange/json_presenter.h"
 #include "queries/shell/detail/interruption.h"

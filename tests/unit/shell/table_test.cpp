@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/planar.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/values/types/planar.h"
+#include "algebra3d/values/types/spatial.h"
 #include "queries/exchange/exchange_values.h"
 #include "support/cloud_type.h"
 

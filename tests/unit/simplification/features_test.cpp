@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/topology.h"
-#include "algebra3d/simplification/simplification.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/simplification/simplification.h"
 
 namespace algebra3d {
 namespace {

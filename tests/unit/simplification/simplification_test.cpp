@@ -1,6 +1,6 @@
 // Simplified meshes: known results, targets, topology, deviations measured by CGAL at many points, and the validity of
 // surfaces and solids by the proof and by CGAL.
-#include "algebra3d/simplification/simplification.h"
+#include "algebra3d/kernel/simplification/simplification.h"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +16,10 @@
 #include <map>
 #include <vector>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/topology.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/validity/validity.h"
+#include "base/scheduler.h"
 
 namespace algebra3d {
 namespace {

@@ -1,4 +1,4 @@
-#include "algebra3d/soup/loop_triangulation.h"
+#include "algebra3d/kernel/soup/loop_triangulation.h"
 
 #include <limits>
 #include <map>

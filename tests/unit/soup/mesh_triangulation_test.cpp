@@ -1,4 +1,4 @@
-#include "algebra3d/soup/mesh_triangulation.h"
+#include "algebra3d/kernel/soup/mesh_triangulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/plane.h"
-#include "algebra3d/exact/predicates.h"
+#include "algebra3d/kernel/exact/plane.h"
+#include "algebra3d/kernel/exact/predicates.h"
 
 namespace algebra3d {
 namespace {

@@ -1,4 +1,4 @@
-#include "algebra3d/soup/polygon_triangulation.h"
+#include "algebra3d/kernel/soup/polygon_triangulation.h"
 
 #include <numbers>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "algebra3d/soup/spatial_order.h"
+#include "algebra3d/kernel/soup/spatial_order.h"
 
 #include <numeric>
 

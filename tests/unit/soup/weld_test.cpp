@@ -1,4 +1,4 @@
-#include "algebra3d/soup/weld.h"
+#include "algebra3d/kernel/soup/weld.h"
 
 #include <cmath>
 #include <map>

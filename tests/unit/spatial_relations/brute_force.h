@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "algebra3d/halfedge/triangle_mesh.h"
-#include "algebra3d/spatial_relations/relation.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
+#include "algebra3d/values/spatial_relations/relation.h"
 
 /// Relations by brute force with CGAL's exact kernel: a sample in every cell of the overlay of two sets, each located
 /// by tests of all triangles. Shares neither code nor method with the layer.

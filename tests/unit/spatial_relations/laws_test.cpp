@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "algebra3d/spatial_relations/relation.h"
+#include "algebra3d/values/spatial_relations/relation.h"
 #include "unit/arrangement/random_solids.h"
 
 namespace algebra3d {

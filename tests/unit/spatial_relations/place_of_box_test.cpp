@@ -1,4 +1,4 @@
-#include "algebra3d/spatial_relations/place_of_box.h"
+#include "algebra3d/values/spatial_relations/place_of_box.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "algebra3d/spatial_relations/point_location.h"
+#include "algebra3d/values/spatial_relations/point_location.h"
 
 #include <gtest/gtest.h>
 

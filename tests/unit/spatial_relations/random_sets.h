@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/arrangement/arrangement.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/arrangement/arrangement.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/spatial_relations/brute_force.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "algebra3d/spatial_relations/relation.h"
+#include "algebra3d/values/spatial_relations/relation.h"
 
 namespace algebra3d {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/all.h"
+#include "algebra3d/values/types/all.h"
 #include "support/cloud_type.h"
 
 namespace queries {

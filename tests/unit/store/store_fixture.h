@@ -14,9 +14,9 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
-#include "algebra3d/types/all.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/values/types/all.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
 #include "queries/store/detail/checked_vfs.h"
 #include "queries/store/store_options.h"
 #include "queries/streams/relation.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/values/types/scalars.h"
 
 namespace queries {
 namespace {

@@ -6,9 +6,9 @@
 #include <tuple>
 #include <utility>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/base/work_memory.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/values/types/spatial.h"
+#include "base/scheduler.h"
+#include "base/work_memory.h"
 #include "queries/streams/detail/join_condition.h"
 #include "queries/streams/detail/nearest_join.h"
 #include "queries/streams/detail/refined_join.h"

@@ -5,9 +5,9 @@
 #include <random>
 #include <set>
 
-#include "algebra3d/base/work_memory.h"
-#include "algebra3d/types/all.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/values/types/all.h"
+#include "algebra3d/values/types/spatial.h"
+#include "base/work_memory.h"
 #include "queries/streams/detail/adjacent_groups.h"
 #include "queries/streams/detail/block_join.h"
 #include "queries/streams/detail/element_buffer.h"

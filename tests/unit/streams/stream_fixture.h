@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/values/types/scalars.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {

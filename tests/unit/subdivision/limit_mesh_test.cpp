@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/subdivision/subdivided.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/subdivision/subdivided.h"
 #include "subdivision_samples.h"
 
 namespace algebra3d {

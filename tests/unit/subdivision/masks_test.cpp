@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/subdivision/subdivided.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/subdivision/subdivided.h"
 #include "reference_steps.h"
 #include "subdivision_samples.h"
 

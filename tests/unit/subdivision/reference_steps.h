@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/exact/point.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/polygon_mesh.h"
+#include "algebra3d/kernel/exact/point.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/polygon_mesh.h"
 
 /// One step of each scheme with rational numbers, straight from the papers' masks: lists of faces, maps and searches,
 /// nothing of the code under test.

@@ -1,5 +1,5 @@
 // Masks over rings: what they reproduce, and long rings against short sums.
-#include "algebra3d/subdivision/detail/ring_masks.h"
+#include "algebra3d/kernel/subdivision/detail/ring_masks.h"
 
 #include <cmath>
 #include <numbers>

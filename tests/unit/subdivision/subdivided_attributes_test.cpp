@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
 #include "subdivision_samples.h"
 
 namespace algebra3d {

@@ -1,14 +1,14 @@
 // What holds for every scheme: links, Euler's formula, threads, interruption, limits of input.
-#include "algebra3d/subdivision/subdivided.h"
+#include "algebra3d/kernel/subdivision/subdivided.h"
 
 #include <atomic>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "base/scheduler.h"
 #include "subdivision_samples.h"
 
 namespace algebra3d {

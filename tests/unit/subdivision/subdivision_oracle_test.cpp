@@ -9,8 +9,8 @@
 #include <cmath>
 #include <vector>
 
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/subdivision/subdivided.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/subdivision/subdivided.h"
 #include "subdivision_samples.h"
 
 namespace algebra3d {

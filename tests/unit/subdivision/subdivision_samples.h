@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/halfedge/polygon_mesh.h"
-#include "algebra3d/halfedge/topology.h"
-#include "algebra3d/subdivision/subdivided.h"
+#include "algebra3d/kernel/halfedge/polygon_mesh.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/subdivision/subdivided.h"
 #include "unit/halfedge/mesh_samples.h"
 
 /// Polygon meshes for tests of subdivision.

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "algebra3d/types/nested_list.h"
+#include "algebra3d/values/types/nested_list.h"
 
 namespace queries {
 

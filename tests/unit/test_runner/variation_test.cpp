@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/registry/overload.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/operators/registry/overload.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
 #include "support/cloud_type.h"
 #include "unit/test_runner/nested_text.h"
 #include "unit/test_runner/sample_run.h"

@@ -1,5 +1,5 @@
 // The binary form: round trips, the page that describes it, and bytes that were damaged.
-#include "algebra3d/types/codec.h"
+#include "algebra3d/values/types/codec.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +12,15 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/all.h"
-#include "algebra3d/types/detail/codec_points.h"
-#include "algebra3d/types/detail/mesh_codec.h"
-#include "algebra3d/types/mesh3d.h"
-#include "algebra3d/types/moving_region.h"
-#include "algebra3d/types/nested_relation.h"
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
-#include "algebra3d/types/time.h"
+#include "algebra3d/values/types/all.h"
+#include "algebra3d/values/types/detail/codec_points.h"
+#include "algebra3d/values/types/detail/mesh_codec.h"
+#include "algebra3d/values/types/mesh3d.h"
+#include "algebra3d/values/types/moving_region.h"
+#include "algebra3d/values/types/nested_relation.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
+#include "algebra3d/values/types/time.h"
 
 namespace algebra3d {
 namespace {

@@ -1,4 +1,4 @@
-#include "algebra3d/types/file_atom.h"
+#include "algebra3d/values/types/file_atom.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/values/types/scalars.h"
 
 namespace algebra3d {
 namespace {

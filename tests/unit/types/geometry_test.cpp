@@ -1,5 +1,5 @@
 // surface3d and volume3d: texts, proof, boxes, and the laws of equality, order and hash.
-#include "algebra3d/types/detail/geometry.h"
+#include "algebra3d/values/types/detail/geometry.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/spatial.h"
-#include "algebra3d/types/value.h"
+#include "algebra3d/values/types/spatial.h"
+#include "algebra3d/values/types/value.h"
 #include "unit/types/reading.h"
 
 namespace algebra3d {

@@ -1,5 +1,5 @@
 // mesh3d: texts and their errors, order and hash, and bytes that were damaged.
-#include "algebra3d/types/mesh3d.h"
+#include "algebra3d/values/types/mesh3d.h"
 
 #include <random>
 #include <string>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/audit.h"
-#include "algebra3d/types/codec.h"
+#include "algebra3d/kernel/halfedge/audit.h"
+#include "algebra3d/values/types/codec.h"
 #include "unit/types/reading.h"
 
 namespace algebra3d {

@@ -1,5 +1,5 @@
 // Stored triangles: whatever is decoded has the links that the mesh has when it is built from its triangles.
-#include "algebra3d/types/detail/mesh_codec.h"
+#include "algebra3d/values/types/detail/mesh_codec.h"
 
 #include <gtest/gtest.h>
 

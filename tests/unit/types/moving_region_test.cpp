@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/planar/polygon_measures.h"
-#include "algebra3d/planar/polygon_validity.h"
-#include "algebra3d/types/codec.h"
-#include "algebra3d/types/moving_region.h"
+#include "algebra3d/kernel/planar/polygon_measures.h"
+#include "algebra3d/kernel/planar/polygon_validity.h"
+#include "algebra3d/values/types/codec.h"
+#include "algebra3d/values/types/moving_region.h"
 #include "unit/types/reading.h"
 
 namespace algebra3d::moving_region_tests {

@@ -1,4 +1,4 @@
-#include "algebra3d/types/nested_list.h"
+#include "algebra3d/values/types/nested_list.h"
 
 #include <bit>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/expression_list.h"
+#include "algebra3d/values/types/expression_list.h"
 
 namespace algebra3d {
 namespace {

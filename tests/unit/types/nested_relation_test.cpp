@@ -1,5 +1,5 @@
 // Types of nested relations, and the order, hash and memory of their values.
-#include "algebra3d/types/nested_relation.h"
+#include "algebra3d/values/types/nested_relation.h"
 
 #include <algorithm>
 #include <random>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/values/types/scalars.h"
 #include "reading.h"
 
 namespace algebra3d {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/value.h"
+#include "algebra3d/values/types/value.h"
 
 /// Values read from their text, as a statement reads them.
 namespace algebra3d {

@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/spatial.h"
-#include "algebra3d/types/value.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
+#include "algebra3d/values/types/value.h"
 #include "unit/types/reading.h"
 
 namespace algebra3d {

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/binary_io.h"
-#include "algebra3d/types/codec.h"
-#include "algebra3d/types/time.h"
+#include "algebra3d/values/types/binary_io.h"
+#include "algebra3d/values/types/codec.h"
+#include "algebra3d/values/types/time.h"
 #include "unit/types/reading.h"
 
 namespace algebra3d::time_tests {

@@ -1,4 +1,4 @@
-#include "algebra3d/types/type_expr.h"
+#include "algebra3d/values/types/type_expr.h"
 
 #include <gtest/gtest.h>
 

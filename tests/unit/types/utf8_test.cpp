@@ -1,4 +1,4 @@
-#include "algebra3d/types/utf8.h"
+#include "algebra3d/values/types/utf8.h"
 
 #include <gtest/gtest.h>
 

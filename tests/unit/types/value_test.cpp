@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/scalars.h"
-#include "algebra3d/types/value.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/value.h"
 
 namespace algebra3d {
 namespace {

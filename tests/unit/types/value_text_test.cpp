@@ -1,9 +1,9 @@
-#include "algebra3d/types/value_text.h"
+#include "algebra3d/values/types/value_text.h"
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/types/all.h"
-#include "algebra3d/types/spatial.h"
+#include "algebra3d/values/types/all.h"
+#include "algebra3d/values/types/spatial.h"
 #include "unit/types/reading.h"
 
 namespace algebra3d {

@@ -1,10 +1,10 @@
-#include "algebra3d/validity/detail/height_fields.h"
+#include "algebra3d/kernel/validity/detail/height_fields.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/validity/sample_meshes.h"
 
 namespace algebra3d {

@@ -1,4 +1,4 @@
-#include "algebra3d/validity/replacement.h"
+#include "algebra3d/kernel/validity/replacement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/replaced_faces.h"
-#include "algebra3d/halfedge/topology.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/halfedge/replaced_faces.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "sample_meshes.h"
 
 namespace algebra3d {

@@ -1,4 +1,4 @@
-#include "algebra3d/validity/report.h"
+#include "algebra3d/kernel/validity/report.h"
 
 #include <gtest/gtest.h>
 

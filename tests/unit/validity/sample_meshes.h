@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 namespace algebra3d::samples {
 

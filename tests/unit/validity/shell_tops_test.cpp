@@ -1,14 +1,14 @@
-#include "algebra3d/validity/shell_tops.h"
+#include "algebra3d/kernel/validity/shell_tops.h"
 
 #include <numeric>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/counters.h"
-#include "algebra3d/halfedge/mesh_image.h"
-#include "algebra3d/validity/detail/winding.h"
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/exact/counters.h"
+#include "algebra3d/kernel/halfedge/mesh_image.h"
+#include "algebra3d/kernel/validity/detail/winding.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/validity/sample_meshes.h"
 
 namespace algebra3d {

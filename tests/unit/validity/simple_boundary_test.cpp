@@ -1,4 +1,4 @@
-#include "algebra3d/validity/detail/simple_boundary.h"
+#include "algebra3d/kernel/validity/detail/simple_boundary.h"
 
 #include <gtest/gtest.h>
 

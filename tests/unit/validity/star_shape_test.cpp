@@ -1,5 +1,5 @@
 // Star shapes are accepted, everything else is refused, and both agree with the general proof.
-#include "algebra3d/validity/star_shape.h"
+#include "algebra3d/kernel/validity/star_shape.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/validity/sample_meshes.h"
 
 namespace algebra3d {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/validity/validity.h"
 #include "unit/validity/sample_meshes.h"
 
 namespace algebra3d {

@@ -1,10 +1,10 @@
 // Verdicts and texts that follow from the definition (validity/report.h) by hand.
-#include "algebra3d/validity/validity.h"
+#include "algebra3d/kernel/validity/validity.h"
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/base/scheduler.h"
-#include "algebra3d/validity/detail/winding.h"
+#include "algebra3d/kernel/validity/detail/winding.h"
+#include "base/scheduler.h"
 #include "unit/validity/sample_meshes.h"
 
 namespace algebra3d {

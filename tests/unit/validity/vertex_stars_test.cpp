@@ -1,4 +1,4 @@
-#include "algebra3d/validity/detail/vertex_stars.h"
+#include "algebra3d/kernel/validity/detail/vertex_stars.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,67 @@
+#include "algebra3d/kernel/arrangement/detail/subdivision.h"
+
+#include <utility>
+
+#include "algebra3d/kernel/arrangement/detail/candidates.h"
+#include "algebra3d/kernel/arrangement/detail/facet_contacts.h"
+#include "algebra3d/kernel/arrangement/detail/incident_facets.h"
+#include "algebra3d/kernel/arrangement/detail/overlay.h"
+#include "algebra3d/kernel/arrangement/detail/pair_contacts.h"
+#include "algebra3d/kernel/arrangement/detail/stage_audit.h"
+#include "algebra3d/kernel/arrangement/detail/task_sizes.h"
+#include "base/scheduler.h"
+
+namespace algebra3d::arrangement {
+namespace {
+
+/// Makes the segment complex, and divides its segments where they cut one another.
+Result<SubEdges> find_sub_edges(Subdivision& subdivision, PairContacts contacts, Boundaries boundaries,
+                                const ArrangementOptions& options, const Monitor& monitor) {
+  const Operands& operands = subdivision.operands;
+  const Facets& facets = subdivision.facets;
+  SegmentComplex& complex = subdivision.complex;
+  ALGEBRA3D_ASSIGN_OR_RETURN(complex, find_facet_contacts(operands, facets, contacts));
+  contacts = {{}, PlanesOfFaces(operands)};  // freed
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage(
+      "the facet contacts", [&] { return audit(subdivision.operands, subdivision.facets, subdivision.complex); }));
+  ALGEBRA3D_ASSIGN_OR_RETURN(complex, overlay(operands, facets, std::move(complex), monitor, options.max_cuts));
+  ALGEBRA3D_RETURN_IF_ERROR(
+      check_stage("the overlay", [&] { return audit(subdivision.operands, subdivision.facets, subdivision.complex); }));
+  SubEdges result = divide(facets, complex);
+  if (boundaries == Boundaries::possible) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(result, with_all_incident_facets(operands, facets, complex, std::move(result), monitor));
+  }
+  ALGEBRA3D_RETURN_IF_ERROR(
+      check_stage("the sub-edges", [&] { return audit(subdivision.facets, subdivision.complex, result); }));
+  return result;
+}
+
+}  // namespace
+
+Result<Subdivision> subdivide(std::span<const Operand> list, Boundaries boundaries, const ArrangementOptions& options,
+                              const Monitor& monitor) {
+  Subdivision result{Operands(list), {}, {}, {}, {}, {}};
+  const Operands& operands = result.operands;
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the operands", [&] { return audit(operands); }));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Candidates candidates, find_candidates(operands, monitor, options.max_pairs));
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the candidates", [&] { return audit(operands, candidates); }));
+  ALGEBRA3D_ASSIGN_OR_RETURN(PairContacts contacts, find_pair_contacts(operands, candidates, monitor));
+  candidates = {};  // freed
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the contacts", [&] { return audit(operands, contacts); }));
+  result.facets = make_facets(operands, contacts);
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the facets", [&] { return audit(operands, result.facets); }));
+
+  Result<SubEdges> sub_edges = SubEdges();
+  parallel_invoke(
+      operands.face_count() >= kFacesWorthATask,
+      [&] { sub_edges = find_sub_edges(result, std::move(contacts), boundaries, options, monitor); },
+      [&] { result.patches = find_patches(operands, result.facets); });
+  ALGEBRA3D_ASSIGN_OR_RETURN(result.sub_edges, std::move(sub_edges));
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the patches", [&] { return audit(operands, result.facets, result.patches); }));
+  result.uncut_edges = find_uncut_edges(operands, result.complex, result.sub_edges, result.patches);
+  result.sub_edges.segments = {};
+  result.complex.free_segments();
+  return result;
+}
+
+}  // namespace algebra3d::arrangement

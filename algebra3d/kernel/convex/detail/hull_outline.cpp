@@ -1,0 +1,117 @@
+#include "algebra3d/kernel/convex/detail/hull_outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "algebra3d/base/box3.h"
+#include "algebra3d/kernel/exact/predicates_filter.h"
+#include "algebra3d/kernel/exact/principal_axes.h"
+#include "base/interruption_scope.h"
+
+namespace algebra3d::detail {
+namespace {
+
+constexpr std::size_t kMaxPoints = 400;   // for one search, so that a direction takes some ten microseconds
+constexpr std::size_t kMaxNormals = 200;  // that are tried first
+
+Vec3 mean_of(const std::vector<Vec3>& points) {
+  Vec3 sum;
+  for (const Vec3& p : points) sum = sum + p;
+  return 1 / static_cast<double>(points.size()) * sum;
+}
+
+/// Vertices that are farthest in evenly spread directions, along a spiral of golden angles.
+std::vector<Vec3> spread_points(const std::vector<Vec3>& points) {
+  if (points.size() <= kMaxPoints) return points;
+  std::vector<Vec3> chosen;
+  for (std::size_t i = 0; i < kMaxPoints; ++i) {
+    const double z = 1 - (2 * static_cast<double>(i) + 1) / kMaxPoints, around = std::sqrt(1 - z * z);
+    const double angle = static_cast<double>(i) * std::numbers::pi * (3 - std::sqrt(5.0));
+    const Vec3 direction{around * std::cos(angle), around * std::sin(angle), z};
+    chosen.push_back(*std::ranges::max_element(points, {}, [&](const Vec3& p) { return dot(p, direction); }));
+  }
+  std::ranges::sort(chosen);
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  return chosen;
+}
+
+/// The direction in which the points, which are of the size 1, spread most unlike in the others; a place to begin. All
+/// entries of the matrix are multiples of a small part of its trace, so that its exact axes cost little for needles and
+/// sheets too.
+Vec3 main_axis_of(const std::vector<Vec3>& points) {
+  double xx = 0, yy = 0, zz = 0, yz = 0, zx = 0, xy = 0;
+  for (const Vec3& p : points) {
+    xx += p.x * p.x, yy += p.y * p.y, zz += p.z * p.z;
+    yz += p.y * p.z, zx += p.z * p.x, xy += p.x * p.y;
+  }
+  const double trace = xx + yy + zz;
+  if (!(trace > 0)) return {1, 0, 0};  // far from the origin, exact points may have the same nearest doubles
+  const auto coarse = [trace](double entry) { return Rational((entry + trace) - trace); };
+  const Rational least(0x1p-40 * trace);  // makes all eigenvalues positive, and leaves the axes where they are
+  const PrincipalAxes axes =
+      principal_axes({coarse(xx) + least, coarse(yy) + least, coarse(zz) + least, coarse(yz), coarse(zx), coarse(xy)});
+  const auto& [low, middle, high] = axes.values;
+  return high * low > middle * middle ? axes.axes[2] : axes.axes[0];
+}
+
+}  // namespace
+
+HullOutline::HullOutline(const TriangleMesh& hull) {
+  const Box3 box = Box3::around(hull.points().approx());
+  const Vec3 half = 0.5 * box.max - 0.5 * box.min, centre = box.min + half;
+  unit_ = length_unit(box);
+  std::vector<Vec3> vertices;
+  for (const Vec3& p : hull.points().approx()) {
+    const Vec3 relative = p - centre;
+    vertices.push_back({relative.x / unit_, relative.y / unit_, relative.z / unit_});
+  }
+  const Vec3 inside = mean_of(vertices);
+  for (Vec3& p : vertices) p = p - inside;
+
+  inner_radius_ = std::numeric_limits<double>::infinity();
+  std::vector<std::pair<double, Vec3>> facets;
+  for (std::size_t f = 0; f < hull.face_count(); ++f) {
+    poll_interruption_at(f);
+    const auto [a, b, c] = hull.triangle(FaceId(f));
+    const Vec3 normal = cross(vertices[b] - vertices[a], vertices[c] - vertices[a]);
+    const double area = length(normal);
+    if (!(area > 0)) {
+      inner_radius_ = 0;
+      continue;
+    }
+    inner_radius_ = std::min(inner_radius_, dot(1 / area * normal, vertices[a]));
+    facets.emplace_back(-area, 1 / area * normal);
+  }
+  inner_radius_ = std::max(0.0, inner_radius_ - 0x1p-40);  // for roundings
+  std::ranges::sort(facets);
+  for (std::size_t i = 0; i < std::min(kMaxNormals, facets.size()); ++i) normals_.push_back(facets[i].second);
+
+  points_ = spread_points(vertices);
+  for (const Vec3& p : points_) radius_ = std::max(radius_, length(p));
+  main_axis_ = main_axis_of(points_);
+}
+
+HullOutline::View HullOutline::seen_along(const Vec3& direction) const {
+  View view;
+  const Vec3 across = cross(direction, std::abs(direction.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
+  view.x_axis = 1 / length(across) * across;
+  view.y_axis = cross(direction, view.x_axis);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  std::vector<PlanePoint> projected;
+  projected.reserve(points_.size());
+  for (const Vec3& p : points_) {
+    const double height = dot(p, direction);
+    low = std::min(low, height), high = std::max(high, height);
+    projected.push_back({dot(p, view.x_axis), dot(p, view.y_axis)});
+  }
+  view.height = high - low;
+  view.outline = planar_hull(std::move(projected));
+  return view;
+}
+
+}  // namespace algebra3d::detail

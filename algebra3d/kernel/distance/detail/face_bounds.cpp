@@ -1,0 +1,330 @@
+#include "algebra3d/kernel/distance/detail/face_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <type_traits>
+
+#include "base/nearest_in_triangle.h"
+
+namespace algebra3d::distances {
+namespace {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+/// A bound of the roundings of a distance, and of exact corners, in units: coordinates are below 2.
+template <typename Number>
+constexpr Number kOfDistance = 16 * std::numeric_limits<Number>::epsilon();
+/// Grows a number by more than a few roundings.
+template <typename Number>
+constexpr Number kGrown = 1 + 4 * std::numeric_limits<Number>::epsilon();
+/// More candidates for a part are not compared with it one by one.
+constexpr std::size_t kManyCandidates = 64;
+/// After so many parts of a face those that are left are bounded by one triangle each.
+constexpr std::size_t kMaxParts = 1 << 14;
+/// Parts are not divided more often, which halves two of their sides as often as there are digits, and more.
+template <typename Number>
+constexpr std::uint32_t kMaxDepth = sizeof(Number) > sizeof(double) ? 192 : 96;
+
+/// The distance of a point from the segment from 0 to `edge`.
+template <typename Vector>
+auto distance_from_edge(const Vector& point, const Vector& edge) {
+  const auto whole = dot(edge, edge), along = dot(point, edge);
+  if (!(along > 0)) return size_of(point);
+  return along < whole ? size_of(point - along / whole * edge) : size_of(point - edge);
+}
+
+double scale_for(const Box3& box) {
+  double half = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    half = std::max({half, std::abs(box.min[axis]) / 2, std::abs(box.max[axis]) / 2});
+  return half > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(half), -1022, 1000)) : 1;
+}
+
+}  // namespace
+
+template <typename Vector>
+FaceBounds<Vector>::FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const Box3& box, double enough,
+                               const Monitor& monitor)
+    : from_(from),
+      to_(to),
+      box_(box),
+      half_scale_(scale_for(box)),
+      enough_(half_scale_ * (0.5 * enough)),
+      monitor_(monitor) {}
+
+template <typename Vector>
+Vec3 FaceBounds<Vector>::unscaled(const Vector& point) const {
+  Vec3 result{static_cast<double>(point.x), static_cast<double>(point.y), static_cast<double>(point.z)};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    result[axis] = std::clamp(result[axis] / half_scale_ * 2, box_.min[axis], box_.max[axis]);
+  return result;
+}
+
+/// Rounded up.
+template <typename Vector>
+double FaceBounds<Vector>::unscaled(Number length) const {
+  const Number exact = length / half_scale_ * 2;
+  const auto rounded = static_cast<double>(exact);
+  return rounded < exact ? std::nextafter(rounded, kUnbounded) : rounded;
+}
+
+template <typename Vector>
+auto FaceBounds<Vector>::target(FaceId face) const -> Target {
+  const auto [a, b, c] = to_.mesh->triangle(face);
+  const std::vector<Vec3>& points = to_.mesh->points().approx();
+  const Vector corner = scaled(points[a]);
+  return {face, corner, scaled(points[b]) - corner, scaled(points[c]) - corner};
+}
+
+template <typename Vector>
+Vector FaceBounds<Vector>::unit_normal(FaceId face) const {
+  const Target at = target(face);
+  const Vector normal = cross(at.first_edge, at.second_edge);
+  const Number size = size_of(normal);
+  return size > 0 ? 1 / size * normal : Vector{};
+}
+
+/// The sides of the cell along the edges. An edge without a neighbour has one at right angles to the triangle.
+template <typename Vector>
+auto FaceBounds<Vector>::cell_of(FaceId face) const -> std::array<CellSide<Vector>, 3> {
+  const TriangleMesh& mesh = *to_.mesh;
+  const std::vector<Vec3>& points = mesh.points().approx();
+  const Vector normal = unit_normal(face);
+  std::array<CellSide<Vector>, 3> sides;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const HalfedgeId edge = TriangleMesh::halfedge(face, i), opposite = mesh.opposite(edge);
+    const Vector upward = opposite.is_valid() ? normal + unit_normal(TriangleMesh::face(opposite)) : normal;
+    const Vector begin = scaled(points[mesh.origin(edge).index()]), end = scaled(points[mesh.target(edge).index()]);
+    sides[i] = {begin, cross(upward, end - begin)};
+  }
+  return sides;
+}
+
+/// The distance of a point of the triangle that is nearest but for roundings: never too small by more than roundings.
+template <typename Vector>
+auto FaceBounds<Vector>::distance(const Vector& point, const Target& target) -> Number {
+  const Vector from_corner = point - target.corner;
+  const auto [first, second] = nearest_in_triangle(from_corner, target.first_edge, target.second_edge);
+  const Number inside = size_of(from_corner - (first * target.first_edge + second * target.second_edge));
+  if constexpr (std::is_same_v<Number, double>) return inside;
+  // In a needle roundings hide where the nearest point is, but not along an edge.
+  return std::min({inside, distance_from_edge(from_corner, target.first_edge),
+                   distance_from_edge(from_corner, target.second_edge),
+                   distance_from_edge(from_corner - target.first_edge, target.second_edge - target.first_edge)});
+}
+
+template <typename Vector>
+auto FaceBounds<Vector>::farthest(const Part& part, const Target& target) -> Farthest {
+  Farthest result{-1, {}};
+  for (std::uint32_t i = 0; i < part.size; ++i)
+    if (const Number own = distance(part.corners[i], target); own > result.upper) result = {own, part.corners[i]};
+  result.upper = (result.upper + (kOfDistance<Number> + part.deviation)) * kGrown<Number>;
+  return result;
+}
+
+template <typename Vector>
+auto FaceBounds<Vector>::nearest(const Vector& point, FaceId near) const -> Near {
+  Near best{near, distance(point, target(near))};
+  const auto reach = [&] { return unscaled(best.distance + kOfDistance<Number>); };
+  to_.hierarchy->for_each_near(Box3::of(unscaled(point)), reach(), [&](std::uint32_t face) {
+    const Number own = distance(point, target(FaceId(face)));
+    if (own < best.distance) best = {FaceId(face), own};
+    return reach();
+  });
+  return best;
+}
+
+/// From face to neighbouring face as long as that is nearer: mostly what is nearest, if the first one is near.
+template <typename Vector>
+auto FaceBounds<Vector>::walk(const Vector& point, FaceId from) const -> Near {
+  Near best{from, distance(point, target(from))};
+  for (bool has_moved = true; has_moved;) {
+    has_moved = false;
+    const FaceId face = best.face;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfedgeId opposite = to_.mesh->opposite(TriangleMesh::halfedge(face, i));
+      if (!opposite.is_valid()) continue;
+      const Number own = distance(point, target(TriangleMesh::face(opposite)));
+      if (own >= best.distance) continue;
+      best = {TriangleMesh::face(opposite), own};
+      has_moved = true;
+    }
+  }
+  return best;
+}
+
+template <typename Vector>
+void FaceBounds<Vector>::take(const Farthest& farthest, FaceId near) {
+  if (farthest.upper <= irrelevant()) return;
+  best_ = farthest;
+  best_near_ = near;
+}
+
+template <typename Vector>
+FaceBound FaceBounds<Vector>::of(FaceId face, const std::array<FaceId, 3>& nearest, std::size_t max_work) {
+  Part whole;
+  for (const std::uint32_t corner : from_.triangle(face)) whole.add(scaled(from_.points().approx()[corner]));
+  Number least = kUnbounded;
+  for (const FaceId near : nearest) {
+    const Number upper = farthest(whole, target(near)).upper;
+    if (upper <= enough_) return {};
+    if (upper < least) hint_ = near;
+    least = std::min(least, upper);
+  }
+  normal_ = cross(whole.corners[1] - whole.corners[0], whole.corners[2] - whole.corners[0]);
+  best_ = {};
+  work_ = 0;
+  waiting_.assign(1, whole);
+  for (std::size_t count = 0; !waiting_.empty() && !monitor_.is_cancelled(); ++count) {
+    const Part part = waiting_.back();
+    waiting_.pop_back();
+    if (count < kMaxParts && work_ < max_work)
+      visit(part);
+    else
+      take(farthest(part, target(hint_)), hint_);
+  }
+  if (best_.upper <= enough_) return {};
+  return {unscaled(best_.upper), unscaled(best_.where), best_near_};
+}
+
+/// The faces that may be nearest to a point of the part, none of which is farther than `reach` from the set. False if
+/// they are too many.
+template <typename Vector>
+bool FaceBounds<Vector>::gather(const Part& part, Number reach) {
+  Box3 box;
+  for (std::uint32_t i = 0; i < part.size; ++i) box.extend(unscaled(part.corners[i]));
+  const double limit = unscaled(reach);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.min[axis] = std::nextafter(box.min[axis] - limit, -kUnbounded);
+    box.max[axis] = std::nextafter(box.max[axis] + limit, kUnbounded);
+  }
+  const auto gather_where = [&](auto is_candidate) {
+    candidates_.clear();
+    to_.hierarchy->for_each_meeting(box, [&](std::uint32_t face) {
+      const Target candidate = target(FaceId(face));
+      if (is_candidate(candidate)) candidates_.push_back(candidate);
+      return candidates_.size() <= kManyCandidates;
+    });
+    return candidates_.size() <= kManyCandidates;
+  };
+  const bool are_few = gather_where([](const Target&) { return true; }) ||
+                       gather_where([&](const Target& candidate) { return !are_apart(part, candidate, reach); });
+  return are_few && !candidates_.empty();
+}
+
+template <typename Vector>
+bool FaceBounds<Vector>::are_apart(const Part& part, const Target& target, Number reach) const {
+  const std::array<Vector, 3> corners = {target.corner, target.corner + target.first_edge,
+                                         target.corner + target.second_edge};
+  return are_apart_seen_along<Vector>(normal_, corners, part.corner_span(), reach);
+}
+
+/// Bounds the part, or divides it until few faces are near.
+template <typename Vector>
+void FaceBounds<Vector>::visit(const Part& part) {
+  ++work_;
+  const Vector centre = part.centre();
+  Number radius = 0;
+  for (std::uint32_t i = 0; i < part.size; ++i) radius = std::max(radius, size_of(part.corners[i] - centre));
+  Near near = walk(centre, hint_);
+  Farthest bound = farthest(part, target(near.face));
+  const auto is_bounded = [&] { return bound.upper <= irrelevant(); };
+  const auto has_gathered = [&] {
+    return gather(part, std::min(bound.upper, (near.distance + radius + kOfDistance<Number>)*kGrown<Number>));
+  };
+  if (is_bounded()) return;
+  bool has_few = has_gathered();
+  if (!has_few) {
+    near = nearest(centre, near.face);
+    bound = farthest(part, target(near.face));
+    if (is_bounded()) return;
+    has_few = has_gathered();
+  }
+  hint_ = near.face;
+  if (has_few)
+    cover(part);
+  else if (near.distance < radius && part.depth < kMaxDepth<Number> / 2)
+    std::ranges::copy(part.halves(), std::back_inserter(waiting_));
+  else
+    take(bound, near.face);
+}
+
+/// Covers the part with the cells of the candidates.
+template <typename Vector>
+void FaceBounds<Vector>::cover(const Part& part) {
+  std::size_t steps = 4 * candidates_.size() + 32;
+  uncovered_.assign(1, part);
+  while (!uncovered_.empty()) {
+    const Part next = uncovered_.back();
+    uncovered_.pop_back();
+    work_ += candidates_.size();
+    const Vector centre = next.centre();
+    const Target* near = &candidates_.front();
+    Number least = kUnbounded;
+    for (const Target& candidate : candidates_) {
+      const Number own = distance(centre, candidate);
+      if (own < least) near = &candidate;
+      least = std::min(least, own);
+    }
+    const Farthest bound = farthest(next, *near);
+    if (bound.upper <= irrelevant()) continue;
+    if (steps == 0 || next.depth >= kMaxDepth<Number>) {
+      take_least(next);
+      continue;
+    }
+    --steps;
+    if (!divide_by_cell(next, *near)) std::ranges::copy(next.halves(), std::back_inserter(uncovered_));
+  }
+}
+
+/// Takes the bound of what is in the cell, and leaves the rest uncovered. False if nothing is.
+template <typename Vector>
+bool FaceBounds<Vector>::divide_by_cell(const Part& part, const Target& target) {
+  const std::size_t count = uncovered_.size();
+  Part inside = part;
+  for (const CellSide<Vector>& side : cell_of(target.face)) {
+    Part in, out;
+    if (!inside.cut(side, in, out)) continue;
+    if (out.size > 0) uncovered_.push_back(out);
+    inside = in;
+    if (inside.size == 0) break;
+  }
+  if (inside.size == 0) {
+    uncovered_.resize(count);
+    return false;
+  }
+  const Farthest bound = farthest(inside, target);
+  if (bound.upper <= irrelevant()) return true;
+  if (is_tight(bound))
+    take(bound, target.face);
+  else
+    std::ranges::copy(inside.halves(), std::back_inserter(uncovered_));
+  return true;
+}
+
+/// False if a candidate is clearly nearer to the farthest corner.
+template <typename Vector>
+bool FaceBounds<Vector>::is_tight(const Farthest& bound) const {
+  constexpr Number kClearly = Number(7) / 8;
+  return std::ranges::none_of(
+      candidates_, [&](const Target& candidate) { return distance(bound.where, candidate) < kClearly * bound.upper; });
+}
+
+/// Takes the least bound of the part that a candidate gives.
+template <typename Vector>
+void FaceBounds<Vector>::take_least(const Part& part) {
+  Farthest least{kUnbounded, {}};
+  FaceId of_least;
+  for (const Target& candidate : candidates_)
+    if (const Farthest bound = farthest(part, candidate); bound.upper < least.upper) {
+      least = bound;
+      of_least = candidate.face;
+    }
+  take(least, of_least);
+}
+
+template class FaceBounds<Vec3>;
+template class FaceBounds<WideVec3>;
+
+}  // namespace algebra3d::distances

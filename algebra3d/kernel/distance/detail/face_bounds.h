@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "algebra3d/base/box3.h"
+#include "algebra3d/base/monitor.h"
+#include "algebra3d/base/vec3.h"
+#include "algebra3d/kernel/distance/detail/face_part.h"
+#include "algebra3d/kernel/distance/distance.h"
+#include "base/wide_vec3.h"
+
+namespace algebra3d::distances {
+
+/// An upper bound of the distance of all points of a face, and the point where it was found.
+struct FaceBound {
+  double upper = 0;  ///< 0 if nothing is farther than what is enough
+  Vec3 where;        ///< of the face, within roundings
+  FaceId near;       ///< a face of the set that is near that point, if not nearest
+};
+
+/// Upper bounds of the distances of faces from a set of triangles, in rounded arithmetic with guaranteed bounds. A face
+/// is divided by the local Voronoi cells of the set: the space over a triangle between the planes that halve the angles
+/// at its edges. The distance from one triangle is convex, so the part in a cell has its largest distance from that
+/// triangle in a corner. Where the cells hold what is nearest to their triangles, as they do near a manifold set whose
+/// angles are flat, the bound is tight. It holds in any case, since any division does. Has its own storage: one for
+/// each thread. Vector: Vec3, or WideVec3 for bounds that are near a small part of the spacing of doubles.
+template <typename Vector>
+class FaceBounds {
+ public:
+  /// `box` holds both sets. Bounds up to `enough` are not of interest. Once the work is cancelled, bounds are not
+  /// found.
+  FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const Box3& box, double enough,
+             const Monitor& monitor = {});
+
+  /// The bound for a face of `from`; `nearest` are faces of the set that are near its corners. After about `max_work`
+  /// comparisons of a part with a triangle, what is left of the face is bounded by one triangle. Cost: some points
+  /// against some triangles if one of these faces shows that it is enough; else a microsecond for each cell that the
+  /// face meets.
+  FaceBound of(FaceId face, const std::array<FaceId, 3>& nearest, std::size_t max_work = kNoLimit);
+
+ private:
+  static constexpr std::size_t kNoLimit = static_cast<std::size_t>(-1);
+  using Number = decltype(Vector::x);
+  using Part = FacePart<Vector>;
+
+  /// A triangle by a corner and two edges.
+  struct Target {
+    FaceId face;
+    Vector corner, first_edge, second_edge;
+  };
+  struct Near {
+    FaceId face;
+    Number distance;
+  };
+  /// The corner of a part that is farthest from a triangle, and a bound for the part.
+  struct Farthest {
+    Number upper;
+    Vector where;
+  };
+
+  Vector scaled(const Vec3& point) const { return Vector(half_scale_ * (0.5 * point)); }
+  Vec3 unscaled(const Vector& point) const;
+  double unscaled(Number length) const;
+  Target target(FaceId face) const;
+  Vector unit_normal(FaceId face) const;
+  std::array<CellSide<Vector>, 3> cell_of(FaceId face) const;
+  static Number distance(const Vector& point, const Target& target);
+  static Farthest farthest(const Part& part, const Target& target);
+  Near walk(const Vector& point, FaceId from) const;
+  Near nearest(const Vector& point, FaceId near) const;
+  Number irrelevant() const { return best_.upper > enough_ ? best_.upper : enough_; }
+  void take(const Farthest& farthest, FaceId near);
+  bool are_apart(const Part& part, const Target& target, Number reach) const;
+  bool gather(const Part& part, Number reach);
+  void visit(const Part& part);
+  void cover(const Part& part);
+  bool is_tight(const Farthest& bound) const;
+  void take_least(const Part& part);
+  bool divide_by_cell(const Part& part, const Target& target);
+
+  const TriangleMesh& from_;
+  DistanceOperand to_;
+  Box3 box_;
+  double half_scale_;  // from halved coordinates to units, in which the largest one is from 1 to 2
+  Number enough_;      // in units
+  Monitor monitor_;
+  Vector normal_;  // of the face; of any length, rounded
+  Farthest best_{};
+  FaceId best_near_, hint_;
+  std::size_t work_ = 0;  // comparisons for the face
+  std::vector<Part> waiting_, uncovered_;
+  std::vector<Target> candidates_;
+};
+
+extern template class FaceBounds<Vec3>;
+extern template class FaceBounds<WideVec3>;
+
+}  // namespace algebra3d::distances

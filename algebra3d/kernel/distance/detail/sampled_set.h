@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/kernel/distance/detail/rounded_closest.h"
+#include "algebra3d/kernel/distance/distance.h"
+#include "base/strong_id.h"
+
+namespace algebra3d::distances {
+
+/// A point whose distance from a set is known.
+using SampleId = StrongId<struct SampleTag>;
+
+/// Points with bounds of their distances from a set of triangles. Points are kept; ids are handed out in order.
+class SampledSet {
+ public:
+  /// `box` holds all points and the set.
+  SampledSet(const DistanceOperand& to, const Box3& box) : to_(to), rounded_(box) {}
+
+  /// A point with its distance.
+  struct Sample {
+    ExactPoint point;
+    FaceId nearest;               // of the set
+    double lower = 0, upper = 0;  // bounds of the distance
+    std::uint32_t work = 0;       // number of faces that it was compared with
+  };
+
+  /// Measures a point; `near` is a face of the set that is probably near it. Callable by several threads.
+  Sample measured(ExactPoint point, FaceId near) const;
+  SampleId add(Sample sample) {
+    samples_.push_back(std::move(sample));
+    return SampleId(samples_.size() - 1);
+  }
+  const Sample& operator[](SampleId id) const { return samples_[id.index()]; }
+  /// Bounds of the distance of a sample from one face.
+  DistanceBounds bounds(SampleId id, FaceId face) const { return bounds(samples_[id.index()].point, face); }
+  DistanceBounds bounds(const PointRef& point, FaceId face) const;
+  /// Makes the bounds of a sample those of its exact distance.
+  void make_exact(SampleId id);
+  /// The squared distance of a sample, and the face that is nearest to it: exact.
+  std::pair<Rational, FaceId> exact_distance(SampleId id) const;
+
+ private:
+  DistanceOperand to_;
+  RoundedDistances rounded_;
+  std::vector<Sample> samples_;
+};
+
+}  // namespace algebra3d::distances

@@ -1,0 +1,123 @@
+#include "algebra3d/kernel/distance/distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
+#include "algebra3d/kernel/distance/detail/candidate_search.h"
+#include "algebra3d/kernel/distance/detail/exact_closest.h"
+#include "algebra3d/kernel/distance/detail/half_space.h"
+#include "algebra3d/kernel/exact/plane.h"
+
+namespace algebra3d {
+namespace {
+
+using distances::CandidatePair;
+using distances::ExactClosest;
+using distances::Simplex;
+
+/// Which vertices of a mesh lie on the far side of a plane, or in it: those of each set beyond the slab between two
+/// points. Remembers what it was asked: faces share their corners.
+class FarSide {
+ public:
+  FarSide(const TriangleMesh& mesh, RationalVec3 point, RationalVec3 normal)
+      : mesh_(mesh), half_space_(std::move(point), std::move(normal)) {}
+
+  bool has(FaceId face) {
+    return std::ranges::all_of(mesh_.triangle(face), [this](std::uint32_t corner) { return has(VertexId(corner)); });
+  }
+
+ private:
+  bool has(VertexId vertex) {
+    const auto [entry, is_new] = known_.try_emplace(vertex);
+    if (is_new) entry->second = half_space_.has(mesh_.point(vertex));
+    return entry->second;
+  }
+
+  const TriangleMesh& mesh_;
+  distances::HalfSpace half_space_;
+  std::unordered_map<VertexId, bool> known_;
+};
+
+/// Chooses the nearest of the candidates. Those whose faces lie beyond the slab between the nearest points so far are
+/// not nearer, which takes two products to tell: so it is with parallel faces, which are all at one distance.
+class ExactChoice {
+ public:
+  ExactChoice(const DistanceOperand& a, const DistanceOperand& b) : a_(*a.mesh), b_(*b.mesh) {}
+
+  /// Ends at points whose squared distance is at most `enough`.
+  void choose(std::span<const CandidatePair> candidates, const Rational& enough) {
+    for (const CandidatePair& pair : candidates) {
+      if (best_ && (pair.bounds.lower > upper_bound_ || best_->squared_distance <= enough)) return;
+      if (best_ && first_side_->has(pair.first) && second_side_->has(pair.second)) continue;
+      take_if_nearer(pair);
+    }
+  }
+  std::optional<ClosestPoints> take() { return std::move(best_); }
+
+ private:
+  void take_if_nearer(const CandidatePair& pair) {
+    ExactClosest points =
+        exact_closest(Simplex::of_face(a_, pair.first), Simplex::of_face(b_, pair.second), pair.bounds.features);
+    if (best_ && points.squared_distance >= best_->squared_distance) return;
+    first_side_.emplace(a_, points.first, points.first - points.second);
+    second_side_.emplace(b_, points.second, points.second - points.first);
+    // The root is rounded to nearest.
+    upper_bound_ = std::nextafter(points.squared_distance.nearest_root(), std::numeric_limits<double>::infinity());
+    best_ = {ExactPoint(points.first), ExactPoint(points.second), std::move(points.squared_distance), pair.first,
+             pair.second};
+  }
+
+  const TriangleMesh &a_, &b_;
+  std::optional<ClosestPoints> best_;
+  double upper_bound_ = 0;
+  std::optional<FarSide> first_side_, second_side_;
+};
+
+std::optional<ClosestPoints> nearest_of(const DistanceOperand& a, const DistanceOperand& b,
+                                        std::span<const CandidatePair> candidates, const Rational& enough) {
+  ExactChoice choice(a, b);
+  choice.choose(candidates, enough);
+  return choice.take();
+}
+
+}  // namespace
+
+Result<std::optional<ClosestPoints>> closest_points(const DistanceOperand& a, const DistanceOperand& b,
+                                                    const Monitor& monitor) {
+  if (a.mesh->is_empty() || b.mesh->is_empty()) return std::optional<ClosestPoints>();
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity(), kNothing = -1;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CandidatePair> candidates,
+                             distances::find_candidates(a, b, kAnywhere, kNothing, monitor));
+  return nearest_of(a, b, candidates, 0);
+}
+
+// The distance is that of one of the candidates, which are ordered by their lower bounds.
+Result<std::optional<DistanceRange>> distance_range(const DistanceOperand& a, const DistanceOperand& b, double reach,
+                                                    const Monitor& monitor) {
+  if (a.mesh->is_empty() || b.mesh->is_empty()) return std::optional<DistanceRange>();
+  constexpr double kNothing = -1;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CandidatePair> candidates,
+                             distances::find_candidates(a, b, reach, kNothing, monitor));
+  if (candidates.empty()) return std::optional<DistanceRange>();
+  DistanceRange range{candidates.front().bounds.lower, std::numeric_limits<double>::infinity()};
+  for (const CandidatePair& pair : candidates) range.upper = std::min(range.upper, pair.bounds.upper);
+  return std::optional(range);
+}
+
+Result<bool> are_within(const DistanceOperand& a, const DistanceOperand& b, const Rational& distance,
+                        const Monitor& monitor) {
+  if (a.mesh->is_empty() || b.mesh->is_empty()) return false;
+  const double enough = distance.lower_double();
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CandidatePair> candidates,
+                             distances::find_candidates(a, b, distance.upper_double(), enough, monitor));
+  for (const CandidatePair& pair : candidates)
+    if (pair.bounds.upper <= enough) return true;
+  const Rational squared = distance * distance;
+  const std::optional<ClosestPoints> nearest = nearest_of(a, b, candidates, squared);
+  return nearest && nearest->squared_distance <= squared;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,155 @@
+#include "algebra3d/kernel/repair/detail/holes.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/repair/detail/cover_test.h"
+#include "algebra3d/kernel/repair/detail/hole_loops.h"
+#include "algebra3d/kernel/repair/scaled_triangles.h"
+#include "algebra3d/kernel/search/boxes.h"
+
+namespace algebra3d {
+namespace {
+
+/// A bound of the distance between a point of the triangle and the nearest of its corners.
+double reach_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest = std::max({length(b - a), length(c - b), length(a - c)});
+  // Of that size, so that products neither overflow nor vanish.
+  const Vec3 first = (1 / longest) * (b - a), second = (1 / longest) * (c - a);
+  const double x = length(first), y = length(second - first), z = length(second);
+  const double doubled_area = length(cross(first, second));
+  // No circle around a triangle with such sides need be larger.
+  if (!(doubled_area > 0)) return longest / std::numbers::sqrt3;
+  // The point of an acute triangle that is farthest from its corners is the centre of its circumcircle.
+  if (2 >= x * x + y * y + z * z) return longest / 2;
+  return x * y * z / (2 * doubled_area) * longest;
+}
+
+/// What covers a hole; no triangles if the hole is too large.
+struct CoveredHole {
+  HoleLoop hole;
+  std::vector<TriangleMesh::Triangle> cover;
+  bool cuts_surface = false;
+};
+
+class HoleCloser {
+ public:
+  HoleCloser(IndexedSoup& soup, const HoleLimits& limits, RepairReport& report)
+      : soup_(soup),
+        limits_(limits),
+        report_(report),
+        mesh_(soup.mesh()),
+        components_(connected_components(*mesh_)),
+        scale_(largest_coordinate(*mesh_)) {}
+
+  Status run(const Monitor& monitor);
+
+ private:
+  CoveredHole cover(HoleLoop hole, const CoverTest& test) const;
+  std::vector<bool> are_open_patches(const std::vector<CoveredHole>& holes) const;
+  std::uint32_t component(FaceId triangle) const { return components_.of_face[triangle.index()]; }
+  double scaled_area(const TriangleMesh::Triangle& t) const;
+  void close(const CoveredHole& covered);
+  void drop(const std::vector<bool>& are_open_patches);
+
+  IndexedSoup& soup_;
+  HoleLimits limits_;
+  RepairReport& report_;
+  std::shared_ptr<const TriangleMesh> mesh_;  // of the soup as given
+  FaceComponents components_;
+  BinaryScale scale_;  // of areas
+};
+
+double HoleCloser::scaled_area(const TriangleMesh::Triangle& t) const {
+  return area_of(
+      {scale_.scaled(soup_.points[t[0]]), scale_.scaled(soup_.points[t[1]]), scale_.scaled(soup_.points[t[2]])});
+}
+
+CoveredHole HoleCloser::cover(HoleLoop hole, const CoverTest& test) const {
+  if (hole.diameter() > limits_.largest) return {std::move(hole), {}, false};
+  std::vector<TriangleMesh::Triangle> first;
+  for (const LoopMeasure measure : {LoopMeasure::bend, LoopMeasure::area}) {
+    std::vector<TriangleMesh::Triangle> triangles = triangulate_loop(hole.loop, measure);
+    for (TriangleMesh::Triangle& triangle : triangles)
+      for (std::uint32_t& corner : triangle) corner = hole.vertices[corner].index();
+    if (!test.cuts_surface(triangles)) return {std::move(hole), std::move(triangles), false};
+    if (first.empty()) first = std::move(triangles);
+  }
+  return {std::move(hole), std::move(first), true};
+}
+
+/// Per connected component: it has one hole, whose cover cuts it and is too large for it.
+std::vector<bool> HoleCloser::are_open_patches(const std::vector<CoveredHole>& holes) const {
+  constexpr double kMostOfArea = 0.75;
+  std::vector<double> own(components_.count), added(components_.count);
+  std::vector<std::size_t> hole_count(components_.count);
+  for (const FaceId f : faces(*mesh_)) own[component(f)] += scaled_area(soup_.triangles[f]);
+  for (const CoveredHole& covered : holes) {
+    const std::uint32_t c = component(covered.hole.triangle);
+    ++hole_count[c];
+    if (!covered.cuts_surface) continue;
+    for (const TriangleMesh::Triangle& triangle : covered.cover) added[c] += scaled_area(triangle);
+  }
+  std::vector<bool> result;
+  for (std::size_t c = 0; c < components_.count; ++c)
+    result.push_back(hole_count[c] == 1 && added[c] > kMostOfArea * own[c]);
+  return result;
+}
+
+void HoleCloser::close(const CoveredHole& covered) {
+  HoleCover report{covered.hole.loop.corners[0], 0, {}};
+  for (const auto& [a, b, c] : covered.cover) {
+    const std::array<Vec3, 3> corners{soup_.points[a], soup_.points[b], soup_.points[c]};
+    report.triangles.push_back(corners);
+    report.farthest = std::max(report.farthest, reach_of(corners[0], corners[1], corners[2]));
+  }
+  soup_.add(covered.cover);
+  report_.add(std::move(report));
+}
+
+/// Drops open patches, if they are to go and there is anything else.
+void HoleCloser::drop(const std::vector<bool>& are_open_patches) {
+  if (std::ranges::count(are_open_patches, true) == 0) return;
+  if (!limits_.drops_open_patches || std::ranges::count(are_open_patches, false) == 0) {
+    report_.has_kept_open_patches = true;
+    return;
+  }
+  IdVector<FaceId, bool> is_dropped(mesh_->face_count());
+  for (const FaceId f : faces(*mesh_)) is_dropped[f] = are_open_patches[component(f)];
+  soup_.drop(is_dropped);
+}
+
+Status HoleCloser::run(const Monitor& monitor) {
+  IdVector<HoleId, HoleLoop> loops = hole_loops(*mesh_);
+  const CoverTest test(soup_, loops);
+  std::vector<CoveredHole> holes;
+  for (HoleLoop& loop : loops) {
+    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    holes.push_back(cover(std::move(loop), test));
+  }
+  const std::vector<bool> are_left_open = are_open_patches(holes);
+  for (const CoveredHole& covered : holes) {
+    if (covered.cover.empty())
+      report_.add(RepairStep::open_holes, covered.hole.loop.corners[0]);
+    else if (are_left_open[component(covered.hole.triangle)])
+      report_.add(RepairStep::open_patches, covered.hole.loop.corners[0]);
+    else
+      close(covered);
+  }
+  drop(are_left_open);
+  return {};
+}
+
+}  // namespace
+
+Status close_holes(IndexedSoup& soup, const HoleLimits& limits, RepairReport& report, const Monitor& monitor) {
+  return HoleCloser(soup, limits, report).run(monitor);
+}
+
+}  // namespace algebra3d

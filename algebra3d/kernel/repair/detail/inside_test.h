@@ -1,0 +1,23 @@
+#pragma once
+
+#include "algebra3d/base/vec3.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/search/box_hierarchy.h"
+
+namespace algebra3d {
+
+/// Point-in-solid queries, by winding numbers. Exact.
+class InsideTest {
+ public:
+  /// The solid is a valid volume, and must outlive this.
+  explicit InsideTest(const TriangleMesh& solid);
+
+  /// True if the point lies inside. On the boundary the result is unspecified. Cost: that of a vertical ray.
+  bool is_inside(const Vec3& point) const;
+
+ private:
+  const TriangleMesh& solid_;
+  BoxHierarchy hierarchy_;
+};
+
+}  // namespace algebra3d

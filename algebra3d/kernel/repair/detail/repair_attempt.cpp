@@ -1,0 +1,235 @@
+#include "algebra3d/kernel/repair/detail/repair_attempt.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "algebra3d/kernel/arrangement/operand.h"
+#include "algebra3d/kernel/autorefinement/winding_selection.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/repair/detail/convex_polygon.h"
+#include "algebra3d/kernel/repair/detail/shell_filter.h"
+#include "algebra3d/kernel/repair/detail/winding_segmentation.h"
+#include "algebra3d/kernel/repair/detail/work_limits.h"
+#include "algebra3d/kernel/soup/spatial_order.h"
+#include "algebra3d/kernel/validity/validity.h"
+
+namespace algebra3d {
+namespace {
+
+/// False for triangles that are divided for the sake of their edges alone.
+bool has_manifold_edges(const TriangleMesh& mesh, FaceId face) {
+  return std::ranges::all_of(halfedges_of(mesh, face), [&](HalfedgeId h) { return mesh.opposite(h).is_valid(); });
+}
+
+Result<bool> is_valid_volume(const TriangleMesh& mesh, const FaceSet& known, const Monitor& monitor) {
+  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = monitor.cancel(), .known = known};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport found, prove_volume(mesh, options));
+  return found.is_valid();
+}
+
+std::string near_six_digits(const Vec3& where) {
+  return fmt::format("near ({:.6g} {:.6g} {:.6g})", where.x, where.y, where.z);
+}
+
+}  // namespace
+
+bool RepairAttempt::keeps_what_is_enclosed() const {
+  return is_proved_ && !has(RepairStep::misconnected_triangles) && !has(RepairStep::dangling_sheets) &&
+         !has(RepairStep::open_patches);
+}
+
+double RepairAttempt::cost() const {
+  const RepairAmounts& amounts = *soup_.report().amounts;
+  return amounts.part_of_seen(amounts.left_out) + amounts.part_of_seen(amounts.added);
+}
+
+bool RepairAttempt::is_worth_trying(TryIf condition) const {
+  constexpr double kWorthATry = 1e-3;
+  const bool is_costly = cost() > kWorthATry;
+  if (condition == TryIf::costly) return is_costly;
+  return left_out_part() > kWorthATry || (soup_.has_covered_nonmanifold_loops() && is_costly);
+}
+
+RepairedSolid RepairAttempt::nothing(std::string reason) {
+  return {std::nullopt, std::move(reason), std::move(soup_.report()), {}};
+}
+
+Status RepairAttempt::make(const ValidityReport& found) {
+  RepairReport& report = soup_.report();
+  report.size = soup_.soup().diagonal();
+  if (is_balanced(soup_.mesh())) report.volume_before = Amount::nearest(given_->volume().abs());
+  soup_.drop_defective(found);
+  soup_.stitch();
+  soup_.orient();
+  if (soup_.strategy().closes_bands) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_bands, soup_.close_bands());
+    if (!has_bands) reason_ = reason_for_nothing();
+    if (!has_bands) return {};
+  }
+  ALGEBRA3D_RETURN_IF_ERROR(soup_.close_holes());
+  ALGEBRA3D_RETURN_IF_ERROR(soup_.orient_shells());
+  return note_outcome(make_solid(found.count(Defect::intersecting_triangles) > 0));
+}
+
+/// If triangles are known to cross, the proof that they do not is skipped.
+Status RepairAttempt::make_solid(bool may_cross) {
+  const FaceSet known = recognised_faces(given_->recognise(soup_.mesh()));
+  if (!may_cross) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, take_if_valid(known));
+    if (is_valid) return {};
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(soup_.mesh(), monitor_, known));
+  if (may_cross && parts.lone_faces().empty()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, take_if_valid(known));
+    if (is_valid) return {};
+  }
+  return divide(parts);
+}
+
+/// Takes the mesh of the soup as it is, if it is a solid.
+Result<bool> RepairAttempt::take_if_valid(const FaceSet& known) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(is_proved_, is_valid_volume(soup_.mesh(), known, monitor_));
+  if (is_proved_) solid_ = soup_.mesh();
+  return is_proved_;
+}
+
+/// Divides triangles at one another, and selects what is inside by winding numbers.
+Status RepairAttempt::divide(const ValidParts& parts) {
+  const TriangleMesh& mesh = soup_.mesh();
+  met_others_.assign(mesh.face_count(), false);
+  for (const FaceId face : parts.lone_faces()) met_others_[face] = has_manifold_edges(mesh, face);
+  const WindingRule is_inside = [&](int winding) { return winding > 0 || soup_.strategy().keeps_negative; };
+  const ArrangementOptions limits = work_limits(options_);
+  auto solid = is_balanced(mesh)
+                   ? solid_by_winding(parts, is_inside, monitor_, limits)
+                   : solid_by_generalized_winding(soup_.soup(), parts, monitor_, limits, options_.work_limit * 1e6);
+  if (!solid) return std::move(solid).error();
+  solid_ = *std::move(solid);
+  lost_ = report_lost_patches(mesh, solid_, soup_.report());
+  report_united_bodies(mesh, solid_, place_of_meeting(), soup_.report());
+  return {};
+}
+
+/// The first triangle that was divided, or the first corner.
+Vec3 RepairAttempt::place_of_meeting() const {
+  for (const FaceId triangle : met_others_.ids())
+    if (met_others_[triangle]) return soup_.soup().middle(triangle);
+  return met_others_.empty() ? Vec3{} : soup_.mesh().corners(FaceId(0))[0].approx;
+}
+
+/// Finds why there is no solid, if there is none.
+Status RepairAttempt::note_outcome(Status made) {
+  is_beyond_limit_ = !made && made.error().code == ErrorCode::limit_exceeded;
+  if (is_beyond_limit_) reason_ = made.error().message;
+  if (!made) return is_beyond_limit_ ? Status() : made;
+  const bool lacks_what_is_open = has(RepairStep::open_holes) && lost_.is_any;
+  const bool is_nothing = solid_.is_empty() && !soup_.soup().triangles.empty();
+  if (is_nothing || lacks_what_is_open) reason_ = reason_for_nothing();
+  return {};
+}
+
+std::string RepairAttempt::reason_for_nothing() const {
+  if (const RepairEntry* open = soup_.report().find(RepairStep::open_holes))
+    return fmt::format("{} {} left open ({})", open->count, open->count == 1 ? "hole was" : "holes were",
+                       near_six_digits(open->where));
+  if (const RepairEntry* patches = soup_.report().find(RepairStep::open_patches))
+    return fmt::format("{} ({})",
+                       patches->count == 1 ? "the triangles are an open patch" : "the triangles are open patches",
+                       near_six_digits(patches->where));
+  return "the triangles enclose no volume";
+}
+
+std::string RepairAttempt::reason_for_limit() const {
+  const RepairAmounts& amounts = *soup_.report().amounts;
+  const auto [dropped, most] = percents_above_limit(amounts.left_out_part(), options_.most_dropped);
+  return fmt::format(
+      "the solid would leave out {} of the area seen, up to {} from it; at most {} may be (option dropped)", dropped,
+      length_text(amounts.left_out.distance, 3), most);
+}
+
+Status RepairAttempt::measure() {
+  RepairReport& report = soup_.report();
+  if (report.amounts) return {};
+  ALGEBRA3D_ASSIGN_OR_RETURN(MeasuredRepair measured,
+                             measure_repair(*given_->mesh(), solid_, given_->recognise(solid_), report.largest_move(),
+                                            report.covers, monitor_.silent()));
+  report.amounts = measured.amounts;
+  are_covers_there_ = std::move(measured.are_added);
+  return {};
+}
+
+/// Reports what became of triangles that were divided at one another.
+Status RepairAttempt::report_division() {
+  if (met_others_.empty()) return {};
+  RepairReport& report = soup_.report();
+  if (report.has_kept_open_patches) report.forget(RepairStep::open_patches);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleClasses classes,
+                             classify_triangles(soup_.mesh(), solid_, report.largest_move(), monitor_.silent()));
+  report_divided(classes);
+  report_outside(classes);
+  return {};
+}
+
+void RepairAttempt::report_divided(const TriangleClasses& classes) {
+  for (const FaceId f : met_others_.ids())
+    if (met_others_[f] && classes.are_divided[f]) soup_.report().add(RepairStep::intersections, soup_.soup().middle(f));
+}
+
+/// Not triangles of covers, and no more than the file has: triangles may have been split since they were read.
+void RepairAttempt::report_outside(const TriangleClasses& classes) {
+  const std::vector<Triangle3> covers = soup_.report().cover_triangles();
+  std::uint64_t left = soup_.report().amounts->left_out.triangle_count;
+  const IndexedSoup& soup = soup_.soup();
+  for (const FaceId f : soup.triangles.ids()) {
+    if (!classes.are_outside[f] || lost_.is_in_closed_one[f] || left == 0) continue;
+    Triangle3 key{soup.corner(f, 0), soup.corner(f, 1), soup.corner(f, 2)};
+    std::ranges::sort(key);
+    if (std::ranges::binary_search(covers, key)) continue;
+    soup_.report().add(RepairStep::outer_triangles, soup.middle(f));
+    --left;
+  }
+}
+
+/// Leaves out shells that the options do not want.
+Status RepairAttempt::filter() {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh kept, filter_shells(solid_, options_, soup_.report(), monitor_));
+  const bool is_all_kept = kept.face_count() == solid_.face_count();
+  is_proved_ = is_proved_ && is_all_kept;
+  solid_ = in_spatial_order(kept);
+  if (is_all_kept) return {};
+  soup_.report().amounts.reset();
+  return measure();
+}
+
+/// Reports holes that are closed in the solid, and triangles inside it.
+void RepairAttempt::complete_report() {
+  RepairReport& report = soup_.report();
+  report.drop_missing_covers(are_covers_there_);
+  if (const SurfaceAmount& inside = report.amounts->inside; inside.triangle_count > 0)
+    report.add(RepairStep::inner_triangles, inside.where, 0, inside.triangle_count);
+}
+
+Result<bool> RepairAttempt::is_proved(const FaceSet& known) const {
+  if (is_proved_) return true;
+  return is_valid_volume(solid_, known, monitor_);
+}
+
+Result<RepairedSolid> RepairAttempt::finish() && {
+  if (reason_) return nothing(*reason_);
+  ALGEBRA3D_RETURN_IF_ERROR(measure());
+  if (left_out_part() > options_.most_dropped) return nothing(reason_for_limit());
+  ALGEBRA3D_RETURN_IF_ERROR(report_division());
+  ALGEBRA3D_RETURN_IF_ERROR(filter());
+  complete_report();
+  const FaceMatches recognised = given_->recognise(solid_);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, is_proved(recognised_faces(recognised)));
+  if (!is_valid) return nothing("the repair gave no valid solid");
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational volume, given_->volume_of(solid_, recognised, monitor_.cancel()));
+  soup_.report().volume_after = Amount::nearest(volume);
+  return RepairedSolid{std::move(solid_), {}, std::move(soup_.report()), soup_.strategy().name};
+}
+
+}  // namespace algebra3d

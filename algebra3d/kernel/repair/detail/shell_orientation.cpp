@@ -1,0 +1,128 @@
+#include "algebra3d/kernel/repair/detail/shell_orientation.h"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/kernel/exact/vertical_line.h"
+#include "algebra3d/kernel/repair/detail/shells.h"
+
+namespace algebra3d {
+namespace {
+
+/// Says how shells lie to each other.
+class ShellNesting {
+ public:
+  explicit ShellNesting(const IndexedSoup& soup) : soup_(soup), mesh_(soup.mesh()) {}
+
+  /// True if the others together hold all of the shell, as far as its sample triangles tell.
+  bool is_within(const Shell& shell, std::span<const Shell> others) const;
+  /// The smallest of the others, which descend, that goes around all of the shell, as far as its sample triangles tell;
+  /// null if none does.
+  const Shell* enclosing_shell(const Shell& shell, std::span<const Shell> others) const;
+
+ private:
+  int winding(const Shell& shell, const PointRef& point) const;
+  int winding_at(FaceId triangle, std::span<const Shell> others) const;
+  std::vector<FaceId> sample_triangles(const Shell& shell) const;
+
+  const IndexedSoup& soup_;
+  std::shared_ptr<const TriangleMesh> mesh_;
+};
+
+/// The winding number of a shell about a point.
+int ShellNesting::winding(const Shell& shell, const PointRef& point) const {
+  int sum = 0;
+  for (const FaceId triangle : shell.triangles) {
+    const LineCrossing crossing = cross_vertical_line(point, mesh_->corners(triangle));
+    if (crossing.side == -1) sum += crossing.sign;
+  }
+  return shell.is_flipped ? -sum : sum;
+}
+
+/// The winding number of shells about the middle of a triangle. Shells may touch in corners and edges, so those decide
+/// nothing.
+int ShellNesting::winding_at(FaceId triangle, std::span<const Shell> others) const {
+  const TriangleRef c = mesh_->corners(triangle);
+  const ExactPoint middle(Rational(1, 3) * (c[0].rational() + c[1].rational() + c[2].rational()));
+  Box3 box;
+  for (const PointRef& corner : c) box.extend(corner.approx);
+  int sum = 0;
+  for (const Shell& other : others)
+    if (other.box.intersects(box)) sum += winding(other, middle);
+  return sum;
+}
+
+/// All triangles of the shell, or its largest ones and those with the largest and the smallest coordinates.
+std::vector<FaceId> ShellNesting::sample_triangles(const Shell& shell) const {
+  constexpr std::size_t kMost = 24;
+  if (shell.triangles.size() <= kMost) return shell.triangles;
+  std::vector<std::pair<double, FaceId>> by_area;
+  for (const FaceId f : shell.triangles) by_area.emplace_back(-length(soup_.normal(f)), f);
+  std::ranges::partial_sort(by_area, by_area.begin() + kMost);
+  std::vector<FaceId> result;
+  for (const auto& [area, f] : std::span(by_area).first(kMost)) result.push_back(f);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto at = [&](FaceId f, std::size_t i) { return soup_.corner(f, i)[axis]; };
+    const auto low = [&](FaceId f) { return std::min({at(f, 0), at(f, 1), at(f, 2)}); };
+    const auto high = [&](FaceId f) { return std::max({at(f, 0), at(f, 1), at(f, 2)}); };
+    result.push_back(*std::ranges::min_element(shell.triangles, {}, low));
+    result.push_back(*std::ranges::max_element(shell.triangles, {}, high));
+  }
+  return result;
+}
+
+bool ShellNesting::is_within(const Shell& shell, std::span<const Shell> others) const {
+  return std::ranges::all_of(sample_triangles(shell), [&](FaceId f) { return winding_at(f, others) > 0; });
+}
+
+const Shell* ShellNesting::enclosing_shell(const Shell& shell, std::span<const Shell> others) const {
+  for (std::size_t i = others.size(); i-- > 0;) {
+    if (!others[i].box.contains(shell.box)) continue;
+    const auto is_enclosed = [&](FaceId f) { return winding_at(f, others.subspan(i, 1)) != 0; };
+    if (std::ranges::all_of(sample_triangles(shell), is_enclosed)) return &others[i];
+  }
+  return nullptr;
+}
+
+/// True if the enclosing shell was flipped, and this one was oriented the other way: they belong together.
+bool goes_along_with(const Shell* enclosing, const Shell& shell) {
+  return enclosing != nullptr && enclosing->is_flipped && (enclosing->volume.sign() > 0) == (shell.volume.sign() > 0);
+}
+
+/// Flips shells that are inside out; they descend by size.
+Status flip_shells(const ShellNesting& nesting, std::span<Shell> shells, const Monitor& monitor) {
+  bool has_flipped = false;
+  for (std::size_t i = 0; i < shells.size(); ++i) {
+    const bool is_negative = shells[i].volume.sign() < 0;
+    if (!is_negative && !has_flipped) continue;
+    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    const auto larger = shells.first(i);
+    const Shell* enclosing = has_flipped ? nesting.enclosing_shell(shells[i], larger) : nullptr;
+    const bool goes_along = goes_along_with(enclosing, shells[i]);
+    if (!goes_along && (!is_negative || nesting.is_within(shells[i], larger))) continue;
+    shells[i].flip();
+    has_flipped = true;
+  }
+  return {};
+}
+
+}  // namespace
+
+Status orient_shells(IndexedSoup& soup, RepairReport& report, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto found, find_shells(soup, monitor));
+  std::vector<Shell>& shells = found.values();
+  std::ranges::stable_sort(shells, std::greater<>(), &Shell::size);
+  ALGEBRA3D_RETURN_IF_ERROR(flip_shells(ShellNesting(soup), shells, monitor));
+  for (const Shell& shell : shells) {
+    if (!shell.is_flipped) continue;
+    report.add(RepairStep::flipped_shells, soup.corner(shell.triangles[0], 0));
+    for (const FaceId triangle : shell.triangles) soup.flip(triangle);
+  }
+  return {};
+}
+
+}  // namespace algebra3d

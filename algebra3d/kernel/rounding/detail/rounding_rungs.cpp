@@ -1,0 +1,224 @@
+#include "algebra3d/kernel/rounding/detail/rounding_rungs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/edge_balance.h"
+#include "algebra3d/kernel/rounding/detail/cell_cover.h"
+#include "algebra3d/kernel/rounding/detail/coplanar_snapping.h"
+#include "algebra3d/kernel/rounding/detail/feature_snapping.h"
+#include "algebra3d/kernel/rounding/detail/met_cells.h"
+#include "algebra3d/kernel/rounding/detail/rounded_vertices.h"
+#include "algebra3d/kernel/rounding/detail/snap_rounding.h"
+#include "algebra3d/kernel/rounding/detail/solid_part.h"
+#include "algebra3d/kernel/rounding/detail/turn_distance.h"
+#include "algebra3d/kernel/validity/validity.h"
+
+namespace algebra3d {
+namespace {
+
+/// More crowded vertices are not made coplanar: that takes rationals, whose digits multiply where many facets are near.
+constexpr std::ptrdiff_t kMaxCrowded = 1000;
+
+/// Sums of distances up to so many spacings need no better bound.
+constexpr double kSmallSumOfDistances = 16;
+
+/// How much wider reaches get from one attempt to the next.
+constexpr double kReachGrowth = 4;
+
+/// How often a mesh is only divided at its crossings, before features are joined.
+constexpr int kMaxDivisions = 4;
+
+/// How often features are joined and cells selected in one rung; and how many crossings need not become fewer.
+constexpr int kMaxTurns = 10;
+constexpr std::size_t kToleratedCrossings = 20;
+/// So many crossings that do not become fewer are given a wider reach; with more, needles would pile up.
+constexpr std::size_t kFewCrossingsLeft = 100;
+
+/// How much coarser the grids get from one to the next, and the coarsest one, as powers of two; and the reach there, in
+/// spacings of the coarser grid.
+constexpr int kGridStep = 4;
+constexpr int kCoarsestGrid = 20;
+constexpr double kReachOnCoarserGrids = 4;
+
+/// A limit of the triangles of what is divided again.
+std::size_t max_faces(const TriangleMesh& given) {
+  return given.face_count() + given.face_count() / 4 + 250;
+}
+
+/// The mesh snap rounded near the vertices that move, of which there are few, or altogether if those edges change there
+/// that the rest has, too. An edge of the rest that passes near a moved vertex may cross something, which comes to
+/// light with the other crossings.
+Result<RoundingCandidate> snap_rounded_near_moved(TriangleMesh mesh, const CoordinateGrid& grid,
+                                                  const std::atomic<bool>* cancel) {
+  const std::vector<bool> is_moved = are_moved(mesh, grid);
+  if (std::ranges::find(is_moved, true) == is_moved.end()) return RoundingCandidate{std::move(mesh)};
+  const SolidPart part(mesh, is_moved);
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped,
+                             snap_rounded(part.mesh(), rounded_vertices(part.mesh(), grid), cancel));
+  if (part.is_whole()) return snapped;
+  EdgeBalance balance;
+  balance.add(part.mesh(), 1);
+  balance.add(snapped.mesh, -1);
+  if (!balance.is_zero()) return snap_rounded(mesh, rounded_vertices(mesh, grid), cancel);
+  snapped.mesh = part.solid_with(std::move(snapped.mesh));
+  return snapped;
+}
+
+/// Divides the candidate at its crossings, and rounds the new corners. False if that is too much.
+Result<bool> divide(const RoundingJob& job, RoundingCandidate& candidate, const CoordinateGrid& grid) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
+  if (!divided) return false;
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped,
+                             snap_rounded_near_moved(*std::move(divided), grid, job.cancel()));
+  candidate.mesh = std::move(snapped.mesh);
+  candidate.movement = candidate.movement + snapped.movement;
+  return true;
+}
+
+/// Puts the joined mesh in place of the candidate's.
+void take(RoundingCandidate& candidate, FeatureSnappedMesh joined) {
+  candidate.mesh = *std::move(joined.mesh);
+  candidate.movement = candidate.movement + Movement(joined.largest_displacement, joined.largest_distance);
+  candidate.reach = std::max(candidate.reach, joined.reach);
+  if (joined.reach > 0) candidate.method = std::max(candidate.method, RoundingMethod::features_joined);
+}
+
+}  // namespace
+
+Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate) {
+  for (int i = 0; i < kMaxDivisions; ++i) {
+    ALGEBRA3D_RETURN_IF_ERROR(job.begin("dividing where triangles cross"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
+    if (!divided || divided->face_count() > max_faces(job.mesh())) return false;
+    const Movement moved_before = candidate.movement;
+    ALGEBRA3D_ASSIGN_OR_RETURN(candidate,
+                               with_moved_vertices(*divided, rounded_vertices(*divided, job.grid()), job.cancel()));
+    candidate.movement = moved_before + candidate.movement;
+    candidate.method = RoundingMethod::crossings_divided;
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_accepted, job.accept(candidate));
+    if (is_accepted) return true;
+  }
+  return false;
+}
+
+Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const CoordinateGrid& grid,
+                           const JoiningReach& reaches) {
+  const double spacing = std::max(grid.spacing_up_to(job.size()), job.spacing());
+  const RoundingCandidate first = candidate;
+  std::size_t most_crossings = SIZE_MAX;
+  double reach = reaches.first;
+  double farthest = 0;  // of one turn
+  for (int turn = 0; turn < kMaxTurns; ++turn) {
+    ALGEBRA3D_RETURN_IF_ERROR(job.begin(fmt::format("joining features, turn {}", turn + 1)));
+    ALGEBRA3D_ASSIGN_OR_RETURN(
+        FeatureSnappedMesh joined,
+        snap_features(candidate.mesh, grid, spacing, {reach, most_crossings}, job.cancel(), job.folded()));
+    if (!joined.mesh) {
+      if (reach >= reaches.last || joined.crossings_before > kFewCrossingsLeft) return false;
+      reach = std::min(kReachGrowth * reach, reaches.last);
+      most_crossings = SIZE_MAX;
+      continue;
+    }
+    farthest = std::max(farthest, joined.largest_distance);
+    const std::size_t crossings_before = joined.crossings_before;
+    const bool is_simple = joined.crossing_pairs == 0;
+    take(candidate, std::move(joined));
+    if (is_simple) {
+      ALGEBRA3D_RETURN_IF_ERROR(
+          tighten_distance(candidate, first, kSmallSumOfDistances * spacing, farthest, job.cancel()));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_accepted, job.accept(candidate));
+      if (is_accepted) return true;
+    }
+    const bool grows = candidate.mesh.face_count() > 2 * std::max(max_faces(job.mesh()), max_faces(first.mesh));
+    if (!job.is_whole() || grows) return false;
+    most_crossings = crossings_before / 2 + kToleratedCrossings;
+    if (reaches.must_fall) most_crossings = std::min(most_crossings, std::max<std::size_t>(crossings_before, 1) - 1);
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, candidate, grid));
+    if (!is_divided) return false;
+  }
+  return false;
+}
+
+namespace {
+
+/// Joins features of the mesh whose facets were made coplanar within a reach in coordinate units.
+Result<bool> join_moved(RoundingJob& job, const MovedVertices& moved, double reach, double largest_reach) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(job.mesh(), moved, job.cancel()));
+  const double farthest = std::ranges::max(moved.movements);
+  RoundingCandidate coplanar{std::move(snapped.mesh), Movement(rounded_up(farthest + snapped.largest_detour)), reach,
+                             RoundingMethod::facets_made_coplanar};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, coplanar, job.grid()));
+  return is_divided ? join_features(job, std::move(coplanar), job.grid(), {largest_reach, largest_reach})
+                    : Result<bool>(false);
+}
+
+}  // namespace
+
+Result<std::vector<bool>> crowded_vertices(const RoundingJob& job, const TriangleMesh& snapped) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(snapped, job.cancel()));
+  std::set<Vec3> places;
+  for (const FaceId face : faces(snapped))
+    if (entanglements[face.index()] != Entanglement::none)
+      for (const PointRef& corner : snapped.corners(face)) places.insert(corner.approx);
+  std::vector<bool> are_crowded;
+  for (const Vec3& place : job.vertices().points.approx()) are_crowded.push_back(places.contains(place));
+  return are_crowded;
+}
+
+Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, double first_reach,
+                           double largest_reach) {
+  if (std::ranges::count(crowded, true) > kMaxCrowded) return false;
+  std::vector<double> movements(job.mesh().vertex_count());  // of the reach before
+  double reach = first_reach;
+  bool is_found = false;
+  while (!is_found && reach <= largest_reach) {
+    ALGEBRA3D_RETURN_IF_ERROR(job.begin("making facets coplanar"));
+    const MovedVertices moved = snap_coplanar(job.mesh(), crowded, reach * job.spacing());
+    if (moved.movements != movements) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_moved(job, moved, reach * job.spacing(), largest_reach));
+      movements = moved.movements;
+    }
+    reach *= kReachGrowth;
+  }
+  return is_found;
+}
+
+Result<bool> round_to_coarser_grids(RoundingJob& job) {
+  for (int exponent = kGridStep; exponent <= kCoarsestGrid; exponent += kGridStep) {
+    const double spacing = std::ldexp(job.spacing(), exponent);
+    ALGEBRA3D_RETURN_IF_ERROR(job.begin(fmt::format("moving vertices to a grid that is 2^{} times coarser", exponent)));
+    const CoordinateGrid coarser = CoordinateGrid::multiples(spacing);
+    const RoundedVertices vertices = rounded_vertices(job.mesh(), coarser);
+    if (!vertices.are_finite) return false;
+    ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate candidate, snap_rounded(job.mesh(), vertices, job.cancel()));
+    candidate.reach = spacing;
+    candidate.method = RoundingMethod::coarser_grid;
+    ALGEBRA3D_ASSIGN_OR_RETURN(bool is_accepted, job.accept(candidate));
+    if (!is_accepted) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(
+          is_accepted, join_features(job, std::move(candidate), coarser, {kReachOnCoarserGrids, kReachOnCoarserGrids}));
+    }
+    if (is_accepted) return true;
+  }
+  return false;
+}
+
+Result<std::optional<RoundingCandidate>> cover_of_cubes(const TriangleMesh& solid, const CoordinateGrid& grid,
+                                                        std::size_t budget, const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MetCells> met, finest_met_cells(solid, grid, budget, cancel));
+  if (!met) return std::optional<RoundingCandidate>();
+  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh boundary, CellCover(solid, *met).boundary(cancel));
+  return std::optional(
+      RoundingCandidate{std::move(boundary), Movement(met->lattice.diagonal()), 0, RoundingMethod::cover_of_cubes});
+}
+
+}  // namespace algebra3d

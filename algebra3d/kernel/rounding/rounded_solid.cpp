@@ -1,0 +1,60 @@
+#include "algebra3d/kernel/rounding/rounded_solid.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "algebra3d/kernel/rounding/detail/met_cells.h"
+#include "algebra3d/kernel/rounding/detail/rounded_vertices.h"
+#include "algebra3d/kernel/rounding/detail/rounding_ladder.h"
+#include "algebra3d/kernel/rounding/detail/rounding_rungs.h"
+#include "algebra3d/kernel/rounding/detail/solid_part.h"
+#include "algebra3d/kernel/rounding/detail/solid_rounding.h"
+
+namespace algebra3d {
+namespace {
+
+/// The last rung. Where the type has no numbers beyond the solid, there is no cover.
+Result<RoundedSolid> covered(SolidRounding& job) {
+  ALGEBRA3D_RETURN_IF_ERROR(job.begin("covering with cubes"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<RoundingCandidate> cover,
+                             cover_of_cubes(job.mesh(), job.grid(), cell_budget(job.mesh()), job.cancel()));
+  if (!cover) return RoundedSolid{std::nullopt, out_of_range_text(job.size(), job.grid())};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, job.accept(*cover));
+  if (!is_valid) return Error(ErrorCode::internal, "a cover of cubes is not valid");
+  return job.result();
+}
+
+/// The rounded solid: of a part of it, or else of the whole.
+Result<RoundedSolid> climbed(const TriangleMesh& solid, const SolidPart& part, const CoordinateGrid& grid,
+                             const Monitor& monitor) {
+  SolidRounding job(solid, part, grid, monitor);
+  if (!job.vertices().are_finite) return RoundedSolid{std::nullopt, out_of_range_text(job.size(), grid)};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, part.is_whole() ? round_whole(job) : round_part(job));
+  if (is_found) return job.result();
+  if (!part.is_whole()) return climbed(solid, SolidPart(solid), grid, monitor);
+  return covered(job);
+}
+
+}  // namespace
+
+std::string shells_text(const RoundedSolid& rounded) {
+  const auto shells = [](std::size_t count) { return fmt::format("{} shell{}", count, count == 1 ? "" : "s"); };
+  return fmt::format("{} in place of {}, since shells vanished or grew together", shells(rounded.shells_after),
+                     rounded.shells_before);
+}
+
+Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid, const Monitor& monitor) {
+  const std::vector<bool> is_moved = are_moved(solid, grid);
+  const auto moved_count = static_cast<std::size_t>(std::ranges::count(is_moved, true));
+  if (moved_count == 0) return RoundedSolid{solid};
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded, climbed(solid, SolidPart(solid, is_moved), grid, monitor));
+  rounded.moved_vertices = moved_count;
+  return rounded;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/rounding/coordinate_grid.h"
+#include "algebra3d/kernel/rounding/rounding_method.h"
+
+namespace algebra3d {
+
+/// A solid rounded to a grid, or the reason why there is none.
+struct RoundedSolid {
+  /// A valid volume with all coordinates on the grid.
+  std::optional<TriangleMesh> mesh;
+  std::string reason = {};         ///< why there is none
+  std::size_t moved_vertices = 0;  ///< of the given ones
+  /// In coordinate units: no point of the new boundary is farther from the given one. What vanished is not in it.
+  double largest_movement = 0;
+  RoundingMethod method = RoundingMethod::none;  ///< that found the mesh
+  /// How many vertices lie inside edges or faces of others, if their faces or these are among those that changed:
+  /// valid, but other programs may take them for crossings (divided_contacts.h).
+  std::size_t contact_vertices = 0;
+  /// In coordinate units: where triangles crossed after the vertices had moved, features nearer to each other than this
+  /// were joined. 0 if none crossed.
+  double reach = 0;
+  /// The numbers of shells, given and rounded: fewer if some vanished, or have come to touch in an edge. Both 0 if
+  /// there are as many as before.
+  std::size_t shells_before = 0, shells_after = 0;
+};
+
+/// The part of a note that tells how many shells are left, where there are fewer than before: "1 shell in place of 2,
+/// since shells vanished or grew together".
+std::string shells_text(const RoundedSolid& rounded);
+
+/// Rounds the vertices of a solid to a grid, and proves the result (docs/set-operations.md, "Rounding of solids").
+/// Parts thinner than the grid vanish. Only faces near vertices that move are changed and proved; if that fails, or if
+/// these are more than half of all faces, the whole solid is rounded. A ladder of methods: the first proved result is
+/// taken, unless it is one of 3 to 5 and moves by more than 64 spacings: then 6 is tried, too, and the nearer one
+/// taken. At first vertices are moved and no more: faces stay as they are if no two vertices come to one place, and
+/// none to lie inside an edge or face; on a grid of multiples also where they do.
+///  1. The solid is snap rounded (snap_rounding.h).
+///  2. On a grid of multiples: a few times the mesh is divided at its crossings, the cells with a positive winding
+///     number are kept, and their new corners rounded.
+///  3. Features of crossing triangles that are nearly one are joined (feature_snapping.h), within up to 32 spacings,
+///     or up to 2^20 where few crossings are left, in turns with the selection of cells as in 2, as long as no more
+///     than some half of the crossings are left.
+///  4. Facets that nearly lie upon each other are made coplanar (coplanar_snapping.h), then 3.
+///  5. 3 and 4 with reaches of up to 2^20 spacings.
+///  6. Prisms are added over the faces of crowded shells, with corners on lattices of 2^4 to 2^18 spacings, then 3
+///     (thickening.h). Before 5 if most vertices are corners of triangles that cross, and before the wide reaches of 4.
+///  7. 1 and 3 on grids of multiples of up to 2^20 spacings.
+///  8. 6 on coarser lattices, as long as a thousand cells fit into the solid.
+///  9. The cubes of a lattice that meet the solid replace it (cell_cover.h). This cannot fail.
+/// A simpler form of each result is proved first: without corners of facets with moved corners that lie on the
+/// surface or on an edge of it anyway, up to two spacings (vertex_removal.h); on a grid of multiples only if that is
+/// fine for the solid. There is no result only if a coordinate is out of range. It is empty only where 1 to 4 leave
+/// nothing within a reach of two spacings, and no cell of the grid is found within the solid. The monitor
+/// may end the call with the error interrupted, and is told the methods that are tried. Exactness: rounded; validity is
+/// exact. Deterministic. Errors: interrupted, limit_exceeded. Cost: for nearly all solids a scan, and snap rounding and
+/// a proof of the faces near vertices that move. Source: snap rounding after [hobby1999] and [halperin2002].
+Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid, const Monitor& monitor = {});
+
+}  // namespace algebra3d

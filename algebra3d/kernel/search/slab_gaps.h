@@ -1,0 +1,60 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "algebra3d/kernel/search/node_slabs.h"
+
+namespace algebra3d {
+
+/// Tells nodes of two hierarchies apart by their boxes and slabs: along the line between the middles of their boxes,
+/// along both normals, and half-way between these. For surfaces whose curvature is bounded, this fails by the square of
+/// the nodes' sizes, where boxes along the axes fail by the sizes. For one search by one thread; refers to its
+/// operands.
+///
+/// Does nothing until searches have been so long that the slabs are paid for, or if they are there already; and little
+/// for nodes of a size for which it tells little.
+class SlabGaps {
+ public:
+  /// The hierarchies are those over the meshes, or over some of their faces.
+  SlabGaps(const TriangleMesh& first, const BoxHierarchy& of_first, const TriangleMesh& second,
+           const BoxHierarchy& of_second);
+
+  /// True if the faces of two nodes are certainly farther apart than `distance`, in coordinate units. To be called for
+  /// each pair of nodes that a search reaches. Cost: some ten nanoseconds.
+  bool exceed(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance);
+
+ private:
+  /// A mesh and its hierarchy, and the map from the frame of that to the frame of the first one.
+  struct Side {
+    const TriangleMesh& mesh;
+    const BoxHierarchy& hierarchy;
+    double factor;
+    Vec3 origin;
+    const NodeSlabs* slabs = nullptr;
+  };
+  struct Pair;
+  /// Whether comparisons of nodes of one level tell enough to be worth their time. One in eight is made in any case.
+  class Score {
+   public:
+    bool is_worth_asking() { return balance_ >= 0 || ++skipped_ % 8 == 0; }
+    void note(bool is_told) { balance_ = std::clamp(balance_ + (is_told ? kWorth : -1), -kWorth, kMost); }
+
+   private:
+    static constexpr int kWorth = 16, kMost = 256;
+    int balance_ = kMost;
+    std::uint32_t skipped_ = 0;
+  };
+
+  bool has_slabs();
+  bool compare(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance) const;
+
+  Side first_, second_;
+  std::array<Score, 32> scores_;  // of levels
+  std::size_t steps_ = 0;
+  bool is_usable_;       // false if the frames are too different for doubles
+  double unit_, error_;  // of the frame, in coordinates; and of a gap, in units
+};
+
+}  // namespace algebra3d

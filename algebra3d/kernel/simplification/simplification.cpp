@@ -1,0 +1,221 @@
+#include "algebra3d/kernel/simplification/simplification.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/kernel/distance/farthest_point.h"
+#include "algebra3d/kernel/search/box_hierarchy.h"
+#include "algebra3d/kernel/search/boxes.h"
+#include "algebra3d/kernel/simplification/detail/edge_collapser.h"
+#include "algebra3d/kernel/simplification/detail/taken_back.h"
+#include "base/indices.h"
+
+namespace algebra3d {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Attempts to come near to a deviation from below, and to get below it at all.
+constexpr std::size_t kAttempts = 4, kMaxAttempts = 12;
+
+/// The mesh itself.
+Simplification unchanged(const TriangleMesh& mesh, std::size_t repetitions) {
+  Simplification result{mesh, std::vector<std::uint32_t>(mesh.vertex_count()),
+                        std::vector<std::uint32_t>(mesh.face_count()), 0, repetitions};
+  std::iota(result.vertices.begin(), result.vertices.end(), 0U);
+  std::iota(result.faces.begin(), result.faces.end(), 0U);
+  return result;
+}
+
+Simplification collapsed(EdgeCollapser& collapser, std::size_t repetitions) {
+  return {collapser.result(), collapser.vertex_sources(), collapser.face_sources(), kInfinity, repetitions};
+}
+
+/// An attempt of one kind: whatever the mesh, a surface or a volume.
+using Attempter = Result<Simplification> (*)(const TriangleMesh&, const CollapseLimits&, const Monitor&,
+                                             const CollapseConstraints&);
+
+Result<Simplification> any_mesh(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
+                                const CollapseConstraints& constraints) {
+  EdgeCollapser collapser(mesh, constraints, monitor);
+  ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits));
+  return collapsed(collapser, 0);
+}
+
+/// The faces with defects of a simplified surface or volume.
+using DefectFinder = Result<std::vector<FaceId>> (*)(const TriangleMesh&, const Monitor&);
+
+/// The search for a valid result.
+class ValidSearch {
+ public:
+  ValidSearch(const TriangleMesh& mesh, const CollapseLimits& limits, double crease_degrees, DefectFinder find_defects,
+              const Monitor& monitor)
+      : mesh_(mesh), limits_(limits), crease_degrees_(crease_degrees), find_defects_(find_defects), monitor_(monitor) {}
+
+  Result<Simplification> run() {
+    ALGEBRA3D_RETURN_IF_ERROR(lock_until_valid());
+    if (best_.repetitions > 0) ALGEBRA3D_RETURN_IF_ERROR(try_weaker_limits());
+    return std::move(best_);
+  }
+
+ private:
+  /// Repeats the simplification with more and more vertices locked until the result is valid. Every defect is at a
+  /// vertex that moved or had others merged into it, since the mesh itself is valid; so each time some are locked, and
+  /// at the latest it ends when all are.
+  Status lock_until_valid() {
+    std::vector<std::uint8_t> locked;
+    for (std::size_t repetitions = 0;; ++repetitions) {
+      EdgeCollapser collapser(mesh_, {locked, crease_degrees_}, monitor_);
+      ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits_));
+      best_ = collapsed(collapser, repetitions);
+      if (repetitions == 0) wanted_ = best_.mesh.face_count();
+      ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FaceId> defects, defects_of(best_));
+      if (defects.empty()) return {};
+      if (std::ranges::count(locked, 0) == 0 && !locked.empty()) {
+        best_ = unchanged(mesh_, repetitions);
+        return {};
+      }
+      lock_around(mesh_, best_.mesh, collapser.images(), defects, repetitions, locked);
+    }
+  }
+
+  /// Where walls are thin, locks spread, and more triangles may be left than with a larger number to begin with. So
+  /// numbers between what the limits give and what locks left are halved, four to a factor of two, without locks.
+  Status try_weaker_limits() {
+    constexpr double kStepsToHalf = 4;
+    const auto all = static_cast<double>(mesh_.face_count());
+    const auto steps_to = [&](std::size_t faces) {
+      return static_cast<int>(
+          std::floor(kStepsToHalf * std::log2(all / static_cast<double>(std::max<std::size_t>(faces, 1)))));
+    };
+    int valid = steps_to(best_.mesh.face_count()), invalid = steps_to(wanted_) + 1;
+    while (invalid - valid > 1) {
+      const int middle = valid + (invalid - valid) / 2;
+      const auto faces = static_cast<std::size_t>(all * std::exp2(-middle / kStepsToHalf));
+      EdgeCollapser collapser(mesh_, {{}, crease_degrees_}, monitor_);
+      ALGEBRA3D_RETURN_IF_ERROR(collapser.run({faces, limits_.error}));
+      Simplification attempt = collapsed(collapser, best_.repetitions + 1);
+      ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FaceId> defects, defects_of(attempt));
+      (defects.empty() ? valid : invalid) = middle;
+      if (defects.empty() && attempt.mesh.face_count() < best_.mesh.face_count()) best_ = std::move(attempt);
+    }
+    return {};
+  }
+
+  Result<std::vector<FaceId>> defects_of(const Simplification& attempt) const {
+    monitor_.tell("proving");
+    return find_defects_(attempt.mesh, monitor_);
+  }
+
+  const TriangleMesh& mesh_;
+  const CollapseLimits limits_;
+  const double crease_degrees_;
+  const DefectFinder find_defects_;
+  const Monitor& monitor_;
+  Simplification best_;
+  std::size_t wanted_ = 0;  // faces that the limits leave without locks
+};
+
+Result<Simplification> valid_surface(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
+                                     const CollapseConstraints& constraints) {
+  return ValidSearch(mesh, limits, constraints.crease_degrees, defects_of_surface, monitor).run();
+}
+Result<Simplification> valid_volume(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
+                                    const CollapseConstraints& constraints) {
+  return ValidSearch(mesh, limits, constraints.crease_degrees, defects_of_volume, monitor).run();
+}
+
+Result<double> deviation_of(const DistanceOperand& before, const TriangleMesh& after, const Monitor& monitor) {
+  monitor.tell("measuring the deviation");
+  const BoxHierarchy hierarchy(after);
+  const DistanceOperand operand{&after, &hierarchy};
+  ALGEBRA3D_ASSIGN_OR_RETURN(
+      const auto farthest,
+      farthest_point(std::array{FarthestSearch{before, operand}, FarthestSearch{operand, before}}, monitor));
+  return farthest->upper_bound;
+}
+
+/// Searches for the largest error of the quadrics with which the measured deviation is small enough.
+class DeviationSearch {
+ public:
+  DeviationSearch(const TriangleMesh& mesh, const SimplificationTarget& target, Attempter attempter,
+                  const CollapseConstraints& constraints, const Monitor& monitor)
+      : mesh_(mesh),
+        hierarchy_(mesh),
+        target_(target),
+        attempter_(attempter),
+        constraints_(constraints),
+        monitor_(monitor) {}
+
+  Result<Simplification> run() {
+    const double allowed = target_.deviation + 0x1p-43 * largest_coordinate(mesh_);
+    double error = 2 * target_.deviation;
+    for (std::size_t i = 0; i < kMaxAttempts && (i < kAttempts || !best_); ++i) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(Simplification attempt,
+                                 attempter_(mesh_, {target_.triangles, error}, monitor_, constraints_));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const double deviation, deviation_of({&mesh_, &hierarchy_}, attempt.mesh, monitor_));
+      const bool is_enough = attempt.mesh.face_count() <= target_.triangles;
+      if (deviation <= allowed) {
+        keep(std::move(attempt), deviation);
+        if (is_enough || deviation > 0.9 * allowed || error == 0) break;
+        low_ = error;
+      } else {
+        high_ = error;
+      }
+      error = next_error(error, deviation);
+    }
+    if (!best_) best_ = unchanged(mesh_, kMaxAttempts);
+    return *std::move(best_);
+  }
+
+ private:
+  void keep(Simplification attempt, double deviation) {
+    attempt.deviation = deviation;
+    if (!best_ || attempt.mesh.face_count() < best_->mesh.face_count()) best_ = std::move(attempt);
+  }
+  double next_error(double error, double deviation) const {
+    if (low_ > 0 && high_ < kInfinity) return std::sqrt(low_ * high_);
+    if (deviation == 0) return 4 * error;
+    return error * std::clamp(0.9 * target_.deviation / deviation, 0.05, 8.0);
+  }
+
+  const TriangleMesh& mesh_;
+  const BoxHierarchy hierarchy_;
+  const SimplificationTarget target_;
+  const Attempter attempter_;
+  const CollapseConstraints constraints_;
+  const Monitor& monitor_;
+  double low_ = 0, high_ = kInfinity;
+  std::optional<Simplification> best_;
+};
+
+Result<Simplification> simplified_by(Attempter attempter, const TriangleMesh& mesh, const SimplificationTarget& target,
+                                     const Monitor& monitor, std::span<const std::uint8_t> locked) {
+  if (mesh.face_count() <= target.triangles || mesh.is_empty()) return unchanged(mesh, 0);
+  const CollapseConstraints constraints{locked, target.crease_degrees};
+  if (target.deviation < kInfinity) return DeviationSearch(mesh, target, attempter, constraints, monitor).run();
+  return attempter(mesh, {target.triangles, kInfinity}, monitor, constraints);
+}
+
+}  // namespace
+
+Result<Simplification> simplified(const TriangleMesh& mesh, const SimplificationTarget& target, const Monitor& monitor,
+                                  std::span<const std::uint8_t> locked) {
+  return simplified_by(any_mesh, mesh, target, monitor, locked);
+}
+
+Result<Simplification> simplified_surface(const TriangleMesh& surface, const SimplificationTarget& target,
+                                          const Monitor& monitor) {
+  return simplified_by(valid_surface, surface, target, monitor, {});
+}
+
+Result<Simplification> simplified_volume(const TriangleMesh& volume, const SimplificationTarget& target,
+                                         const Monitor& monitor) {
+  return simplified_by(valid_volume, volume, target, monitor, {});
+}
+
+}  // namespace algebra3d

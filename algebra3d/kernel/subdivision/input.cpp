@@ -1,0 +1,127 @@
+#include "algebra3d/kernel/subdivision/detail/input.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/subdivision/detail/blocks.h"
+#include "algebra3d/kernel/subdivision/detail/mesh_view.h"
+
+namespace algebra3d::subdivision {
+namespace {
+
+/// Sums over two milliards of neighbours with such coordinates are finite.
+constexpr double kLargestCoordinate = 0x1p960;
+
+/// The lowest number below `count` for which is_wanted holds, in parallel; kNone if there is none.
+template <typename Predicate>
+std::uint32_t first_with(std::size_t count, const Predicate& is_wanted) {
+  std::atomic<std::uint32_t> first = kNone;
+  for_each_block(count, Stage({}, {}, 0), [&](std::size_t, std::uint32_t begin, std::uint32_t end) {
+    std::uint32_t i = begin;
+    while (i < end && !is_wanted(i)) ++i;
+    if (i == end) return;
+    for (std::uint32_t seen = first; i < seen && !first.compare_exchange_weak(seen, i);) {
+    }
+  });
+  return first;
+}
+
+Status check_manifold(const PolygonMesh& mesh) {
+  if (mesh.nonmanifold_edge_count() > 0) {
+    const auto along = mesh.nonmanifold_edge(0);
+    const HalfedgeId h = along.front();
+    return Error{ErrorCode::invalid_value,
+                 "the edge between vertices {} and {} is non-manifold: {} half-edges run along it, expected two in "
+                 "opposite directions, or one at the boundary",
+                 mesh.origin(h).index(), mesh.target(h).index(), along.size()};
+  }
+  const auto vertices = mesh.nonmanifold_vertices();
+  if (vertices.empty()) return {};
+  return Error{
+      ErrorCode::invalid_value,
+      "vertex {} is non-manifold: its faces form {} fans, expected one; components divides solids and surfaces "
+      "that touch in vertices",
+      vertices.front().index(), mesh.fans(vertices.front()).size()};
+}
+
+Status check_triangles(const PolygonMesh& mesh, SubdivisionScheme scheme) {
+  if (mesh.is_empty() || mesh.common_degree() == 3) return {};
+  for (const FaceId f : faces(mesh))
+    if (mesh.degree(f) != 3)
+      return Error{ErrorCode::invalid_value, "face {} has {} corners, but {} takes triangles only; see triangulate",
+                   f.index(), mesh.degree(f), name_of(scheme)};
+  return {};
+}
+
+/// With two edges at an interior vertex, two edges of the result would join the same vertices: those that cut off its
+/// two triangles, or for Doo-Sabin the sides of a face with two corners.
+Status check_valences(const PolygonMesh& mesh, SubdivisionScheme scheme) {
+  const auto valence = [&](const auto& view, std::uint32_t v) {
+    std::size_t count = 0;
+    view.for_each_outgoing(view.outgoing(v), [&](std::uint32_t) { ++count; });
+    return count;
+  };
+  const std::uint32_t v = with_view(mesh, [&](const auto& view) {
+    return first_with(view.vertex_count(), [&](std::uint32_t u) {
+      return view.outgoing(u) != kNone && !view.is_boundary_vertex(u) && valence(view, u) < 3;
+    });
+  });
+  if (v == kNone) return {};
+  return Error{ErrorCode::invalid_value, "vertex {} has {} edges and is on no boundary, but {} needs three edges", v,
+               valence(MeshView<0>(mesh), v), name_of(scheme)};
+}
+
+/// Where a face meets itself in an edge, two edges of the result would join the middles of both.
+Status check_sides(const PolygonMesh& mesh) {
+  const std::uint32_t h = with_view(mesh, [&](const auto& view) {
+    return first_with(view.halfedge_count(), [&](std::uint32_t other) {
+      return !view.is_boundary(other) && view.face(view.opposite(other)) == view.face(other);
+    });
+  });
+  if (h == kNone) return {};
+  const MeshView<0> view(mesh);
+  return Error{ErrorCode::invalid_value,
+               "face {} is on both sides of the edge between vertices {} and {}; see triangulate", view.face(h),
+               view.origin(h), view.target(h)};
+}
+
+Status check_coordinates(const PolygonMesh& mesh) {
+  const std::uint32_t v = first_with(mesh.vertex_count(), [&](std::uint32_t u) {
+    const Vec3& p = mesh.point(VertexId(u)).approx;
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kLargestCoordinate;
+  });
+  if (v == kNone) return {};
+  return Error{ErrorCode::limit_exceeded, "vertex {} has a coordinate beyond 2^960", v};
+}
+
+/// Each step makes four half-edges of one; Doo-Sabin makes less where there is a boundary.
+Status check_size(const PolygonMesh& mesh, std::size_t steps) {
+  std::size_t halfedges = mesh.halfedge_count();
+  for (std::size_t i = 0; i < steps && halfedges > 0; ++i) {
+    halfedges *= 4;
+    if (halfedges > PolygonMesh::kMaxHalfedges)
+      return Error{ErrorCode::limit_exceeded,
+                   "{} steps make more than {} half-edges of {}, each step four times as many; at most {} steps are "
+                   "possible",
+                   steps,
+                   PolygonMesh::kMaxHalfedges,
+                   mesh.halfedge_count(),
+                   i};
+  }
+  return {};
+}
+
+}  // namespace
+
+Status check_input(const PolygonMesh& mesh, SubdivisionScheme scheme, std::size_t steps) {
+  if (takes_triangles_only(scheme)) ALGEBRA3D_RETURN_IF_ERROR(check_triangles(mesh, scheme));
+  ALGEBRA3D_RETURN_IF_ERROR(check_manifold(mesh));
+  ALGEBRA3D_RETURN_IF_ERROR(scheme == SubdivisionScheme::catmull_clark ? check_sides(mesh)
+                                                                       : check_valences(mesh, scheme));
+  ALGEBRA3D_RETURN_IF_ERROR(check_coordinates(mesh));
+  return check_size(mesh, steps);
+}
+
+}  // namespace algebra3d::subdivision

@@ -1,0 +1,102 @@
+#include <utility>
+#include <vector>
+
+#include "algebra3d/kernel/subdivision/detail/butterfly_rules.h"
+#include "algebra3d/kernel/subdivision/detail/ring_masks.h"
+#include "algebra3d/kernel/subdivision/detail/steps.h"
+
+namespace algebra3d::subdivision {
+namespace {
+
+/// The new points on all edges. An edge at the boundary has the four-point rule; one between two regular vertices the
+/// rule of eight points, or those of boundary vertices; one with an extraordinary end the mask of that end, with two
+/// the mean of both. Regular are vertices with six triangles, and boundary vertices with three.
+class EdgePoints {
+ public:
+  EdgePoints(const TriangleView& view, const Stage& stage, const EdgeNumbers<TriangleView>& edges)
+      : view_(view), stage_(stage) {
+    points_.resize(edges.count());
+    numbers_.resize(view.halfedge_count());
+    is_extraordinary_.resize(view.vertex_count());
+    for_each_element(view.vertex_count(), stage,
+                     [&](std::uint32_t v) { is_extraordinary_[v] = find_extraordinary(v); });
+    edges.for_each(stage, [&](std::uint32_t h, std::uint32_t e) {
+      numbers_[h] = e;
+      if (!view_.is_boundary(h)) numbers_[view_.opposite(h)] = e;
+      if (view_.is_boundary(h) || (!is_extraordinary(h) && !is_extraordinary(view_.opposite(h))))
+        points_[e] = regular_edge_point(view_, h);
+    });
+    // Each edge gets the point of its first half-edge's end before that of the other one, so no two tasks write one.
+    add_extraordinary(true);
+    add_extraordinary(false);
+  }
+
+  LargeVector<Vec3> take() && { return std::move(points_); }
+
+ private:
+  bool is_extraordinary(std::uint32_t h) const { return is_extraordinary_[view_.origin(h)] != 0; }
+
+  std::uint8_t find_extraordinary(std::uint32_t v) const {
+    const std::uint32_t start = view_.outgoing(v);
+    if (start == kNone) return 0;
+    std::uint32_t triangles = 0;
+    view_.for_each_outgoing(start, [&](std::uint32_t) { ++triangles; });
+    return triangles == (view_.is_boundary(start) ? 3U : 6U) ? 0 : 1;
+  }
+
+  void add_extraordinary(bool at_first_half) {
+    for_each_block(view_.vertex_count(), stage_, [&](std::size_t, std::uint32_t begin, std::uint32_t end) {
+      std::vector<std::uint32_t> spokes;
+      std::vector<Vec3> ring, made;
+      for (std::uint32_t v = begin; v < end; ++v)
+        if (is_extraordinary_[v] != 0) add_mask_of(v, at_first_half, spokes, ring, made);
+    });
+  }
+
+  void add_mask_of(std::uint32_t v, bool at_first_half, std::vector<std::uint32_t>& spokes, std::vector<Vec3>& ring,
+                   std::vector<Vec3>& made) {
+    spokes.clear();
+    ring.clear();
+    const std::uint32_t start = view_.outgoing(v);
+    const std::uint32_t last = view_.for_each_outgoing(start, [&](std::uint32_t h) {
+      spokes.push_back(h);
+      ring.push_back(view_.target_point(h));
+    });
+    if (view_.is_boundary(start)) {
+      ring.push_back(view_.origin_point(view_.prev(last)));
+      boundary_edge_points(view_.point(v), ring, made);
+    } else {
+      interior_edge_points(view_.point(v), ring, made);
+    }
+    for (std::size_t i = 0; i < spokes.size(); ++i) {
+      const std::uint32_t h = spokes[i];
+      if (view_.is_boundary(h) || view_.is_first_of_edge(h) != at_first_half) continue;
+      Vec3& point = points_[numbers_[h]];
+      const bool is_second = !at_first_half && is_extraordinary(view_.opposite(h));
+      point = is_second ? 0.5 * (point + made[i]) : made[i];
+    }
+  }
+
+  TriangleView view_;
+  Stage stage_;
+  LargeVector<Vec3> points_;                    // per edge
+  LargeVector<std::uint32_t> numbers_;          // per half-edge: its edge
+  LargeVector<std::uint8_t> is_extraordinary_;  // per vertex
+};
+
+}  // namespace
+
+Result<PolygonMesh> modified_butterfly_step(const PolygonMesh& mesh, const Monitor& monitor, const std::string& what) {
+  const TriangleView view(mesh);
+  const Stage stage(monitor, what + ", edges",
+                    2 * block_count(view.halfedge_count()) + 3 * block_count(view.vertex_count()));
+  const EdgeNumbers edges(view, Edges::all, stage);
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  const LargeVector<Vec3> points = EdgePoints(view, stage, edges).take();
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  return split_triangles(
+      mesh, monitor, what, [&](std::uint32_t, std::uint32_t e) { return points[e]; },
+      [&](std::uint32_t v) { return view.point(v); });
+}
+
+}  // namespace algebra3d::subdivision

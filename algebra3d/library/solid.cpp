@@ -1,0 +1,139 @@
+#include "algebra3d/geometry/solid.h"
+
+#include "algebra3d/kernel/exact/exact_sum.h"
+#include "algebra3d/kernel/halfedge/mesh_triangles.h"
+#include "algebra3d/library/detail/operator_call.h"
+#include "algebra3d/library/detail/triangles.h"
+#include "algebra3d/library/shape_access.h"
+#include "algebra3d/values/constructions/solid_sets.h"
+#include "base/nearest_rounding.h"
+#include "base/without_exceptions.h"
+
+// The analyzer does not follow how many values share an object.
+// NOLINTBEGIN(clang-analyzer-cplusplus.NewDeleteLeaks,clang-analyzer-cplusplus.NewDelete)
+
+namespace algebra3d {
+namespace {
+
+using detail::call;
+using detail::check_finite;
+using detail::point_value;
+using detail::ShapeAccess;
+
+Rational exact_volume_of(const Volume3d& volume) {
+  const NearestRounding rounding;
+  return *exact_volume(volume.mesh().points(), triangles_of(volume.mesh()));
+}
+
+std::vector<Volume3d> contents_of(std::span<const Solid> solids) {
+  std::vector<Volume3d> contents;
+  contents.reserve(solids.size());
+  for (const Solid& solid : solids) contents.push_back(ShapeAccess::content(solid));
+  return contents;
+}
+
+}  // namespace
+
+Solid::Solid() = default;
+
+Result<Solid> Solid::box(const Vec3& corner, const Vec3& opposite) {
+  return without_exceptions([&]() -> Result<Solid> {
+    ALGEBRA3D_RETURN_IF_ERROR(check_finite("box", corner));
+    ALGEBRA3D_RETURN_IF_ERROR(check_finite("box", opposite));
+    return ShapeAccess::outer(call<Volume3d>("box", "createCube", {point_value(corner), point_value(opposite)}));
+  });
+}
+
+Result<Solid> Solid::sphere(const Vec3& centre, double radius, int corners) {
+  return without_exceptions([&]() -> Result<Solid> {
+    ALGEBRA3D_RETURN_IF_ERROR(check_finite("sphere", centre));
+    ALGEBRA3D_RETURN_IF_ERROR(check_finite("sphere", {radius, 0, 0}));
+    return ShapeAccess::outer(call<Volume3d>(
+        "sphere", "createSphere", {point_value(centre), Value::of<double>(radius), Value::of<std::int64_t>(corners)}));
+  });
+}
+
+double Solid::volume() const {
+  const NearestRounding rounding;
+  // Without a flag that interrupts it, there is no error.
+  return *nearest_volume(content().mesh().points(), triangles_of(content().mesh()));
+}
+
+std::string Solid::exact_volume() const {
+  return exact_volume_of(content()).text();
+}
+
+Result<Vec3> Solid::centroid() const {
+  return without_exceptions([&]() -> Result<Vec3> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Point3d centroid,
+                               call<Point3d>("centroid", "centroid", {ShapeAccess::value(*this)}));
+    return centroid.position.approx();
+  });
+}
+
+Result<Solid> Solid::rounded(const Monitor& monitor) const {
+  return without_exceptions([&]() -> Result<Solid> {
+    return ShapeAccess::outer(call<Volume3d>("rounded", "roundCoordinates", {ShapeAccess::value(*this)}, monitor));
+  });
+}
+
+Result<std::vector<Solid>> Solid::components(const Monitor& monitor) const {
+  return without_exceptions([&]() -> Result<std::vector<Solid>> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Value> parts,
+                               detail::call_for_values("components", {ShapeAccess::value(*this)}, monitor));
+    std::vector<Solid> solids;
+    solids.reserve(parts.size());
+    for (const Value& part : parts) solids.push_back(ShapeAccess::outer(part.get<Volume3d>()));
+    return solids;
+  });
+}
+
+Result<Solid> unite(std::span<const Solid> solids, const Monitor& monitor) {
+  return without_exceptions([&]() -> Result<Solid> {
+    detail::Surroundings surroundings(monitor);
+    return ShapeAccess::outer(united(surroundings.context, contents_of(solids)));
+  });
+}
+
+Result<Solid> unite(const Solid& a, const Solid& b, const Monitor& monitor) {
+  return unite(std::array{a, b}, monitor);
+}
+
+Result<Solid> intersect(std::span<const Solid> solids, const Monitor& monitor) {
+  return without_exceptions([&]() -> Result<Solid> {
+    if (solids.empty()) return Error{ErrorCode::wrong_usage, "intersect: expected at least one solid"};
+    detail::Surroundings surroundings(monitor);
+    return ShapeAccess::outer(intersected(surroundings.context, contents_of(solids)));
+  });
+}
+
+Result<Solid> intersect(const Solid& a, const Solid& b, const Monitor& monitor) {
+  return intersect(std::array{a, b}, monitor);
+}
+
+Result<Solid> subtract(const Solid& a, const Solid& b, const Monitor& monitor) {
+  return without_exceptions([&]() -> Result<Solid> {
+    detail::Surroundings surroundings(monitor);
+    return ShapeAccess::outer(without(surroundings.context, ShapeAccess::content(a), ShapeAccess::content(b)));
+  });
+}
+
+Result<Solid> symmetric_difference(const Solid& a, const Solid& b, const Monitor& monitor) {
+  return without_exceptions([&]() -> Result<Solid> {
+    detail::Surroundings surroundings(monitor);
+    return ShapeAccess::outer(in_either(surroundings.context, ShapeAccess::content(a), ShapeAccess::content(b)));
+  });
+}
+
+Result<SplitSolid> split(const Solid& solid, const Vec3& point, const Vec3& normal, const Monitor& monitor) {
+  return without_exceptions([&]() -> Result<SplitSolid> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Plane3d plane, detail::plane_through("split", point, normal));
+    detail::Surroundings surroundings(monitor);
+    ALGEBRA3D_ASSIGN_OR_RETURN(SolidParts parts, split(surroundings.context, ShapeAccess::content(solid), plane.plane));
+    return SplitSolid{ShapeAccess::outer(std::move(parts.in_front)), ShapeAccess::outer(std::move(parts.behind))};
+  });
+}
+
+}  // namespace algebra3d
+
+// NOLINTEND(clang-analyzer-cplusplus.NewDeleteLeaks,clang-analyzer-cplusplus.NewDelete)

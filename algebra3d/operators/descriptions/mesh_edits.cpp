@@ -1,0 +1,258 @@
+// flipEdge, splitEdge, collapseEdge, splitFace, splitVertex, moveVertex.
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/mesh_editor.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/operators/descriptions/detail/sample_values.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/operators/registry/overload.h"
+#include "algebra3d/values/types/mesh3d.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
+#include "base/number_text.h"
+
+namespace algebra3d {
+namespace {
+
+using Outcome3d = Result<Maybe<Mesh3d>>;
+
+Error no_element(const char* name, const char* kind, std::int64_t id, std::size_t count) {
+  return {ErrorCode::invalid_value, "{}: {} {} is none of the {} of the mesh, numbered from 0", name, kind, id, count};
+}
+
+bool is_below(std::int64_t id, std::size_t count) {
+  return id >= 0 && static_cast<std::uint64_t>(id) < count;
+}
+
+Result<VertexId> vertex_of(const char* name, const PolygonMesh& mesh, std::int64_t id) {
+  if (!is_below(id, mesh.vertex_count())) return no_element(name, "vertex", id, mesh.vertex_count());
+  return VertexId(static_cast<std::size_t>(id));
+}
+
+/// The first half-edge of the edge with a number.
+Result<HalfedgeId> edge_of(const char* name, const PolygonMesh& mesh, std::int64_t id) {
+  std::int64_t number = 0;
+  for (const HalfedgeId h : edges(mesh))
+    if (number++ == id) return h;
+  return no_element(name, "edge", id, static_cast<std::size_t>(number));
+}
+
+/// Applies `edit`, which returns a Maybe, to an editor of the mesh. Errors: interrupted.
+template <typename Edit>
+Outcome3d edited(Context& context, const Mesh3d& mesh, const Edit& edit) {
+  Maybe<MeshEditor> editor = MeshEditor::of(mesh.mesh());
+  if (!editor) return Maybe<Mesh3d>(Undefined{editor.reason()});
+  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  if (auto done = edit(*editor); !done) return Maybe<Mesh3d>(Undefined{done.reason()});
+  PolygonMesh result = editor->mesh();
+  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  MeshAttributes attributes = editor->attributes(mesh.attributes(), mesh.mesh(), result);
+  return Maybe<Mesh3d>(Mesh3d(std::move(result), std::move(attributes)));
+}
+
+Outcome3d with_flipped_edge(Context& context, const Mesh3d& mesh, std::int64_t edge) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("flipEdge", mesh.mesh(), edge));
+  return edited(context, mesh, [h](MeshEditor& editor) { return editor.flip_edge(h); });
+}
+
+Outcome3d with_edge_split_at(Context& context, const Mesh3d& mesh, std::int64_t edge, const Point3d& point) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("splitEdge", mesh.mesh(), edge));
+  return edited(context, mesh,
+                [&](MeshEditor& editor) { return Maybe<VertexId>(editor.split_edge(h, point.position)); });
+}
+
+Outcome3d with_split_edge(Context& context, const Mesh3d& mesh, std::int64_t edge, double share) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("splitEdge", mesh.mesh(), edge));
+  if (!(share > 0 && share < 1))
+    return Maybe<Mesh3d>(Undefined{"the share must be greater than 0 and less than 1, got " + real_text(share)});
+  const RationalVec3 from = mesh.mesh().point(mesh.mesh().origin(h)).rational();
+  const RationalVec3 to = mesh.mesh().point(mesh.mesh().target(h)).rational();
+  const Rational t(share);
+  const auto between = [&](std::size_t axis) { return from[axis] + t * (to[axis] - from[axis]); };
+  const ExactPoint point(RationalVec3{between(0), between(1), between(2)});
+  return edited(context, mesh, [&](MeshEditor& editor) { return Maybe<VertexId>(editor.split_edge(h, point, share)); });
+}
+
+Outcome3d with_collapsed_edge(Context& context, const Mesh3d& mesh, std::int64_t edge) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("collapseEdge", mesh.mesh(), edge));
+  return edited(context, mesh, [h](MeshEditor& editor) { return editor.collapse_edge(h); });
+}
+
+Outcome3d with_split_face(Context& context, const Mesh3d& mesh, std::int64_t face, std::int64_t from, std::int64_t to) {
+  if (!is_below(face, mesh.mesh().face_count())) return no_element("splitFace", "face", face, mesh.mesh().face_count());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId first, vertex_of("splitFace", mesh.mesh(), from));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId second, vertex_of("splitFace", mesh.mesh(), to));
+  const FaceId f(static_cast<std::size_t>(face));
+  return edited(context, mesh, [&](MeshEditor& editor) { return editor.split_face(f, first, second); });
+}
+
+Outcome3d with_split_vertex(Context& context, const Mesh3d& mesh, std::int64_t vertex, std::int64_t first,
+                            std::int64_t last, const Point3d& point) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId v, vertex_of("splitVertex", mesh.mesh(), vertex));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId from, vertex_of("splitVertex", mesh.mesh(), first));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId to, vertex_of("splitVertex", mesh.mesh(), last));
+  return edited(context, mesh, [&](MeshEditor& editor) -> Maybe<VertexId> {
+    const HalfedgeId begin = editor.find(v, from), end = editor.find(v, to);
+    for (const auto& [h, neighbour] : {std::pair(begin, from), std::pair(end, to)})
+      if (!h.is_valid())
+        return Undefined{fmt::format("no edge joins vertices {} and {}", v.index(), neighbour.index())};
+    return editor.split_vertex(v, begin, end, point.position);
+  });
+}
+
+Outcome3d with_moved_vertex(Context& /*context*/, const Mesh3d& mesh, std::int64_t vertex, const Point3d& point) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId v, vertex_of("moveVertex", mesh.mesh(), vertex));
+  PointArray points;
+  points.reserve(mesh.mesh().vertex_count());
+  points.append(mesh.mesh().points(), 0, v.index());
+  points.push_back(point.position);
+  points.append(mesh.mesh().points(), v.index() + 1, mesh.mesh().vertex_count() - v.index() - 1);
+  PolygonMesh moved(std::move(points), mesh.mesh().layout(), mesh.mesh().origins());
+  return Maybe<Mesh3d>(Mesh3d(std::move(moved), mesh.attributes()));
+}
+
+const std::string kHalvedSquare = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2) (0 2 3))))";
+const std::string kSquareFace = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2 3))))";
+const std::string kUnitTetrahedron = "(mesh3d (((0 0 0) (1 0 0) (0 1 0) (0 0 1)) ((0 2 1) (0 1 3) (1 2 3) (2 0 3))))";
+const std::string kThreeTriangles = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0) (1 2 0)) ((0 1 2) (0 2 3) (3 2 4))))";
+/// The common part of the descriptions of edits that keep the topology.
+const std::string kCommonDetail =
+    "The mesh must be a manifold, boundary allowed; otherwise, and where the edit would not leave one, the result is "
+    "undefined, with the reason. Coordinates are exact and do not matter. Edges are numbered from 0 by their first "
+    "half-edges, as edges lists them. Attributes are kept. ";
+
+void register_edge_edits(Registry& registry) {
+  registry.add({
+      .name = "flipEdge",
+      .syntax = "flipEdge(_, _)",
+      .doc = "The mesh with one edge turned, so that it joins the next corners of the two faces beside it.",
+      .detail =
+          kCommonDetail +
+          "Of two triangles it becomes the other diagonal. Vertices and faces keep their numbers. Refused at the "
+          "boundary, where an edge joins those corners already, and where a vertex would be left with one edge. At "
+          "its new corner a face has the values of the other face there.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&with_flipped_edge>("mesh", "edge")},
+      .examples = {{{kHalvedSquare, "2"},
+                    "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0)) ((3 1 2) (1 3 0)))"},
+                   {{kHalvedSquare, "0"}, "undefined"},
+                   {{kUnitTetrahedron, "0"}, "undefined"},
+                   {{kUndefinedMesh, "0"}, "undefined"}},
+      .errors = {{{kHalvedSquare, "5"}, "flipEdge: edge 5 is none of the 5 of the mesh, numbered from 0"},
+                 {{"1", "0"}, "flipEdge: expected (mesh3d int)"}},
+  });
+  registry.add({
+      .name = "splitEdge",
+      .syntax = "splitEdge(_, _, _)",
+      .doc = "The mesh with a new vertex in an edge: at a share of the way along it, or at a point.",
+      .detail =
+          kCommonDetail +
+          "Triangles along the edge are divided, faces of more corners get one more. The new vertex is the last "
+          "one, and new faces come last. A share counts from the origin of the edge's first half-edge and must "
+          "be between 0 and 1; the point is exact. A point need not be on the edge. Both parts of the edge and of a "
+          "face have its values. The values of the vertex and of its corners are between those at the ends, "
+          "numbers by the share of the way (of the nearest place on the edge for a point), texts only if they "
+          "agree.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&with_split_edge>("mesh", "edge", "share"),
+                    overload<&with_edge_split_at>("mesh", "edge", "point")},
+      .examples = {{{kSquareFace, "0", "0.5"},
+                    "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0) (0.5 0.0 0.0)) ((0 4 1 2 3)))"},
+                   {{kSquareFace, "0", "1.0"}, "undefined"},
+                   {{kUndefinedMesh, "0", "0.5"}, "undefined"},
+                   {{kUndefinedMesh, "0", kOrigin}, "undefined"}},
+      .errors = {{{kSquareFace, "-1", "0.5"}, "splitEdge: edge -1 is none of the 4 of the mesh, numbered from 0"},
+                 {{kSquareFace, "4", kOrigin}, "splitEdge: edge 4 is none of the 4 of the mesh, numbered from 0"},
+                 {{"1", "0", "0.5"}, "splitEdge: expected (mesh3d int real) or (mesh3d int point3d)"}},
+  });
+  registry.add({
+      .name = "collapseEdge",
+      .syntax = "collapseEdge(_, _)",
+      .doc = "The mesh with the two ends of an edge merged into the first one, which stays where it is.",
+      .detail =
+          kCommonDetail +
+          "The origin of the edge's first half-edge stays; triangles along the edge vanish. Vertices and faces "
+          "after those that are gone move down in number. Refused unless the link condition holds: the ends have "
+          "no common neighbours but the third corners of triangles along the edge, and an edge inside does not "
+          "join boundary to boundary. Corners that change to the vertex that stays take its values in their chart, "
+          "that is, on their side of all edges where the values of corners differ.",
+      .exactness = Exactness::exact,
+      .sources = {"dey1999"},
+      .overloads = {overload<&with_collapsed_edge>("mesh", "edge")},
+      .examples = {{{kThreeTriangles, "4"},
+                    "(((1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0) (1.0 2.0 0.0)) ((2 0 1) (2 1 3)))"},
+                   {{kHalvedSquare, "2"}, "undefined"},
+                   {{kUnitTetrahedron, "0"}, "undefined"},
+                   {{kUndefinedMesh, "0"}, "undefined"}},
+      .errors = {{{kUnitTetrahedron, "6"}, "collapseEdge: edge 6 is none of the 6 of the mesh, numbered from 0"},
+                 {{"1", "0"}, "collapseEdge: expected (mesh3d int)"}},
+  });
+}
+
+void register_other_edits(Registry& registry) {
+  registry.add({
+      .name = "splitFace",
+      .syntax = "splitFace(_, _, _, _)",
+      .doc = "The mesh with two corners of a face joined by an edge.",
+      .detail = kCommonDetail +
+                "The part from the first corner to the second, in the order of the face, keeps the number; the other "
+                "one is the last face; both have its values. Refused where the corners are neighbours, or joined by an "
+                "edge elsewhere.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&with_split_face>("mesh", "face", "first", "second")},
+      .examples = {{{kSquareFace, "0", "0", "2"},
+                    "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0)) ((0 1 2) (2 3 0)))"},
+                   {{kSquareFace, "0", "0", "1"}, "undefined"},
+                   {{kUndefinedMesh, "0", "0", "2"}, "undefined"}},
+      .errors = {{{kSquareFace, "1", "0", "2"}, "splitFace: face 1 is none of the 1 of the mesh, numbered from 0"},
+                 {{kSquareFace, "0", "4", "2"}, "splitFace: vertex 4 is none of the 4 of the mesh, numbered from 0"},
+                 {{"1", "0", "0", "2"}, "splitFace: expected (mesh3d int int int)"}},
+  });
+  registry.add({
+      .name = "splitVertex",
+      .syntax = "splitVertex(_, _, _, _, _)",
+      .doc = "The mesh with a vertex divided in two that an edge joins; the new one is at a point.",
+      .detail =
+          kCommonDetail +
+          "Counter-clockwise about the vertex, the edges from the one to the first neighbour up to the one to "
+          "the second, without it, move to the new vertex, which is the last one. Faces keep their numbers; two "
+          "get a corner more. The new vertex and its corners have the values of the vertex. Refused unless both are "
+          "neighbours, and two.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&with_split_vertex>("mesh", "vertex", "first", "second", "point")},
+      .examples = {{{kHalvedSquare, "2", "3", "0", "(makePoint3D 0.5 1 0)"},
+                    "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0) (0.5 1.0 0.0)) ((0 1 2) (0 2 4 3)))"},
+                   {{kHalvedSquare, "1", "3", "0", kOrigin}, "undefined"},
+                   {{kUndefinedMesh, "0", "1", "2", kOrigin}, "undefined"}},
+      .errors = {{{kHalvedSquare, "4", "3", "0", kOrigin},
+                  "splitVertex: vertex 4 is none of the 4 of the mesh, numbered from 0"},
+                 {{"1", "0", "0", "2", kOrigin}, "splitVertex: expected (mesh3d int int int point3d)"}},
+  });
+  registry.add({
+      .name = "moveVertex",
+      .syntax = "moveVertex(_, _, _)",
+      .doc = "The mesh with one vertex at another point.",
+      .detail = "Works on every mesh. Nothing else changes; faces of four or more corners may "
+                "become bent.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&with_moved_vertex>("mesh", "vertex", "point")},
+      .examples = {{{kSquareFace, "1", "(makePoint3D 2 0 0)"},
+                    "(((0.0 0.0 0.0) (2.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0)) ((0 1 2 3)))"},
+                   {{kUndefinedMesh, "1", kOrigin}, "undefined"}},
+      .errors = {{{kSquareFace, "7", kOrigin}, "moveVertex: vertex 7 is none of the 4 of the mesh, numbered from 0"},
+                 {{"1", "0", kOrigin}, "moveVertex: expected (mesh3d int point3d)"}},
+  });
+}
+
+}  // namespace
+
+void register_mesh_edits(Registry& registry) {
+  register_edge_edits(registry);
+  register_other_edits(registry);
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,243 @@
+// The nine adjacency relations between vertices, edges and faces as tables: oneRing, vertexEdges, vertexFaces,
+// edgeVertices, edgeEdges, edgeFaces, faceVertices, faceEdges, faceFaces.
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/kernel/halfedge/adjacency.h"
+#include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/operators/descriptions/detail/mesh_overloads.h"
+#include "algebra3d/operators/descriptions/detail/mesh_rows.h"
+#include "algebra3d/operators/descriptions/detail/sample_values.h"
+#include "algebra3d/operators/registry/operator.h"
+
+namespace algebra3d {
+namespace {
+
+using detail::kFlatSquare;
+using detail::kFoldedSurface;
+using detail::kThreeAtAnEdge;
+using detail::Number;
+
+// ---- make(element) for the element with a number
+
+template <typename T, typename Make>
+auto of_vertex(const T& value, Number number, Make make) -> Maybe<decltype(make(VertexId()))> {
+  const Maybe<VertexId> v = detail::element<VertexId>("vertex", number, value.mesh().vertex_count());
+  if (!v) return Undefined{v.reason()};
+  return make(*v);
+}
+/// The edge is given to `make` by its first half-edge.
+template <typename T, typename Make>
+auto of_edge(const T& value, Number number, Make make) -> Maybe<decltype(make(HalfedgeId()))> {
+  const EdgeNumbers& numbers = detail::edge_numbers_of(value);
+  const Maybe<EdgeId> edge = detail::element<EdgeId>("edge", number, numbers.count());
+  if (!edge) return Undefined{edge.reason()};
+  return make(numbers.first_halfedge(*edge));
+}
+template <typename T, typename Make>
+auto of_face(const T& value, Number number, Make make) -> Maybe<decltype(make(FaceId()))> {
+  const Maybe<FaceId> f = detail::element<FaceId>("face", number, value.mesh().face_count());
+  if (!f) return Undefined{f.reason()};
+  return make(*f);
+}
+
+// ---- the relations
+
+template <typename T>
+Maybe<detail::VertexRows> vertex_vertices(const T& value, const Number& vertex) {
+  return of_vertex(value, vertex,
+                   [&](VertexId v) { return detail::vertex_rows(value, vertices_beside(value.mesh(), v)); });
+}
+template <typename T>
+Maybe<detail::EdgeRows> vertex_edges(const T& value, const Number& vertex) {
+  return of_vertex(value, vertex, [&](VertexId v) { return detail::edge_rows(value, edges_at(value.mesh(), v)); });
+}
+template <typename T>
+Maybe<detail::FaceRows> vertex_faces(const T& value, const Number& vertex) {
+  return of_vertex(value, vertex, [&](VertexId v) { return detail::face_rows(value, faces_at(value.mesh(), v)); });
+}
+
+template <typename T>
+Maybe<detail::VertexRows> edge_vertices(const T& value, const Number& edge) {
+  return of_edge(value, edge,
+                 [&](HalfedgeId h) { return detail::vertex_rows(value, vertices_of_edge(value.mesh(), h)); });
+}
+template <typename T>
+Maybe<detail::EdgeRows> edge_edges(const T& value, const Number& edge) {
+  return of_edge(value, edge, [&](HalfedgeId h) { return detail::edge_rows(value, edges_beside(value.mesh(), h)); });
+}
+template <typename T>
+Maybe<detail::FaceRows> edge_faces(const T& value, const Number& edge) {
+  return of_edge(value, edge, [&](HalfedgeId h) { return detail::face_rows(value, faces_along(value.mesh(), h)); });
+}
+
+template <typename T>
+Maybe<detail::VertexRows> face_vertices(const T& value, const Number& face) {
+  return of_face(value, face, [&](FaceId f) { return detail::vertex_rows(value, vertices_of_face(value.mesh(), f)); });
+}
+template <typename T>
+Maybe<detail::EdgeRows> face_edges(const T& value, const Number& face) {
+  return of_face(value, face, [&](FaceId f) { return detail::edge_rows(value, edges_of_face(value.mesh(), f)); });
+}
+template <typename T>
+Maybe<detail::FaceRows> face_faces(const T& value, const Number& face) {
+  return of_face(value, face, [&](FaceId f) { return detail::face_rows(value, faces_beside(value.mesh(), f)); });
+}
+
+// ---- descriptions
+
+template <auto OfSurface, auto OfSolid, auto OfMesh>
+std::vector<Overload> giving_vertices(std::string_view parameter) {
+  return detail::mesh_tables<OfSurface, OfSolid, OfMesh>(
+      {"Id", "Position", "Valence", "Normal", "Boundary", "Manifold"}, parameter);
+}
+template <auto OfSurface, auto OfSolid, auto OfMesh>
+std::vector<Overload> giving_edges(std::string_view parameter) {
+  return detail::mesh_tables<OfSurface, OfSolid, OfMesh>(
+      {"Id", "Start", "End", "Left", "Right", "Length", "Angle", "Boundary", "Manifold", "FaceCount"}, parameter);
+}
+template <auto OfSurface, auto OfSolid, auto OfMesh>
+std::vector<Overload> giving_faces(std::string_view parameter) {
+  return detail::mesh_tables<OfSurface, OfSolid, OfMesh>({"Id", "Degree", "Area", "Normal", "Centroid"}, parameter);
+}
+
+const std::string kVertexColumns =
+    " (Id: int, Position: point3d, Valence: int, Normal: vector3d, Boundary: bool, Manifold: bool).";
+const std::string kEdgeColumns =
+    " (Id: int, Start: int, End: int, Left: int, Right: int, Length: real, Angle: real, Boundary: bool, Manifold: "
+    "bool, FaceCount: int).";
+const std::string kFaceColumns = " (Id: int, Degree: int, Area: real, Normal: vector3d, Centroid: point3d).";
+const std::string kOnce =
+    " Each once, also where edges are not manifold. No rows, with a note, if there is no element of this number.";
+
+/// The parts in which the descriptions of the relations differ.
+struct Relation {
+  std::string name, doc, columns_from, detail;
+  std::vector<Overload> overloads;
+  std::vector<Example> examples;
+};
+
+void add(Registry& registry, Relation relation) {
+  const bool gives_vertices = relation.columns_from == "vertices",
+             gives_faces = relation.columns_from.starts_with("faces");
+  registry.add({
+      .name = relation.name,
+      .syntax = relation.name + "(_, _)",
+      .doc = relation.doc + (gives_vertices ? kVertexColumns
+                             : gives_faces  ? kFaceColumns
+                                            : kEdgeColumns),
+      .detail = "The columns are those of " + relation.columns_from + ". " + relation.detail + kOnce,
+      .exactness = gives_faces ? Exactness::rounded_once : Exactness::bounded,
+      .overloads = std::move(relation.overloads),
+      .examples = std::move(relation.examples),
+      .errors = {{{kUnitCube}, relation.name + ": expected (surface3d int), (volume3d int) or (mesh3d int)"}},
+  });
+}
+
+void register_of_vertices(Registry& registry) {
+  add(registry,
+      {"oneRing",
+       "The one-ring of a vertex: the other ends of its edges",
+       "vertices",
+       "Counter-clockwise, fan by fan.",
+       giving_vertices<&vertex_vertices<Surface3d>, &vertex_vertices<Volume3d>, &vertex_vertices<Mesh3d>>("vertex"),
+       {{{kFlatSquare, "0"},
+         "((1 (2.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) (3 (0.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE))"},
+        {{kThreeAtAnEdge, "0"}, "4", "(count _)"},
+        {{kFlatSquare, "4"}, "()"},
+        {{kUndefinedSolid, "0"}, "()"}}});
+  add(registry, {"vertexEdges",
+                 "The edges at a vertex",
+                 "edges",
+                 "Counter-clockwise, fan by fan.",
+                 giving_edges<&vertex_edges<Surface3d>, &vertex_edges<Volume3d>, &vertex_edges<Mesh3d>>("vertex"),
+                 {{{kFlatSquare, "0"},
+                   "((0 0 1 0 undefined 2.0 undefined TRUE FALSE 1) (3 3 0 0 undefined 2.0 undefined TRUE FALSE 1))"},
+                  {{kThreeAtAnEdge, "0"}, "4", "(count _)"},
+                  {{kFlatSquare, "-1"}, "()"},
+                  {{kUndefinedMesh, "0"}, "()"}}});
+  add(registry, {"vertexFaces",
+                 "The faces at a vertex",
+                 "faces, without Component",
+                 "Counter-clockwise, fan by fan.",
+                 giving_faces<&vertex_faces<Surface3d>, &vertex_faces<Volume3d>, &vertex_faces<Mesh3d>>("vertex"),
+                 {{{kFoldedSurface, "1"}, "((0 3 2.0 (0.0 0.0 1.0) (0.6666666666666666 0.6666666666666666 0.0)))"},
+                  {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
+                  {{kFoldedSurface, "9"}, "()"},
+                  {{kUndefinedMesh, "0"}, "()"}}});
+}
+
+void register_of_edges(Registry& registry) {
+  add(registry, {"edgeVertices",
+                 "The ends of an edge",
+                 "vertices",
+                 "Start, then End.",
+                 giving_vertices<&edge_vertices<Surface3d>, &edge_vertices<Volume3d>, &edge_vertices<Mesh3d>>("edge"),
+                 {{{kFlatSquare, "3"},
+                   "((3 (0.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) (0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE))"},
+                  {{kFlatSquare, "4"}, "()"},
+                  {{kUndefinedMesh, "0"}, "()"}}});
+  add(registry, {"edgeEdges",
+                 "The edges that share an end with an edge",
+                 "edges",
+                 "First those at Start, then those at End.",
+                 giving_edges<&edge_edges<Surface3d>, &edge_edges<Volume3d>, &edge_edges<Mesh3d>>("edge"),
+                 {{{kFlatSquare, "0"},
+                   "((3 3 0 0 undefined 2.0 undefined TRUE FALSE 1) (1 1 2 0 undefined 2.0 undefined TRUE FALSE 1))"},
+                  {{kThreeAtAnEdge, "0"}, "6", "(count _)"},
+                  {{kFlatSquare, "4"}, "()"},
+                  {{kUndefinedMesh, "0"}, "()"}}});
+  add(registry, {"edgeFaces",
+                 "The faces along an edge",
+                 "faces, without Component",
+                 "In order of their numbers.",
+                 giving_faces<&edge_faces<Surface3d>, &edge_faces<Volume3d>, &edge_faces<Mesh3d>>("edge"),
+                 {{{kFlatSquare, "2"}, "((0 4 4.0 (0.0 0.0 1.0) (1.0 1.0 0.0)))"},
+                  {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
+                  {{kFlatSquare, "4"}, "()"},
+                  {{kUndefinedMesh, "0"}, "()"}}});
+}
+
+void register_of_faces(Registry& registry) {
+  add(registry, {"faceVertices",
+                 "The corners of a face",
+                 "vertices",
+                 "In order, from the first.",
+                 giving_vertices<&face_vertices<Surface3d>, &face_vertices<Volume3d>, &face_vertices<Mesh3d>>("face"),
+                 {{{"(surface3d (((0 0 0) (3 0 0) (0 3 0))))", "0"},
+                   "((0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) (1 (3.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) "
+                   "(2 (0.0 3.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE))"},
+                  {{kFlatSquare, "1"}, "()"},
+                  {{kUndefinedMesh, "0"}, "()"}}});
+  add(registry, {"faceEdges",
+                 "The edges of a face",
+                 "edges",
+                 "In order, from the first corner.",
+                 giving_edges<&face_edges<Surface3d>, &face_edges<Volume3d>, &face_edges<Mesh3d>>("face"),
+                 {{{kFlatSquare, "0"}, "4", "(count _)"},
+                  {{kUnitCube, "11"}, "3", "(count _)"},
+                  {{kUnitCube, "12"}, "()"},
+                  {{kUndefinedMesh, "0"}, "()"}}});
+  add(registry, {"faceFaces",
+                 "The faces that share an edge with a face",
+                 "faces, without Component",
+                 "Edge by edge, from the first corner.",
+                 giving_faces<&face_faces<Surface3d>, &face_faces<Volume3d>, &face_faces<Mesh3d>>("face"),
+                 {{{kFoldedSurface, "0"}, "((1 3 2.0 (1.0 0.0 0.0) (0.0 0.6666666666666666 0.6666666666666666)))"},
+                  {{kThreeAtAnEdge, "1"}, "2", "(count _)"},
+                  {{kFlatSquare, "1"}, "()"},
+                  {{kUndefinedMesh, "0"}, "()"}}});
+}
+
+}  // namespace
+
+void register_mesh_neighbours(Registry& registry) {
+  register_of_vertices(registry);
+  register_of_edges(registry);
+  register_of_faces(registry);
+}
+
+}  // namespace algebra3d

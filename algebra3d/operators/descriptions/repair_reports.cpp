@@ -1,0 +1,135 @@
+// repairReport: what was found in a mesh file, and what was changed, as rows.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/kernel/repair/amount.h"
+#include "algebra3d/kernel/repair/repair_report.h"
+#include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/operators/registry/overload.h"
+#include "algebra3d/operators/registry/rows.h"
+#include "algebra3d/values/conversions/import_solid.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
+#include "base/diagnostics.h"
+#include "base/mesh_content.h"
+
+namespace algebra3d {
+namespace {
+
+/// Phase, What, Count, Where, Amount.
+using ReportRows =
+    Rows<std::string, std::string, std::optional<std::int64_t>, std::optional<Point3d>, std::optional<double>>;
+using ReportRow = ReportRows::Cells;
+
+std::int64_t as_int(std::uint64_t count) {
+  return static_cast<std::int64_t>(count);
+}
+
+std::optional<double> in_doubles(const std::optional<Amount>& amount) {
+  return amount ? amount->in_doubles() : std::nullopt;
+}
+
+std::optional<double> finite(double length) {
+  return std::isfinite(length) ? std::optional(length) : std::nullopt;
+}
+
+void add_amounts(std::vector<ReportRow>& rows, const RepairAmounts& amounts, double size) {
+  const auto place = [&](const SurfaceAmount& amount) -> std::optional<Point3d> {
+    if (amount.triangle_count == 0) return {};
+    return Point3d{short_place(amount.where, size)};
+  };
+  rows.push_back({"area", "seen", {}, {}, amounts.area_seen.in_doubles()});
+  for (const auto& [name, amount] : {std::pair("left out", amounts.left_out), std::pair("added", amounts.added)})
+    rows.push_back({"area", name, as_int(amount.triangle_count), {}, amount.area.in_doubles()});
+  for (const auto& [name, amount] : {std::pair("left out", amounts.left_out), std::pair("added", amounts.added)})
+    rows.push_back({"distance", name, {}, place(amount), finite(amount.distance)});
+}
+
+void add_wrong_count(std::vector<ReportRow>& rows, const mesh_formats::WrongCount& wrong) {
+  const auto add = [&](const char* name, std::uint64_t count) {
+    rows.push_back({"file", name, as_int(count), {}, {}});
+  };
+  if (wrong.missing_ends > 0) return add("solids without an end", wrong.missing_ends);
+  add("announced triangles", wrong.announced);
+  add("triangles by size", wrong.by_size);
+  if (wrong.trailing_bytes > 0) add("trailing bytes", wrong.trailing_bytes);
+}
+
+std::vector<ReportRow> rows_of(const ImportedSolid& imported) {
+  std::vector<ReportRow> rows;
+  if (const auto& wrong = imported.wrong_count) {
+    add_wrong_count(rows, *wrong);
+  }
+  const double size = imported.found.size;
+  std::optional<Defect> previous;
+  for (const DefectExample& example : imported.found.validity.examples) {
+    if (example.kind == previous) continue;
+    previous = example.kind;
+    rows.push_back({"found",
+                    std::string(name_of(example.kind)),
+                    as_int(imported.found.validity.count(example.kind)),
+                    Point3d{short_place(example.where, size)},
+                    {}});
+  }
+  if (!imported.repair) return rows;
+  for (const RepairEntry& entry : imported.repair->entries)
+    rows.push_back({"changed", std::string(name_of(entry.step)), as_int(entry.count),
+                    Point3d{short_place(entry.where, size)}, finite(entry.largest)});
+  if (imported.repair->amounts) add_amounts(rows, *imported.repair->amounts, size);
+  rows.push_back({"volume", "before", {}, {}, in_doubles(imported.repair->volume_before)});
+  if (imported.solid) rows.push_back({"volume", "after", {}, {}, in_doubles(imported.repair->volume_after)});
+  return rows;
+}
+
+/// The reader's messages name the file; those about the solid do not.
+std::string reason_with_file(const ImportedSolid& imported, const std::string& name,
+                             const std::filesystem::path& path) {
+  return imported.status.starts_with(path.string()) ? imported.status : name + ": " + imported.status;
+}
+
+Result<ReportRows> report(Context& context, const Text& file, const Text& words) {
+  const Result<RepairOptions> options = parse_repair_options(words.content);
+  if (!options) return Error{options.error().code, "repairReport: {}", options.error().message};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file.content));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ImportedSolid imported, import_solid(path, nullptr, *options, context.monitor()));
+  if (!imported.solid)
+    context.diagnostics.report("repairReport: " + reason_with_file(imported, file.content, path), {},
+                               Diagnostics::About::unreadable);
+  return ReportRows(rows_of(imported));
+}
+
+Result<ReportRows> report_without_options(Context& context, const Text& file) {
+  return report(context, file, {});
+}
+
+}  // namespace
+
+void register_repair_reports(Registry& registry) {
+  registry.add({
+      .name = "repairReport",
+      .syntax = "repairReport(_ ...)",
+      .doc = "The report of an import of an STL, OBJ or OFF file: its defects and changes, one row per kind.",
+      .detail =
+          "Rows (Phase, What, Count, Where, Amount): `file`: the two counts of a binary STL file whose header "
+          "contradicts its size; `found`: the defects of the given triangles; `changed`: the steps of the repair in "
+          "order, with the largest distance by which they moved or added anything; `area`: the area of the "
+          "triangles, the part outside the solid, and the area added; `distance`: the largest distances of these "
+          "from the solid and from the triangles; `volume`: before, if the triangles were closed, and after. Where "
+          "is the place of the first defect or change. No rows for a valid solid; none, with a diagnostic, for a "
+          "file that cannot be read. Options as for importSTL.",
+      .is_pure = false,
+      .reads_files = true,
+      .overloads = {table<&report_without_options>({"Phase", "What", "Count", "Where", "Amount"}, "file"),
+                    table<&report>({"Phase", "What", "Count", "Where", "Amount"}, "file", "options")},
+      .examples = {{{"(text undefined)"}, "0", "(count _)"}, {{"'no such file.stl'"}, "0", "(count _)"}},
+      .errors = {{{"5"}, "repairReport: expected (text) or (text text), got (int)"}},
+  });
+}
+
+}  // namespace algebra3d

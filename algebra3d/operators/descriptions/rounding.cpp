@@ -1,0 +1,195 @@
+// roundCoordinates, rotateRounded.
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "algebra3d/kernel/rounding/coordinate_grid.h"
+#include "algebra3d/kernel/rounding/rounded_image.h"
+#include "algebra3d/kernel/rounding/rounded_solid.h"
+#include "algebra3d/kernel/rounding/rounded_surface.h"
+#include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/operators/descriptions/detail/sample_values.h"
+#include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/operators/registry/overload.h"
+#include "algebra3d/values/constructions/value_images.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
+#include "base/number_text.h"
+
+namespace algebra3d {
+namespace {
+
+constexpr const char* kRotateRounded = "rotateRounded";
+
+std::string nothing_left(const RoundedSolid& /*rounded*/) {
+  return "nothing is left: no cube of the grid was found within it";
+}
+std::string nothing_left(const RoundedSurface& /*rounded*/) {
+  return "nothing is left: all of its triangles are thinner than the grid";
+}
+
+/// The text of the note on a rounding: how far it moved what, by which method, and what vanished.
+template <typename Rounded>
+std::string rounding_note(const Rounded& rounded, std::size_t vertex_count) {
+  if (rounded.mesh->is_empty()) return nothing_left(rounded);
+  std::string text =
+      fmt::format("{} of {} vertices moved, and what is left of the boundary by at most {}; method: {}",
+                  rounded.moved_vertices, vertex_count, real_text(rounded.largest_movement), name_of(rounded.method));
+  if (rounded.method == RoundingMethod::coarser_grid)
+    text += fmt::format(", where features up to {} apart became one", real_text(rounded.reach));
+  else if (rounded.reach > 0)
+    text += fmt::format(" that were up to {} apart", real_text(rounded.reach));
+  if (rounded.contact_vertices > 0)
+    text += fmt::format(
+        "; {} inside edges or faces of others",
+        rounded.contact_vertices == 1 ? "1 vertex lies" : fmt::format("{} vertices lie", rounded.contact_vertices));
+  return text;
+}
+
+std::string shells_note(const RoundedSolid& rounded) {
+  if (rounded.mesh->is_empty() || rounded.shells_after >= rounded.shells_before) return {};
+  return "; " + shells_text(rounded);
+}
+
+/// The value of a rounding by the operator, of which a diagnostic tells.
+Volume3d reported(Context& context, RoundedSolid rounded, std::size_t vertex_count, const char* name) {
+  const std::string note = rounding_note(rounded, vertex_count) + shells_note(rounded);
+  context.diagnostics.report(fmt::format("{}: {}", name, note));
+  return Volume3d::trusted(*std::move(rounded.mesh));
+}
+
+Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, const CoordinateGrid& grid,
+                                   const char* name = "roundCoordinates") {
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.monitor()));
+  if (!rounded.mesh) return Maybe<Volume3d>(Undefined{std::move(rounded.reason)});
+  if (rounded.moved_vertices == 0) return Maybe<Volume3d>(solid);
+  return Maybe<Volume3d>(reported(context, std::move(rounded), solid.mesh().vertex_count(), name));
+}
+
+Result<Maybe<Surface3d>> rounded_to(Context& context, const Surface3d& surface, const CoordinateGrid& grid) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSurface rounded, rounded_surface(surface.mesh(), grid, context.monitor()));
+  if (!rounded.mesh) return Maybe<Surface3d>(Undefined{std::move(rounded.reason)});
+  if (rounded.moved_vertices == 0) return Maybe<Surface3d>(surface);
+  context.diagnostics.report("roundCoordinates: " + rounding_note(rounded, surface.mesh().vertex_count()));
+  return Maybe<Surface3d>(Surface3d::trusted(*std::move(rounded.mesh)));
+}
+
+template <typename T>
+Result<Maybe<T>> rounded_to_doubles(Context& context, const T& geometry) {
+  return rounded_to(context, geometry, CoordinateGrid::doubles());
+}
+
+template <typename T>
+Result<Maybe<T>> rounded_to_multiples(Context& context, const T& geometry, double step) {
+  if (!(step > 0) || !std::isfinite(step))
+    return Maybe<T>(Undefined{fmt::format("the grid must be greater than 0, found {}", real_text(step))});
+  return rounded_to(context, geometry, CoordinateGrid::multiples(step));
+}
+
+template <typename T>
+Result<Maybe<T>> rounded_to_numbers(Context& context, const T& geometry, const std::string& numbers) {
+  if (numbers == "doubles") return rounded_to(context, geometry, CoordinateGrid::doubles());
+  if (numbers == "floats") return rounded_to(context, geometry, CoordinateGrid::floats());
+  return Maybe<T>(Undefined{fmt::format(R"(expected "doubles" or "floats", found "{}")", numbers)});
+}
+
+/// The rotated solid, rounded by the cheapest way that gives a valid one. Doubles: each coordinate of the image is
+/// rounded. Fractions: the rounded image is simplified (rounded_image.h). An exact image is made and rounded if that is
+/// not valid, and at once for fractions under a map that has none, such as a quarter turn: it moves few vertices.
+Result<Maybe<Volume3d>> rotated_and_rounded(Context& context, const Volume3d& solid, const Point3d& centre,
+                                            const Vector3d& axis, double angle_degrees) {
+  const auto map = AffineMap::rotation(centre.position.rational(), axis.components.rational(), angle_degrees);
+  if (!map) return Maybe<Volume3d>(Undefined{"the axis is the zero vector"});
+  if (solid.mesh().points().exact_count() == 0) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(auto rounded, rounded_image_of(context, *map, solid));
+    if (!rounded) return Maybe<Volume3d>(Undefined{rounded.reason()});
+    if (*rounded) return Maybe<Volume3d>(**std::move(rounded));
+  } else if (!map->has_dyadic_matrix()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<RoundedSolid> rounded, rounded_image(*map, solid.mesh(), context.cancel));
+    if (rounded)
+      return Maybe<Volume3d>(reported(context, *std::move(rounded), solid.mesh().vertex_count(), kRotateRounded));
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto exact, exact_image_of(context, *map, solid));
+  if (!exact) return Maybe<Volume3d>(Undefined{exact.reason()});
+  return rounded_to(context, *exact, CoordinateGrid::doubles(), kRotateRounded);
+}
+
+}  // namespace
+
+void register_rounding(Registry& registry) {
+  registry.add({
+      .name = "roundCoordinates",
+      .syntax = "roundCoordinates(_ ...)",
+      .doc = "The surface or solid with all coordinates rounded to doubles, to floats, or to the doubles nearest to "
+             "multiples of a grid width.",
+      .detail =
+          "A string names the numbers: doubles, which are also taken without it, or floats. A diagnostic gives the "
+          "number of moved vertices, the largest distance by which the boundary moved, and the method. The distance "
+          "is one-sided: no point of the result is farther from the given boundary. It says nothing of what vanished: "
+          "walls and fins thinner than the grid go, and slots narrower than it close, however long they are "
+          "(hausdorffDistance tells both sides). The result is always a valid surface or solid. The first of these "
+          "methods that gives one is taken: vertices moved; edges led round vertices; divided where triangles crossed "
+          "(where a grid width is given); features joined, that is, vertices and edges of crossing triangles that are "
+          "nearly one; facets made coplanar; faces of a solid thickened by prisms on a coarser grid; rounded to a "
+          "coarser grid; cover of cubes (faces of cubes for a surface), which cannot fail. If joined features or "
+          "coplanar facets move by more than 64 spacings of the numbers, faces are thickened, too, and the nearer "
+          "result is taken. From thickened faces on they are needed only where shells a few numbers thick are "
+          "combined with copies of themselves again and again. No distance is promised there: of 212 random chains of "
+          "such steps 3 moved by more than 64 spacings, by 169, 184 and 526, and symmetric differences by 68,714. "
+          "Vertices that lie inside edges or faces of others are "
+          "counted. A solid vanishes altogether only if no cube of the grid is found within it; slanted ones may be "
+          "thicker than the grid and have none, up to 3.5 times. A value whose coordinates are on the grid is "
+          "unchanged. Of a solid only the facets with corners that move are changed and proved again, so the cost "
+          "follows the length of the seams. Corners of a solid that rounding made superfluous are removed, but not "
+          "where the numbers are farther apart than 1/256 of the longest side of its box: there triangles multiply in "
+          "a long chain of rounded set operations. Undefined if a coordinate would be out of range, and for other "
+          "strings.",
+      .exactness = Exactness::reported,
+      .frame_use = FrameUse::coordinates,
+      .overloads = {overload<&rounded_to_doubles<Volume3d>>("solid"),
+                    overload<&rounded_to_multiples<Volume3d>>("solid", "grid"),
+                    overload<&rounded_to_numbers<Volume3d>>("solid", "numbers"),
+                    overload<&rounded_to_doubles<Surface3d>>("surface"),
+                    overload<&rounded_to_multiples<Surface3d>>("surface", "grid"),
+                    overload<&rounded_to_numbers<Surface3d>>("surface", "numbers")},
+      .examples = {{{kUnitCube}, "1.0", "(volume _)"},
+                   {{kUnitCube, "0.75"}, "0.421875", "(volume _)"},
+                   {{kUnitCube, "3.0"}, "TRUE", "(isEmpty _)"},
+                   {{"(surface3d (((0 0 0) (1 0 0) (0 1 0.4))))", "1.0"}, "0.5", "(area _)"},
+                   {{"(surface3d (((0 0 0) (1 0 0) (0 0.1 0))))", R"("floats")"},
+                    "0.10000000149011612",
+                    "(* 2.0 (area _))"},
+                   {{kUnitCube, R"("doubles")"}, "1.0", "(volume _)"},
+                   {{kUnitCube, R"("integers")"}, "undefined"},
+                   {{kUnitCube, "0.0"}, "undefined"},
+                   {{"(volume3d undefined)"}, "undefined"}},
+      .errors = {{{"1"},
+                  "roundCoordinates: expected (volume3d), (volume3d real), (volume3d string), (surface3d), (surface3d "
+                  "real) or "
+                  "(surface3d string), got (int)"}},
+  });
+  registry.add({
+      .name = "rotateRounded",
+      .syntax = "_ rotateRounded[_, _, _]",
+      .doc = "rotate and roundCoordinates in one step: the rotated solid, with doubles as coordinates.",
+      .detail =
+          "rotate keeps fractions where the solid has some and the map is exact, and where rounding each coordinate "
+          "would break the solid. In a long chain of rotations and set operations fractions grow by some 48 bits with "
+          "each rotation; rotateRounded ends that. It costs a third to three quarters of the two where a solid has "
+          "fractions, and as much as rotate where it has none. A diagnostic says how far the boundary moved if more "
+          "was done than rounding each coordinate. Undefined for a zero axis.",
+      .exactness = Exactness::reported,
+      .frame_use = FrameUse::coordinates,
+      .overloads = {overload<&rotated_and_rounded>("solid", "centre", "axis", "degrees")},
+      .examples = {{{kUnitCube, kOrigin, "(makeVector3D 0 0 1)", "90"}, "(-1.0 0.0 0.0 1.0 0.0 1.0)", "(bbox _)"},
+                   {{kUnitCube, kOrigin, "(makeVector3D 0 0 0)", "90"}, "undefined"},
+                   {{"(volume3d undefined)", kOrigin, "(makeVector3D 0 0 1)", "90"}, "undefined"}},
+      .errors = {{{"1", kOrigin, "(makeVector3D 0 0 1)", "90"},
+                  "rotateRounded: expected (volume3d point3d vector3d real)"}},
+  });
+}
+
+}  // namespace algebra3d

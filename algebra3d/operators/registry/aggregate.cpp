@@ -1,0 +1,86 @@
+#include "algebra3d/operators/registry/aggregate.h"
+
+#include <cassert>
+
+#include <fmt/format.h>
+
+#include "algebra3d/operators/registry/conversion.h"
+#include "algebra3d/operators/registry/detail/guarded.h"
+#include "algebra3d/operators/registry/failed_calls.h"
+#include "base/interruption_scope.h"
+
+namespace algebra3d {
+namespace {
+
+constexpr std::size_t kMostBytesKept = std::size_t{16} << 20U;
+
+}  // namespace
+
+Status Aggregation::step(const Value& value, Context& context) {
+  if (!value.is_defined()) return ++undefined_count_, Status();
+  const Type& wanted = *call_.overload->parameters.front().type;
+  keep(value, context);
+  Status status = guarded(*call_.op, [&]() -> Status {
+    poll_interruption();
+    if (!value.is_deferred() && &value.type() == &wanted) return state_->step(value, context);
+    // Not moved out of the result: GCC 12 then takes the unused part of the value for an uninitialised read.
+    const auto loaded = value.loaded();
+    if (!loaded) return loaded.error();
+    return state_->step(converted(*loaded, wanted), context);
+  });
+  if (!status) note_failure(status.error(), context);
+  return status;
+}
+
+Status Aggregation::combine(Aggregation& later, Context& context) {
+  assert(later.call_.overload == call_.overload);
+  undefined_count_ += later.undefined_count_;
+  keep(later.taken_);
+  Status status = guarded(*call_.op, [&] { return state_->combine(*later.state_, context); });
+  if (!status) note_failure(status.error(), context);
+  return status;
+}
+
+Result<Value> Aggregation::finish(Context& context) {
+  if (call_.overload->counts_undefined && undefined_count_ > 0)
+    context.diagnostics.report(fmt::format("{}: left out {} undefined value{}", call_.op->name, undefined_count_,
+                                           undefined_count_ == 1 ? "" : "s"));
+  auto outcome = guarded(*call_.op, [&] { return state_->finish(context); });
+  if (!outcome) {
+    note_failure(outcome.error(), context);
+    return std::move(outcome).error();
+  }
+  if (auto* value = std::get_if<Value>(&*outcome)) return std::move(*value);
+  report_undefined(*call_.op, std::get<Undefined>(*outcome), context);
+  return Value(*call_.overload->result);
+}
+
+// As it was given: a deferred value is loaded again when it is needed.
+void Aggregation::keep(const Value& value, const Context& context) {
+  if (context.failed_calls == nullptr || !taken_.is_whole) return;
+  taken_.values.push_back(value);
+  taken_.bytes += sizeof(Value) + heap_bytes(value);
+  forget_if_too_many();
+}
+
+void Aggregation::keep(const Taken& later) {
+  taken_.values.insert(taken_.values.end(), later.values.begin(), later.values.end());
+  taken_.bytes += later.bytes;
+  taken_.is_whole = taken_.is_whole && later.is_whole;
+  forget_if_too_many();
+}
+
+void Aggregation::forget_if_too_many() {
+  if (taken_.is_whole && (taken_.bytes <= kMostBytesKept || state_->keeps_values())) return;
+  taken_.is_whole = false;
+  taken_.values = {};
+}
+
+void Aggregation::note_failure(const Error& error, Context& context) const {
+  if (taken_.is_whole)
+    note_failed_call(call_, taken_.values, error, context);
+  else
+    note_failed_call(call_, "its values were too many to be kept", error, context);
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,336 @@
+#include "algebra3d/operators/registry/registry.h"
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+#include <optional>
+
+#include "algebra3d/operators/registry/conversion.h"
+#include "algebra3d/operators/registry/detail/guarded.h"
+#include "algebra3d/operators/registry/detail/host_name.h"
+#include "algebra3d/operators/registry/detail/made_overloads.h"
+#include "algebra3d/operators/registry/failed_calls.h"
+#include "algebra3d/values/types/nested_relation.h"
+#include "base/diagnostics.h"
+#include "base/interruption_scope.h"
+
+namespace algebra3d {
+namespace {
+
+// Cost of the conversion to a parameter. Nested relations are never converted.
+std::optional<std::size_t> cost_of(const TypeExpr& argument, const Type& type) {
+  if (argument.is_nested_relation()) return argument == type.term() ? std::optional(std::size_t{0}) : std::nullopt;
+  return conversion_cost(argument, type.name());
+}
+
+// Cost of the conversions that make `arguments` fit, or nothing if they do not.
+std::optional<std::size_t> cost_of(const Overload& overload, std::span<const TypeExpr> arguments) {
+  if (overload.parameters.size() != arguments.size()) return std::nullopt;
+  std::size_t sum = 0;
+  for (std::size_t place = 0; place < arguments.size(); ++place) {
+    const auto cost = cost_of(arguments[place], *overload.parameters[place].type);
+    if (!cost) return std::nullopt;
+    sum += *cost;
+  }
+  return sum;
+}
+
+// So many argument lists are told in a message.
+constexpr std::size_t kToldLists = 8;
+
+// The number of arguments that the overload would take, 0 if it takes another number of arguments.
+std::size_t fitting_arguments(const Overload& overload, std::span<const TypeExpr> arguments) {
+  if (overload.parameters.size() != arguments.size()) return 0;
+  std::size_t count = 0;
+  for (std::size_t place = 0; place < arguments.size(); ++place)
+    if (conversion_cost(arguments[place], overload.parameters[place].type->name())) ++count;
+  return count;
+}
+
+// The argument lists of all overloads. If they are too many to be told, those come first that the arguments fit best.
+std::vector<std::string> expected_arguments(const Operator& op, std::span<const TypeExpr> arguments) {
+  std::vector<const Overload*> overloads;
+  for (const Overload& overload : op.overloads) overloads.push_back(&overload);
+  if (overloads.size() > kToldLists)
+    std::ranges::stable_sort(overloads, std::greater(),
+                             [&](const Overload* overload) { return fitting_arguments(*overload, arguments); });
+  std::vector<std::string> lists;
+  for (const Overload* overload : overloads) {
+    std::vector<TypeExpr> types;
+    for (const Parameter& parameter : overload->parameters) types.emplace_back(parameter.type->name());
+    std::string list = argument_list_text(types);
+    if (std::ranges::find(lists, list) == lists.end()) lists.push_back(std::move(list));
+  }
+  return lists;
+}
+
+// Of an aggregate: the types of which it takes values.
+std::vector<std::string> parameter_types(const Operator& op) {
+  std::vector<std::string> names;
+  for (const Overload& overload : op.overloads) names.emplace_back(overload.parameters.front().type->name());
+  return names;
+}
+
+// Converts the arguments to what the overload takes. False if an undefined one decides the result.
+bool prepare(const Overload& overload, std::span<Value> arguments) {
+  for (std::size_t place = 0; place < arguments.size(); ++place) {
+    Value& argument = arguments[place];
+    const Parameter& parameter = overload.parameters[place];
+    if (!argument.is_defined() && !parameter.accepts_undefined) return false;
+    if (&argument.type() == parameter.type) continue;
+    argument = converted(argument, *parameter.type);
+  }
+  return true;
+}
+
+/// A table without rows.
+RowSourcePtr no_rows() {
+  class None final : public RowSource {
+   public:
+    Result<std::optional<Row>> next(Context& /*context*/) override { return std::optional<Row>(); }
+  };
+  return std::make_unique<None>();
+}
+
+/// The rows of a call, with its arguments at hand for when a row cannot be made.
+class RepeatableRows final : public RowSource {
+ public:
+  RepeatableRows(RowSourcePtr rows, const ResolvedCall& call, std::span<const Value> arguments)
+      : rows_(std::move(rows)), call_(call), arguments_(arguments.begin(), arguments.end()) {}
+  Result<std::optional<Row>> next(Context& context) override {
+    auto row = guarded(*call_.op, [&] {
+      poll_interruption();
+      return rows_->next(context);
+    });
+    if (!row) note_failed_call(call_, arguments_, row.error(), context);
+    return row;
+  }
+
+ private:
+  RowSourcePtr rows_;
+  ResolvedCall call_;
+  std::vector<Value> arguments_;
+};
+
+char lower_case(char c) {
+  return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::size_t double_letter_distance(char a, char b) {
+  return a == b ? 0 : lower_case(a) == lower_case(b) ? 1 : 2;
+}
+
+// Whether the letters in front of the ends `i` and `j` are the same two the other way round.
+bool are_swapped(std::string_view a, std::size_t i, std::string_view b, std::size_t j) {
+  return i > 1 && j > 1 && lower_case(a[i - 1]) == lower_case(b[j - 2]) &&
+         lower_case(a[i - 2]) == lower_case(b[j - 1]) && lower_case(a[i - 1]) != lower_case(a[i - 2]);
+}
+
+// Twice the edit distance, in which letters that differ only in case count half, and two neighbours that are swapped
+// count as one edit.
+std::size_t double_edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1);  // the row of i - 2
+  std::vector<std::size_t> last(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = 2 * j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::swap(before, last);
+    std::swap(last, row);
+    row[0] = 2 * i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = last[j - 1] + double_letter_distance(a[i - 1], b[j - 1]);
+      row[j] = std::min({last[j] + 2, row[j - 1] + 2, substituted});
+      if (are_swapped(a, i, b, j)) row[j] = std::min(row[j], before[j - 2] + 2);
+    }
+  }
+  return row.back();
+}
+
+// Of geometries at one instant and over time, an operator may give a value for the one and rows for the other.
+[[maybe_unused]] bool is_of_kind_of(const Operator& op, const Overload& overload) {
+  return (overload.kind() == OperatorKind::aggregate) == (op.kind() == OperatorKind::aggregate);
+}
+
+// Operands can change places only if both have one type.
+[[maybe_unused]] bool can_be_as_symmetric_as_it_says(const Overload& overload) {
+  return !overload.is_symmetric ||
+         (overload.parameters.size() == 2 && overload.parameters[0].type == overload.parameters[1].type);
+}
+
+}  // namespace
+
+void report_undefined(const Operator& op, const Undefined& undefined, Context& context) {
+  using About = Diagnostics::About;
+  context.diagnostics.report(op.name + ": " + undefined.reason, {},
+                             op.reads_files ? About::unreadable : About::undefined);
+}
+
+Registry::Registry() : made_overloads_(std::make_shared<detail::MadeOverloads>()) {}
+
+void Registry::add(const Type& type) {
+  assert(find_type(type.name()) == nullptr);
+  types_.push_back(&type);
+}
+
+void Registry::add_language_note(std::string_view name, std::string note) {
+  const auto found = operators_.find(name);
+  assert(found != operators_.end());
+  found->second.op.language_note = std::move(note);
+}
+
+void Registry::add(Operator op) {
+  if (op.kind() == OperatorKind::aggregate && op.syntax.empty()) op.syntax = "_ " + op.name + "[attribute]";
+  auto syntax = SyntaxPattern::parse(op.syntax);
+  assert(syntax.ok() && syntax->name == op.name);
+  assert(std::ranges::all_of(op.overloads, can_be_as_symmetric_as_it_says));
+  assert(std::ranges::all_of(op.overloads, [&](const Overload& each) { return is_of_kind_of(op, each); }));
+  std::string name = op.name;
+  op.family = family_.name;
+  if (op.cost == Cost::unknown) op.cost = family_.cost;
+  if (op.host_name.empty()) op.host_name = snake_case(name);
+  if (!op.family.empty() && std::ranges::find(families_, op.family, &Family::name) == families_.end())
+    families_.push_back(family_);
+  [[maybe_unused]] const bool is_new =
+      operators_.emplace(std::move(name), Entry{std::move(op), std::move(syntax).value()}).second;
+  assert(is_new);
+}
+
+const Type* Registry::find_type(std::string_view name) const {
+  const auto found = std::ranges::find(types_, name, [](const Type* type) { return type->name(); });
+  return found == types_.end() ? nullptr : *found;
+}
+
+const Type* Registry::value_type(const TypeExpr& term) const {
+  if (term.is_nested_relation()) return algebra3d::value_type(term);
+  return term.arguments().empty() ? find_type(term.name()) : nullptr;
+}
+
+const Operator* Registry::find_operator(std::string_view name) const {
+  const auto found = operators_.find(name);
+  return found == operators_.end() ? nullptr : &found->second.op;
+}
+
+const SyntaxPattern& Registry::syntax(const Operator& op) const {
+  return operators_.find(op.name)->second.syntax;
+}
+
+std::vector<const Operator*> Registry::operators() const {
+  std::vector<const Operator*> all;
+  for (const auto& [name, entry] : operators_) all.push_back(&entry.op);
+  return all;
+}
+
+std::vector<const Operator*> Registry::operators_of(std::string_view family) const {
+  std::vector<const Operator*> members;
+  for (const auto& [name, entry] : operators_)
+    if (entry.op.family == family) members.push_back(&entry.op);
+  return members;
+}
+
+Result<ResolvedCall> Registry::resolve(const Operator& op, std::span<const TypeExpr> arguments) const {
+  const Overload* best = nullptr;
+  std::size_t cheapest = 0;
+  for (const Overload& overload : op.overloads) {
+    const auto cost = cost_of(overload, arguments);
+    if (!cost || (best != nullptr && *cost >= cheapest)) continue;
+    best = &overload;
+    cheapest = *cost;
+  }
+  for (const TypeExpr& argument : arguments) {
+    const Overload* const made = overload_for(op, argument);
+    if (best == nullptr && made != nullptr && cost_of(*made, arguments)) best = made;
+  }
+  if (best == nullptr && op.kind() == OperatorKind::aggregate)
+    return Error{ErrorCode::type_error, "{}: expected values of type {}, got {}", op.name,
+                 enumerate(parameter_types(op)), arguments.front().text()};
+  if (best == nullptr)
+    return Error{ErrorCode::type_error, "{}: expected {}, got {}", op.name,
+                 enumerate(expected_arguments(op, arguments), kToldLists), argument_list_text(arguments)};
+  return ResolvedCall{&op, best};
+}
+
+const Overload* Registry::overload_for(const Operator& op, const TypeExpr& term) const {
+  if (op.overload_for == nullptr || !term.is_nested_relation()) return nullptr;
+  const Type* const type = algebra3d::value_type(term);
+  return type == nullptr ? nullptr : &made_overloads_->find(op, *type);
+}
+
+Result<Value> Registry::call(const ResolvedCall& call, std::span<Value> arguments, Context& context) {
+  const Overload& overload = *call.overload;
+  if (!prepare(overload, arguments)) return Value(*overload.result);
+  auto outcome = guarded(*call.op, [&] {
+    poll_interruption();
+    return overload.function(arguments, context);
+  });
+  if (!outcome) {
+    note_failed_call(call, arguments, outcome.error(), context);
+    return std::move(outcome).error();
+  }
+  if (auto* value = std::get_if<Value>(&*outcome)) return std::move(*value);
+  report_undefined(*call.op, std::get<Undefined>(*outcome), context);
+  return Value(*overload.result);
+}
+
+Result<RowSourcePtr> Registry::rows(const ResolvedCall& call, std::span<Value> arguments, Context& context) {
+  if (!prepare(*call.overload, arguments)) return no_rows();
+  auto outcome = guarded(*call.op, [&] { return call.overload->rows(arguments, context); });
+  if (!outcome) {
+    note_failed_call(call, arguments, outcome.error(), context);
+    return std::move(outcome).error();
+  }
+  if (auto* rows = std::get_if<RowSourcePtr>(&*outcome))
+    return RowSourcePtr(std::make_unique<RepeatableRows>(std::move(*rows), call, arguments));
+  report_undefined(*call.op, std::get<Undefined>(*outcome), context);
+  return no_rows();
+}
+
+// Every word of two letters is near to `or` and `=`.
+std::string Registry::suggestion(std::string_view word) const {
+  constexpr std::size_t kShortest = 3;
+  std::vector<std::string> names;
+  for (const auto& [name, entry] : operators_)
+    if (word.size() >= kShortest || is_equal_but_for_case(word, name)) names.push_back(name);
+  return nearest_name(word, names);
+}
+
+std::string enumerate(const std::vector<std::string>& items, std::size_t limit) {
+  std::string text;
+  const std::size_t shown = std::min(items.size(), limit);
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i > 0) text += i + 1 == items.size() ? " or " : ", ";
+    text += items[i];
+  }
+  if (items.size() > shown) text += " or " + std::to_string(items.size() - shown) + " more";
+  return text;
+}
+
+bool is_equal_but_for_case(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, {}, lower_case, lower_case);
+}
+
+std::string nearest_name(std::string_view word, std::span<const std::string> candidates) {
+  std::string best;
+  // Of a word of one letter nothing would be left.
+  std::size_t best_distance = std::min(std::max<std::size_t>(1, word.size() / 3) + 1, word.size());
+  best_distance *= 2;
+  for (const std::string& candidate : candidates) {
+    if (candidate != word && is_equal_but_for_case(word, candidate)) return candidate;
+    if (2 * word.size() >= 2 * candidate.size() + best_distance) continue;
+    const std::size_t distance = double_edit_distance(word, candidate);
+    if (distance >= best_distance) continue;
+    best = candidate;
+    best_distance = distance;
+  }
+  return best;
+}
+
+std::string argument_list_text(std::span<const TypeExpr> types) {
+  std::string text = "(";
+  for (const TypeExpr& type : types) {
+    if (text.size() > 1) text += ' ';
+    text += type.text();
+  }
+  return text + ")";
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,144 @@
+#include "algebra3d/values/conversions/mesh3d_files.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "algebra3d/kernel/halfedge/nonmanifold_text.h"
+#include "algebra3d/values/conversions/detail/file_attributes.h"
+#include "algebra3d/values/conversions/mesh_file.h"
+#include "base/diagnostics.h"
+#include "base/interruption_scope.h"
+#include "base/mesh_content.h"
+#include "base/text.h"
+#include "mesh_formats/mesh_format.h"
+
+namespace algebra3d {
+namespace {
+
+using mesh_formats::CoordinateRange;
+
+Result<PolygonMesh> mesh_of(PolygonSoup soup, const std::string& name) {
+  if (soup.corners.size() > PolygonMesh::kMaxHalfedges)
+    return Error{ErrorCode::limit_exceeded, "{}: {} corners of faces; a mesh may have {}", name, soup.corners.size(),
+                 PolygonMesh::kMaxHalfedges};
+  PolygonLayout layout(LargeVector<std::uint32_t>(soup.face_starts.begin(), soup.face_starts.end()));
+  return PolygonMesh(PointArray(std::move(soup.points)), std::move(layout),
+                     LargeVector<std::uint32_t>(soup.corners.begin(), soup.corners.end()));
+}
+
+Result<ImportedMesh> read_mesh3d(const std::filesystem::path& path, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(MeshFacets read, read_mesh_facets(path, nullptr, monitor.cancel()));
+  ImportedMesh result;
+  result.remarks = std::move(read.remarks);
+  if (read.wrong_count) result.remarks.push_back(read.wrong_count->text());
+  ALGEBRA3D_ASSIGN_OR_RETURN(PolygonSoup soup, polygons_of(std::move(read.facets), path.string()));
+  MeshAttributes attributes;
+  if (soup.attributes != nullptr) attributes = attributes_of_file(*soup.attributes);
+  soup.attributes.reset();
+  ALGEBRA3D_ASSIGN_OR_RETURN(PolygonMesh mesh, mesh_of(std::move(soup), path.string()));
+  if (std::string text = nonmanifold_text(mesh); !text.empty()) result.remarks.push_back(std::move(text));
+  result.mesh = Mesh3d(std::move(mesh), std::move(attributes));
+  return result;
+}
+
+PolygonSoup soup_of(const PolygonMesh& mesh) {
+  PolygonSoup soup;
+  soup.points = mesh.points().approx();
+  soup.corners.assign(mesh.origins().begin(), mesh.origins().end());
+  soup.face_starts.reserve(mesh.face_count() + 1);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    poll_interruption_at(f);
+    soup.face_starts.push_back(soup.face_starts.back() + mesh.degree(FaceId(f)));
+  }
+  return soup;
+}
+
+mesh_formats::Facets facets_for(const mesh_formats::MeshFormat& format, PolygonSoup soup) {
+  if (!format.stores_triangles) return soup;
+  return triangles_of(std::move(soup));
+}
+
+std::size_t rounded_count(const PolygonMesh& mesh, CoordinateRange range) {
+  if (range == CoordinateRange::doubles) return mesh.points().exact_count();
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    poll_interruption_at(v);
+    const PointRef point = mesh.points()[v];
+    const auto is_float = [](double x) { return static_cast<double>(static_cast<float>(x)) == x; };
+    const Vec3& p = point.approx;
+    count += point.is_double() && is_float(p.x) && is_float(p.y) && is_float(p.z) ? 0 : 1;
+  }
+  return count;
+}
+
+/// Gives the soup the attributes that the format can hold; returns the number of the others.
+std::size_t add_attributes(const MeshAttributes& attributes, const mesh_formats::MeshFormat& format,
+                           PolygonSoup& soup) {
+  if (attributes.is_empty() || format.read_with_attributes == nullptr) return attributes.all().size();
+  FileAttributes for_file = attributes_for_file(attributes);
+  soup.attributes = std::make_shared<const SoupAttributes>(std::move(for_file.attributes));
+  return for_file.left_out;
+}
+
+/// The number of texts that a line of a file holds otherwise, or not at all.
+std::size_t count_changed_texts(const SoupAttributes* attributes) {
+  if (attributes == nullptr) return 0;
+  std::size_t count = 0;
+  for (const SoupAttributes::FaceNames* names : {&attributes->groups, &attributes->objects, &attributes->materials})
+    count += static_cast<std::size_t>(std::ranges::count_if(
+        names->names, [](const std::string& name) { return name.empty() || one_line(name) != name; }));
+  return count;
+}
+
+void report_rounding(Context& context, const std::string& command, const PolygonMesh& mesh, const std::string& file,
+                     CoordinateRange range) {
+  const std::size_t count = rounded_count(mesh, range);
+  if (count == 0) return;
+  context.diagnostics.report(fmt::format("{}: {} of {} vertices rounded to {}", command, count, mesh.vertex_count(),
+                                         range == CoordinateRange::doubles ? "doubles" : "floats"),
+                             file);
+}
+
+}  // namespace
+
+Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Monitor& monitor) {
+  Result<ImportedMesh> read = read_mesh3d(path, monitor);
+  if (read.ok()) return read;
+  if (read.error().code == ErrorCode::interrupted || read.error().code == ErrorCode::out_of_memory)
+    return std::move(read).error();
+  ImportedMesh result;
+  result.refusal = std::move(read).error();
+  return result;
+}
+
+Result<ExportedSolid> export_mesh(Context& context, const std::string& command, const Mesh3d& mesh,
+                                  const std::string& name, const std::string& file, const MeshFileForm& form) {
+  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const OutputPath path, context.resolve_output(file));
+  PolygonSoup soup = soup_of(mesh.mesh());
+  const std::size_t left_out = add_attributes(mesh.attributes(), *form.format, soup);
+  const std::size_t changed_texts = count_changed_texts(soup.attributes.get());
+  const Status written = form.format->write(path, facets_for(*form.format, std::move(soup)), name, form.encoding);
+  if (!written) {
+    if (written.error().code == ErrorCode::interrupted) return written.error();
+    const std::string reason = command + ": " + written.error().message;
+    context.diagnostics.report(reason, {}, Diagnostics::About::unwritten);
+    return ExportedSolid{Error(written.error().code, reason)};
+  }
+  if (left_out > 0)
+    context.diagnostics.report(fmt::format("{}: {} not written", command, counted(left_out, "attribute")), file);
+  if (changed_texts > 0)
+    context.diagnostics.report(
+        fmt::format("{}: {} changed: control characters become blanks, and outer blanks and empty texts are lost",
+                    command, counted(changed_texts, "text")),
+        file);
+  report_rounding(context, command, mesh.mesh(), file, form.format->form(form.encoding)->coordinates);
+  return ExportedSolid();
+}
+
+}  // namespace algebra3d

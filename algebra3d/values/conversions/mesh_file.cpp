@@ -1,0 +1,99 @@
+#include "algebra3d/values/conversions/mesh_file.h"
+
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "algebra3d/kernel/soup/polygon_triangulation.h"
+#include "algebra3d/kernel/soup/weld.h"
+#include "base/file_content.h"
+#include "base/mesh_content.h"
+#include "mesh_formats/foreign_file.h"
+#include "mesh_formats/mesh_format.h"
+#include "mesh_formats/unwritten_file.h"
+
+namespace algebra3d {
+namespace {
+
+using mesh_formats::MeshContent;
+using mesh_formats::MeshFormat;
+using mesh_formats::MeshFormats;
+
+/// Whether attributes are read too.
+enum class Extras { none, attributes };
+
+Result<MeshFacets> read_as(const MeshFormat& format, std::string_view bytes, const std::string& name,
+                           const std::atomic<bool>* cancel, Extras extras) {
+  const bool has_attributes = extras == Extras::attributes && format.read_with_attributes != nullptr;
+  const auto read_bytes = has_attributes ? format.read_with_attributes : format.read;
+  ALGEBRA3D_ASSIGN_OR_RETURN(MeshContent read, read_bytes(bytes, name, cancel));
+  return MeshFacets{std::move(read.facets), std::move(read.remarks), &format, read.encoding, read.wrong_count};
+}
+
+Result<MeshFacets> read_facets(std::string_view bytes, const std::string& name, const MeshFormat* format,
+                               const std::atomic<bool>* cancel, const MeshFormats& formats, Extras extras) {
+  if (format == nullptr) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const MeshFormat* const detected, formats.detect(bytes, name));
+    return read_as(*detected, bytes, name, cancel, extras);
+  }
+  const MeshFormat* const known = formats.of_content(bytes);
+  if (known == nullptr) ALGEBRA3D_RETURN_IF_ERROR(mesh_formats::refuse_foreign(bytes, name, formats.names("or")));
+  const MeshFormat& found = known != nullptr ? *known : *format;
+  auto read = read_as(found, bytes, name, cancel, extras);
+  if (found.name == format->name) return read;
+  const std::string other = fmt::format("the content is {}, not {}", found.name, format->name);
+  if (!read) return Error{read.error().code, "{} ({})", read.error().message, other};
+  read->remarks.insert(read->remarks.begin(), other + ", and is read as that");
+  return read;
+}
+
+Result<FileContent> content_of(const std::filesystem::path& path, const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const InputFile input, InputFile::open(path));
+  ALGEBRA3D_RETURN_IF_ERROR(mesh_formats::refuse_unwritten(input));
+  return FileContent::read(input, cancel);
+}
+
+}  // namespace
+
+Result<MeshFacets> read_mesh_facets(const std::filesystem::path& path, const MeshFormat* format,
+                                    const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const FileContent file, content_of(path, cancel));
+  return read_facets(file.bytes(), path.string(), format, cancel, mesh_formats::known_mesh_formats(),
+                     Extras::attributes);
+}
+
+Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshFormat* format,
+                                const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const FileContent file, content_of(path, cancel));
+  return read_mesh(file.bytes(), path.string(), format, cancel);
+}
+
+Result<MeshFile> read_mesh(std::string_view bytes, const std::string& name, const MeshFormat* format,
+                           const std::atomic<bool>* cancel, const MeshFormats& formats) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(MeshFacets read, read_facets(bytes, name, format, cancel, formats, Extras::none));
+  return MeshFile{triangles_of(std::move(read.facets)), std::move(read.remarks), read.format, read.encoding,
+                  read.wrong_count};
+}
+
+TriangleSoup triangles_of(mesh_formats::Facets facets) {
+  if (auto* const triangles = std::get_if<TriangleSoup>(&facets)) return std::move(*triangles);
+  return triangles_of(std::get<PolygonSoup>(facets));
+}
+
+Result<PolygonSoup> polygons_of(mesh_formats::Facets facets, const std::string& name) {
+  if (auto* const given = std::get_if<PolygonSoup>(&facets)) return std::move(*given);
+  const TriangleSoup& soup = std::get<TriangleSoup>(facets);
+  if (soup.triangles.size() > TriangleMesh::kMaxFaces)
+    return Error{ErrorCode::limit_exceeded, "{}: {} triangles; at most {} can be joined", name, soup.triangles.size(),
+                 TriangleMesh::kMaxFaces};
+  const WeldedTriangles welded = weld(soup.triangles);
+  PolygonSoup polygons;
+  polygons.points = welded.points.approx();
+  polygons.name = soup.name;
+  for (const IndexTriangle& triangle : welded.triangles) polygons.add_face(triangle);
+  return polygons;
+}
+
+}  // namespace algebra3d

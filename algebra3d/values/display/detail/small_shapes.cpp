@@ -1,0 +1,177 @@
+#include "algebra3d/values/display/detail/small_shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "algebra3d/kernel/exact/plane.h"
+#include "algebra3d/kernel/planar/constrained_delaunay.h"
+#include "algebra3d/values/display/detail/shape_parts.h"
+
+namespace algebra3d::detail {
+namespace {
+
+constexpr DrawnShape::Normal kUp = {0, 0, 127, 0};
+
+Result<DrawnShape> single_point(const ExactPoint& position) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(box_of(position)));
+  shape.points.push_back(add_position(shape, position.approx()));
+  return shape;
+}
+
+/// Unit vectors u and v that make a right-handed frame with a unit vector w.
+std::array<Vec3, 2> frame_around(const Vec3& w) {
+  // The axis that is farthest from w.
+  const Vec3 size{std::abs(w.x), std::abs(w.y), std::abs(w.z)};
+  Vec3 axis;
+  axis[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1;
+  const Vec3 across = cross(axis, w);
+  const Vec3 u = 1 / length(across) * across;
+  return {u, cross(w, u)};
+}
+
+/// The lines of an arrow, as pairs of ends. Its head takes an eighth of it.
+std::vector<std::array<Vec3, 2>> arrow(const Vec3& from, const Vec3& to) {
+  std::vector<std::array<Vec3, 2>> lines{{from, to}};
+  const Vec3 along = to - from;
+  const double size = length(along);
+  if (!(size > 0)) return lines;
+  const auto [u, v] = frame_around(1 / size * along);
+  const Vec3 neck = to - 0.125 * along;
+  for (const Vec3& side : {u, v})
+    for (const double width : {-size / 24, size / 24}) lines.push_back({to, neck + width * side});
+  return lines;
+}
+
+void add_lines(DrawnShape& shape, const std::vector<std::array<Vec3, 2>>& lines) {
+  for (const auto& [from, to] : lines) {
+    const std::uint32_t first = add_position(shape, from);
+    shape.lines.push_back({first, add_position(shape, to)});
+  }
+}
+
+/// The same plane's normal with the length 1, and the point of the plane nearest to the origin.
+struct RoundedPlane {
+  Vec3 normal, foot;
+};
+
+RoundedPlane rounded(const ExactPlane& plane) {
+  // Components may be beyond the range of doubles; their ratios are not.
+  Rational largest;
+  for (const Rational& component : {plane.normal.x, plane.normal.y, plane.normal.z})
+    largest = std::max(largest, component.sign() < 0 ? -component : component);
+  const auto ratio = [&](const Rational& component) { return (component / largest).nearest_double(); };
+  const Vec3 direction{ratio(plane.normal.x), ratio(plane.normal.y), ratio(plane.normal.z)};
+  const RationalVec3 foot = (plane.offset / dot(plane.normal, plane.normal)) * plane.normal;
+  return {1 / length(direction) * direction,
+          {foot.x.nearest_double(), foot.y.nearest_double(), foot.z.nearest_double()}};
+}
+
+/// Triangles of corners at z = 0, added as positions one after the other.
+void add_flat_face(DrawnShape& shape, std::span<const Vec3> corners, std::span<const IndexTriangle> triangles) {
+  for (const Vec3& corner : corners) add_position(shape, corner);
+  shape.normals.assign(shape.positions.size(), kUp);
+  shape.triangles.assign(triangles.begin(), triangles.end());
+  shape.triangle_count = triangles.size();
+}
+
+constexpr std::array<IndexTriangle, 2> kSquare = {{{0, 1, 2}, {0, 2, 3}}};
+
+}  // namespace
+
+Result<DrawnShape> shape_of_point(const Point3d& point) {
+  return single_point(point.position);
+}
+
+Result<DrawnShape> shape_of_point_in_plane(const Point2d& point) {
+  return single_point(point.position);
+}
+
+Result<DrawnShape> shape_of_points(const Points3d& points) {
+  Box3 box;
+  for (const ExactPoint& point : points.points()) box.extend(box_of(point));
+  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(box));
+  shape.positions.reserve(points.points().size());
+  for (const ExactPoint& point : points.points()) add_position(shape, point.approx());
+  shape.points.resize(shape.positions.size());
+  std::iota(shape.points.begin(), shape.points.end(), 0U);
+  return shape;
+}
+
+Result<DrawnShape> shape_of_vector(const Vector3d& vector) {
+  Box3 box = box_of(vector.components);
+  box.extend(Vec3{});
+  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(box));
+  const Vec3 tip = vector.components.approx();
+  if (tip == Vec3{})
+    shape.points.push_back(add_position(shape, tip));
+  else
+    add_lines(shape, arrow({}, tip));
+  return shape;
+}
+
+Result<DrawnShape> shape_of_plane(const Plane3d& plane) {
+  const auto [normal, foot] = rounded(plane.plane);
+  const double reach = std::max(1.0, length(foot));
+  const auto [u, v] = frame_around(normal);
+  const std::array<Vec3, 4> corners = {foot - reach * u - reach * v, foot + reach * u - reach * v,
+                                       foot + reach * u + reach * v, foot - reach * u + reach * v};
+  const Vec3 tip = foot + 0.5 * reach * normal;
+  Box3 box = Box3::around(corners);
+  box.extend(tip);
+  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(box));
+  add_flat_face(shape, corners, kSquare);
+  add_loop(shape, 0, 4);
+  add_lines(shape, arrow(foot, tip));
+  shape.normals.assign(shape.positions.size(), packed_normal(normal));
+  return shape;
+}
+
+Result<DrawnShape> shape_of_box(const Box3& box) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(box));
+  // Corner 4i + 2j + k is at the end of the axes whose digit is 1. A flat box has fewer corners.
+  std::array<std::uint32_t, 8> numbers{};
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    Vec3 point;
+    std::size_t same = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t digit = std::size_t{4} >> axis;
+      const bool is_at_end = (corner & digit) != 0 && box.min[axis] < box.max[axis];
+      point[axis] = is_at_end ? box.max[axis] : box.min[axis];
+      same |= is_at_end ? digit : 0;
+    }
+    numbers[corner] = same == corner ? add_position(shape, point) : numbers[same];
+  }
+  for (const std::size_t digit : {4U, 2U, 1U})
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      const DrawnShape::Line line = {numbers[corner], numbers[corner | digit]};
+      if ((corner & digit) == 0 && line[0] != line[1] && std::ranges::find(shape.lines, line) == shape.lines.end())
+        shape.lines.push_back(line);
+    }
+  if (shape.lines.empty() && !shape.is_empty()) shape.points.push_back(0);
+  return shape;
+}
+
+Result<DrawnShape> shape_of_rect(const Rect& rect) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_of_box(rect.box()));
+  if (shape.positions.size() < 4) return shape;
+  // The corners are numbered by x, then y.
+  shape.normals.assign(4, kUp);
+  shape.triangles = {{0, 2, 3}, {0, 3, 1}};
+  shape.triangle_count = 2;
+  return shape;
+}
+
+Result<DrawnShape> shape_of_region(const Region& region, const Monitor& monitor) {
+  const Polygons& polygons = region.polygons();
+  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(region.box()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<IndexTriangle> triangles, triangulate(polygons, monitor));
+  add_flat_face(shape, polygons.corners.approx(), triangles);
+  for (std::size_t cycle = 0; cycle < polygons.cycle_count(); ++cycle)
+    add_loop(shape, polygons.first_corner(cycle), polygons.cycle_ends[cycle]);
+  return shape;
+}
+
+}  // namespace algebra3d::detail

@@ -1,0 +1,199 @@
+#include "algebra3d/values/display/vertex_clustering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "algebra3d/values/display/detail/cell_numbers.h"
+#include "algebra3d/values/display/detail/cluster_grid.h"
+#include "algebra3d/values/display/detail/task_size.h"
+#include "base/interruption_scope.h"
+#include "base/scheduler.h"
+
+namespace algebra3d {
+namespace {
+
+/// The plane of a triangle, weighted by its area.
+ClusterSums plane_sums(const Vec3& p, const Vec3& q, const Vec3& r) {
+  ClusterSums sums;
+  const Vec3 doubled_area = cross(q - p, r - p);
+  const double size = std::sqrt(dot(doubled_area, doubled_area));
+  if (!(size > 0)) return sums;
+  const Vec3 n = 1 / size * doubled_area, weighted = size * n;
+  sums.a = {weighted.x * n.x, weighted.x * n.y, weighted.x * n.z, weighted.y * n.y, weighted.y * n.z, weighted.z * n.z};
+  sums.b = dot(n, p) * weighted;
+  return sums;
+}
+
+/// The numbers of the clusters, per point; those of points without triangles are kNone.
+struct Clusters {
+  std::vector<std::uint32_t> of_point;
+  std::vector<detail::CellKey> cells;  // per cluster
+};
+
+Clusters number_clusters(const TrianglesView& fine, const LargeVector<detail::CellKey>& cells, std::size_t expected) {
+  std::vector<bool> is_used(fine.points.size());
+  for (const IndexTriangle& triangle : fine.triangles)
+    for (const std::uint32_t corner : triangle) is_used[corner] = true;
+  detail::KeyNumbers numbers(expected);
+  Clusters clusters;
+  clusters.of_point.resize(fine.points.size(), kNone);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (is_used[i]) clusters.of_point[i] = numbers(cells[i]);
+  clusters.cells = numbers.keys();
+  return clusters;
+}
+
+/// The sums of some clusters.
+struct PartialSums {
+  std::vector<std::uint32_t> clusters;
+  std::vector<ClusterSums> sums;
+};
+
+/// The planes of a range of original triangles, added to the clusters of their corners.
+PartialSums sums_of_range(const TrianglesView& fine, const Clusters& clusters, std::size_t begin, std::size_t end) {
+  PartialSums part;
+  std::vector<std::uint32_t> places(clusters.cells.size(), kNone);
+  const auto sums_of = [&](std::uint32_t point) -> ClusterSums& {
+    const std::uint32_t cluster = clusters.of_point[point];
+    if (places[cluster] == kNone) {
+      places[cluster] = static_cast<std::uint32_t>(part.clusters.size());
+      part.clusters.push_back(cluster);
+      part.sums.emplace_back();
+    }
+    return part.sums[places[cluster]];
+  };
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto& [a, b, c] = fine.triangles[i];
+    const ClusterSums plane = plane_sums(fine.points[a], fine.points[b], fine.points[c]);
+    for (const std::uint32_t corner : {a, b, c}) sums_of(corner) += plane;
+  }
+  return part;
+}
+
+/// The sums of the clusters of original triangles. The ranges do not depend on the number of threads, so neither does
+/// what is rounded.
+std::vector<ClusterSums> sums_of_originals(const TrianglesView& fine, const Clusters& clusters) {
+  constexpr std::size_t kRanges = 16;
+  std::vector<PartialSums> parts(fine.triangles.size() < detail::kElementsPerTask ? 1 : kRanges);
+  parallel_for(parts.size(), 1, [&](std::size_t i) {
+    parts[i] = sums_of_range(fine, clusters, i * fine.triangles.size() / parts.size(),
+                             (i + 1) * fine.triangles.size() / parts.size());
+  });
+  std::vector<ClusterSums> sums(clusters.cells.size());
+  for (const PartialSums& part : parts)
+    for (std::size_t i = 0; i < part.clusters.size(); ++i) sums[part.clusters[i]] += part.sums[i];
+  for (std::size_t i = 0; i < fine.points.size(); ++i) {
+    poll_interruption_at(i);
+    if (clusters.of_point[i] == kNone) continue;
+    ClusterSums& cluster = sums[clusters.of_point[i]];
+    cluster.positions = cluster.positions + fine.points[i];
+    cluster.count += 1;
+  }
+  return sums;
+}
+
+std::vector<ClusterSums> sums_of_level(const TrianglesView& fine, const Clusters& clusters) {
+  std::vector<ClusterSums> sums(clusters.cells.size());
+  for (std::size_t i = 0; i < fine.points.size(); ++i)
+    if (clusters.of_point[i] != kNone) sums[clusters.of_point[i]] += fine.sums[i];
+  return sums;
+}
+
+/// The least point of the sum of squares, held by a weak spring at the mean.
+Vec3 place_of(const ClusterSums& sums) {
+  const Vec3 mean = 1 / sums.count * sums.positions;
+  const auto& [xx, xy, xz, yy, yz, zz] = sums.a;
+  constexpr double kSpring = 1e-3;
+  const double spring = kSpring * (xx + yy + zz);
+  if (!(spring > 0)) return mean;
+  // (A + spring) d = b - A mean, for the way d from the mean. By Cholesky's decomposition; the matrix is positive.
+  const Vec3 pull = sums.b - Vec3{xx * mean.x + xy * mean.y + xz * mean.z, xy * mean.x + yy * mean.y + yz * mean.z,
+                                  xz * mean.x + yz * mean.y + zz * mean.z};
+  const double a = xx + spring, l1 = xy / a, l2 = xz / a;
+  const double b = yy + spring - l1 * xy, m = yz - l1 * xz, l3 = m / b;
+  const double c = zz + spring - l2 * xz - l3 * m;
+  const double y = pull.y - l1 * pull.x, z = (pull.z - l2 * pull.x - l3 * y) / c;
+  const double v = y / b - l3 * z;
+  return mean + Vec3{pull.x / a - l1 * v - l2 * z, v, z};
+}
+
+Vec3 moved_into(const Box3& box, const Vec3& point) {
+  Vec3 inside;
+  for (std::size_t axis = 0; axis < 3; ++axis) inside[axis] = std::clamp(point[axis], box.min[axis], box.max[axis]);
+  return inside;
+}
+
+std::vector<double> distances_moved(const TrianglesView& fine, const ClusteredTriangles& coarse) {
+  std::vector<double> moved(coarse.points.size());
+  for (std::size_t i = 0; i < fine.points.size(); ++i) {
+    poll_interruption_at(i);
+    const std::uint32_t cluster = coarse.point_of[i];
+    if (cluster == kNone) continue;
+    const Vec3 way = fine.points[i] - coarse.points[cluster];
+    const double before = fine.moved.empty() ? 0 : fine.moved[i];
+    moved[cluster] = std::max(moved[cluster], before + std::sqrt(dot(way, way)));
+  }
+  return moved;
+}
+
+/// The triangles that do not collapse, with their smallest corner first.
+std::vector<IndexTriangle> kept_triangles(const TrianglesView& fine, const std::vector<std::uint32_t>& of_point) {
+  return parallel_collect(fine.triangles.size(), detail::kElementsPerTask, [&](std::size_t begin, std::size_t end) {
+    std::vector<IndexTriangle> kept;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& [p, q, r] = fine.triangles[i];
+      const std::uint32_t a = of_point[p], b = of_point[q], c = of_point[r];
+      if (a == b || b == c || c == a) continue;
+      kept.push_back(a < b && a < c ? IndexTriangle{a, b, c} : b < c ? IndexTriangle{b, c, a} : IndexTriangle{c, a, b});
+    }
+    return kept;
+  });
+}
+
+/// Drops triangles that are there already.
+void drop_repetitions(std::vector<IndexTriangle>& triangles) {
+  // A pair of corners has a number, and that with the third corner another one.
+  detail::KeyNumbers pairs(triangles.size()), numbers(triangles.size());
+  std::size_t kept = 0;
+  for (const IndexTriangle& triangle : triangles) {
+    const std::uint32_t pair = pairs(std::uint64_t{triangle[0]} << 32U | triangle[1]);
+    if (numbers(std::uint64_t{pair} << 32U | triangle[2]) == kept) triangles[kept++] = triangle;
+  }
+  triangles.resize(kept);
+}
+
+}  // namespace
+
+ClusterSums& ClusterSums::operator+=(const ClusterSums& other) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] += other.a[i];
+  b = b + other.b;
+  positions = positions + other.positions;
+  count += other.count;
+  return *this;
+}
+
+double ClusteredTriangles::deviation() const {
+  return moved.empty() ? 0 : std::ranges::max(moved);
+}
+
+Result<ClusteredTriangles> clustered(const TrianglesView& fine, std::size_t max_triangles, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const detail::CellsOfPoints chosen, detail::choose_cells(fine, max_triangles, monitor));
+  Clusters clusters = number_clusters(fine, chosen.cells, max_triangles / 2);
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  ClusteredTriangles coarse;
+  coarse.sums = fine.sums.empty() ? sums_of_originals(fine, clusters) : sums_of_level(fine, clusters);
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  coarse.points.resize(coarse.sums.size());
+  parallel_for(coarse.points.size(), detail::kElementsPerTask, [&](std::size_t i) {
+    coarse.points[i] = moved_into(chosen.grid.box_of(clusters.cells[i]), place_of(coarse.sums[i]));
+  });
+  coarse.point_of = std::move(clusters.of_point);
+  coarse.moved = distances_moved(fine, coarse);
+  coarse.triangles = kept_triangles(fine, coarse.point_of);
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  drop_repetitions(coarse.triangles);
+  return coarse;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,118 @@
+// Why shells tell bodies.
+//
+// A shell here is a set of faces that are linked with each other along the inside of the solid: at an edge with two
+// faces these, at any other edge each face and the next one behind which the inside goes on. So a shell is a connected
+// part of the boundary of the interior, as of the solid shrunk by a hair. Each body has one shell that bounds it from
+// outside, which encloses a positive volume, and one for each of its cavities, which enclose negative ones.
+
+#include "algebra3d/values/measures/detail/bodies.h"
+
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "algebra3d/kernel/exact/exact_sum.h"
+#include "algebra3d/kernel/exact/inner_point.h"
+#include "algebra3d/kernel/exact/plane.h"
+#include "algebra3d/kernel/halfedge/mesh_triangles.h"
+#include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/values/spatial_relations/point_location.h"
+#include "base/disjoint_ids.h"
+
+namespace algebra3d {
+namespace {
+
+struct Shell {
+  std::vector<FaceId> faces;
+  TriangleMesh mesh;
+  Rational volume;
+};
+
+/// Links the faces at a non-manifold edge. The inside lies behind a face, so in radial order after one that runs
+/// backwards along the edge, up to the next one, which runs forwards.
+void link_at_edge(const TriangleMesh& mesh, std::span<const HalfedgeId> edge, DisjointIds<FaceId>& linked) {
+  const VertexId begin = mesh.origin(edge.front()), end = mesh.target(edge.front());
+  const auto third = [&](HalfedgeId h) { return mesh.point(mesh.origin(TriangleMesh::prev(h))); };
+  for (const HalfedgeId backward : edge) {
+    if (mesh.origin(backward) == begin) continue;
+    std::optional<HalfedgeId> next;
+    for (const HalfedgeId forward : edge) {
+      if (mesh.origin(forward) != begin) continue;
+      if (!next ||
+          compare_around_edge(mesh.point(begin), mesh.point(end), third(backward), third(forward), third(*next)) < 0)
+        next = forward;
+    }
+    if (next) linked.unite(TriangleMesh::face(backward), TriangleMesh::face(*next));
+  }
+}
+
+Result<std::vector<Shell>> shells_of(const TriangleMesh& mesh, const Monitor& monitor) {
+  DisjointIds<FaceId> linked(mesh.face_count());
+  for (std::size_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const HalfedgeId other = mesh.opposite(HalfedgeId(h));
+    if (other.is_valid()) linked.unite(TriangleMesh::face(HalfedgeId(h)), TriangleMesh::face(other));
+  }
+  for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n) link_at_edge(mesh, mesh.nonmanifold_edge(n), linked);
+  std::vector<Shell> shells;
+  std::vector<std::size_t> shell_of(mesh.face_count(), SIZE_MAX);  // by the leading face of a set
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    std::size_t& shell = shell_of[linked.find(FaceId(f)).index()];
+    if (shell == SIZE_MAX) {
+      shell = shells.size();
+      shells.emplace_back();
+    }
+    shells[shell].faces.emplace_back(f);
+  }
+  SubmeshMaker maker(mesh);
+  for (Shell& shell : shells) {
+    shell.mesh = maker.make(shell.faces);
+    ALGEBRA3D_ASSIGN_OR_RETURN(shell.volume,
+                               exact_volume(shell.mesh.points(), triangles_of(shell.mesh), monitor.cancel()));
+  }
+  return shells;
+}
+
+/// True if the wall of a cavity is inside of an outer shell, which it may touch in points and edges.
+bool is_within(const Shell& cavity, const Geometry& outer) {
+  for (int attempt = 0;; ++attempt) {
+    const ExactPoint point = inner_point(cavity.mesh.corners(FaceId(0)), attempt);
+    const Placement placement = place_in_solid(point, outer);
+    if (placement != Placement::boundary) return placement == Placement::inside;
+  }
+}
+
+}  // namespace
+
+Result<std::size_t> body_count(const TriangleMesh& mesh, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Shell> shells, shells_of(mesh, monitor));
+  std::size_t count = 0;
+  for (const Shell& shell : shells) count += shell.volume.sign() > 0 ? 1 : 0;
+  return count;
+}
+
+Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shell> shells, shells_of(solid.mesh(), monitor));
+  std::vector<Shell> outer, cavities;
+  for (Shell& shell : shells) (shell.volume.sign() > 0 ? outer : cavities).push_back(std::move(shell));
+  if (outer.size() <= 1) return std::vector<Volume3d>(outer.size(), solid);
+  std::vector<Volume3d> filled;
+  filled.reserve(outer.size());
+  for (Shell& shell : outer) filled.push_back(Volume3d::trusted(std::move(shell.mesh)));
+  for (const Shell& cavity : cavities) {
+    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    // Outer shells around a point are nested; the cavity belongs to the innermost one.
+    std::optional<std::size_t> innermost;
+    for (std::size_t i = 0; i < outer.size(); ++i)
+      if ((!innermost || outer[i].volume < outer[*innermost].volume) && is_within(cavity, filled[i].geometry()))
+        innermost = i;
+    if (innermost)
+      outer[*innermost].faces.insert(outer[*innermost].faces.end(), cavity.faces.begin(), cavity.faces.end());
+  }
+  std::vector<Volume3d> bodies;
+  bodies.reserve(outer.size());
+  SubmeshMaker maker(solid.mesh());
+  for (const Shell& shell : outer) bodies.push_back(Volume3d::trusted(maker.make(shell.faces)));
+  return bodies;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,69 @@
+#include "algebra3d/values/measures/detail/overlap.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/kernel/arrangement/arrangement.h"
+#include "algebra3d/values/measures/detail/bodies.h"
+
+namespace algebra3d {
+namespace {
+
+Result<SolidArrangement> arrangement_of(const Volume3d& a, const Volume3d& b, const Monitor& monitor) {
+  const std::array<Operand, 2> operands{
+      {{&a.mesh(), 0, &a.geometry().hierarchy()}, {&b.mesh(), 1, &b.geometry().hierarchy()}}};
+  return SolidArrangement::make(operands, monitor);
+}
+
+/// The number of bodies of the solid of one group without that of the other.
+Result<std::size_t> bodies_without_other(const SolidArrangement& arrangement, std::size_t group,
+                                         const Monitor& monitor) {
+  const auto is_left = [group](const WindingVector& windings) {
+    return windings[group] > 0 && windings[1 - group] == 0;
+  };
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh rest, arrangement.solid(is_left));
+  return body_count(rest, monitor);
+}
+
+/// The part of the boundary of one group in the interior of the other.
+Result<Surface3d> boundary_in_other(const SolidArrangement& arrangement, std::size_t group) {
+  const auto is_inside_other = [group](const WindingVector& front, const WindingVector& back) {
+    const bool is_boundary = (front[group] > 0) != (back[group] > 0);
+    return is_boundary && front[1 - group] > 0 && back[1 - group] > 0 ? 1 : 0;
+  };
+  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh part, arrangement.faces(is_inside_other));
+  return Surface3d::trusted(std::move(part));
+}
+
+/// True if a body of the solid is divided by the other one; `arrangement` is of both, and the solid its `group`.
+Result<bool> is_divided(const Volume3d& solid, const Volume3d& other, const SolidArrangement& arrangement,
+                        std::size_t group, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Volume3d> bodies, bodies_of(solid, monitor));
+  if (bodies.size() == 1) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t count, bodies_without_other(arrangement, group, monitor));
+    return count > 1;
+  }
+  for (const Volume3d& body : bodies) {
+    if (!body.box().intersects(other.box())) continue;
+    ALGEBRA3D_ASSIGN_OR_RETURN(const SolidArrangement own, arrangement_of(body, other, monitor));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t count, bodies_without_other(own, 0, monitor));
+    if (count > 1) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<Overlap> Overlap::of(const Volume3d& a, const Volume3d& b, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SolidArrangement arrangement, arrangement_of(a, b, monitor));
+  Overlap overlap;
+  ALGEBRA3D_ASSIGN_OR_RETURN(overlap.of_first_in_second, boundary_in_other(arrangement, 0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(overlap.of_second_in_first, boundary_in_other(arrangement, 1));
+  ALGEBRA3D_ASSIGN_OR_RETURN(overlap.is_divided, algebra3d::is_divided(a, b, arrangement, 0, monitor));
+  if (overlap.is_divided) return overlap;
+  ALGEBRA3D_ASSIGN_OR_RETURN(overlap.is_divided, algebra3d::is_divided(b, a, arrangement, 1, monitor));
+  return overlap;
+}
+
+}  // namespace algebra3d

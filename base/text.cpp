@@ -1,0 +1,63 @@
+#include "base/text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace algebra3d {
+
+namespace {
+
+constexpr std::size_t kLongestFound = 24;
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string found_text(std::string_view text) {
+  if (text.empty()) return "end of file";
+  std::string found = "'";
+  std::size_t length = 0;
+  for (; length < text.size() && length < kLongestFound && !is_blank(text[length]); ++length) {
+    const char c = text[length];
+    if (c >= ' ' && c <= '~')
+      found += c;
+    else
+      fmt::format_to(std::back_inserter(found), "\\x{:02x}", static_cast<unsigned char>(c));
+  }
+  if (length < text.size() && !is_blank(text[length])) found += "...";
+  return found + "'";
+}
+
+std::string with_replaced(std::string text, std::string_view from, std::string_view to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  return std::string(trimmed(line));
+}
+
+std::size_t line_number(std::string_view bytes, std::size_t offset) {
+  std::size_t line = 1;
+  for (std::size_t i = 0; i < offset; ++i)
+    if (bytes[i] == '\n' || (bytes[i] == '\r' && !(i + 1 < bytes.size() && bytes[i + 1] == '\n'))) ++line;
+  return line;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/polygon_soup.h"
+
+namespace mesh_formats {
+
+/// The content of a file of indexed polygons: its points and faces in the order of the file, with remarks.
+struct ReadMesh {
+  algebra3d::PolygonSoup soup;       ///< every face has at least 3 corners
+  std::vector<std::string> remarks;  ///< tolerated or dropped parts, one sentence each, without the file name
+};
+
+}  // namespace mesh_formats

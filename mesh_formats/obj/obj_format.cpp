@@ -1,0 +1,58 @@
+#include "mesh_formats/obj/obj_format.h"
+
+#include <array>
+#include <utility>
+
+#include "mesh_formats/obj/obj_reader.h"
+#include "mesh_formats/obj/obj_statement.h"
+#include "mesh_formats/obj/obj_writer.h"
+
+namespace mesh_formats {
+
+using algebra3d::PolygonSoup;
+using algebra3d::Result;
+using algebra3d::Status;
+
+namespace {
+
+constexpr std::array<std::string_view, 1> kObjEndings{".obj"};
+constexpr std::array<FileForm, 1> kObjForms{{{Encoding::ascii, CoordinateRange::doubles}}};
+
+Match detect_obj(std::string_view head, std::size_t /*size*/) {
+  return begins_as_text(head) && obj_statement(first_word(head)) != ObjStatement::unknown ? Match::sure : Match::none;
+}
+
+Result<MeshContent> read_obj_content(std::string_view bytes, std::string_view file_name,
+                                     const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(ReadMesh read, read_obj(bytes, file_name, cancel));
+  return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt};
+}
+
+Result<MeshContent> read_obj_with_attributes(std::string_view bytes, std::string_view file_name,
+                                             const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(ReadMesh read, read_obj(bytes, file_name, cancel, ObjWanted::attributes));
+  return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt};
+}
+
+Status write_obj_content(const algebra3d::OutputPath& path, const Facets& facets, std::string_view name,
+                         Encoding /*encoding*/) {
+  return write_obj_file(path, std::get<PolygonSoup>(facets), name);
+}
+
+}  // namespace
+
+MeshFormat obj_format() {
+  return {.name = "OBJ",
+          .title = "a Wavefront OBJ file",
+          .variants = "",
+          .endings = kObjEndings,
+          .forms = kObjForms,
+          .stores_triangles = false,
+          .stores_name = true,
+          .detect = detect_obj,
+          .read = read_obj_content,
+          .write = write_obj_content,
+          .read_with_attributes = read_obj_with_attributes};
+}
+
+}  // namespace mesh_formats

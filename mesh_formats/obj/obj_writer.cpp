@@ -1,0 +1,134 @@
+#include "mesh_formats/obj/obj_writer.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/atomic_file.h"
+#include "base/indices.h"
+#include "base/number_text.h"
+#include "base/text.h"
+#include "mesh_formats/detail/soup_check.h"
+
+namespace mesh_formats {
+
+using algebra3d::append_number;
+using algebra3d::AtomicFile;
+using algebra3d::kNone;
+using algebra3d::one_line;
+using algebra3d::OutputPath;
+using algebra3d::PolygonSoup;
+using algebra3d::SoupAttributes;
+using algebra3d::Status;
+using algebra3d::Vec3;
+
+namespace {
+
+// A backslash at the end of the line would join the next one to it.
+std::string object_line(std::string_view name) {
+  return "o " + std::string(name) + (name.ends_with('\\') ? " \n" : "\n");
+}
+
+Status append_faces(AtomicFile& file, const PolygonSoup& soup) {
+  std::string line;
+  for (std::size_t i = 0; i < soup.face_count(); ++i) {
+    line = "f";
+    for (const std::uint32_t corner : soup.face(i)) append_number(line += ' ', corner + 1);
+    ALGEBRA3D_RETURN_IF_ERROR(file.append(line += '\n'));
+  }
+  return {};
+}
+
+Status append_elements(AtomicFile& file, std::string_view keyword, std::span<const double> numbers) {
+  std::string line(keyword);
+  for (const double number : numbers) append_number(line += ' ', std::isfinite(number) ? number : 0);
+  return file.append(line += '\n');
+}
+
+/// The number of an entry that a list may have; kNone if it has none.
+std::uint32_t number_in(const std::vector<std::uint32_t>& numbers, std::size_t i) {
+  return numbers.empty() ? kNone : numbers[i];
+}
+
+void append_corner(std::string& line, std::uint32_t point, std::uint32_t texture, std::uint32_t normal) {
+  append_number(line += ' ', point + 1);
+  if (texture == kNone && normal == kNone) return;
+  line += '/';
+  if (texture != kNone) append_number(line, texture + 1);
+  if (normal != kNone) append_number(line += '/', normal + 1);
+}
+
+/// Statements that tell the name of a kind where it changes.
+class NameStatements {
+ public:
+  NameStatements(std::string_view keyword, const SoupAttributes::FaceNames& names)
+      : keyword_(keyword), names_(&names) {}
+
+  void append_if_new(std::string& lines, std::size_t face) {
+    const std::uint32_t number = number_in(names_->of_face, face);
+    if (number == current_) return;
+    current_ = number;
+    lines += keyword_;
+    if (number != kNone) lines += ' ' + one_line(names_->names[number]);
+    // A backslash at the end of the line would join the next one to it.
+    lines += lines.ends_with('\\') ? " \n" : "\n";
+  }
+
+ private:
+  std::string_view keyword_;
+  const SoupAttributes::FaceNames* names_;
+  std::uint32_t current_ = kNone;
+};
+
+Status append_with_attributes(AtomicFile& file, const PolygonSoup& soup) {
+  const SoupAttributes& attributes = *soup.attributes;
+  for (const auto& texture : attributes.textures) ALGEBRA3D_RETURN_IF_ERROR(append_elements(file, "vt", texture));
+  for (const Vec3& normal : attributes.normals)
+    ALGEBRA3D_RETURN_IF_ERROR(append_elements(file, "vn", std::array{normal.x, normal.y, normal.z}));
+  std::array names{NameStatements("o", attributes.objects), NameStatements("g", attributes.groups),
+                   NameStatements("usemtl", attributes.materials)};
+  std::string lines;
+  for (std::size_t face = 0; face < soup.face_count(); ++face) {
+    lines.clear();
+    for (NameStatements& statements : names) statements.append_if_new(lines, face);
+    lines += 'f';
+    for (std::uint32_t i = soup.face_starts[face]; i < soup.face_starts[face + 1]; ++i)
+      append_corner(lines, soup.corners[i], number_in(attributes.corner_textures, i),
+                    number_in(attributes.corner_normals, i));
+    ALGEBRA3D_RETURN_IF_ERROR(file.append(lines += '\n'));
+  }
+  return {};
+}
+
+Status append_obj(AtomicFile& file, const PolygonSoup& soup, std::string_view name) {
+  if (!name.empty()) ALGEBRA3D_RETURN_IF_ERROR(file.append(object_line(name)));
+  // A file without bytes is none for readers.
+  if (name.empty() && soup.points.empty()) ALGEBRA3D_RETURN_IF_ERROR(file.append("# no vertices\n"));
+  std::string line;
+  for (const Vec3& point : soup.points) {
+    line = "v";
+    for (std::size_t axis = 0; axis < 3; ++axis) append_number(line += ' ', point[axis]);
+    ALGEBRA3D_RETURN_IF_ERROR(file.append(line += '\n'));
+  }
+  return soup.attributes == nullptr ? append_faces(file, soup) : append_with_attributes(file, soup);
+}
+
+Status write_obj(const OutputPath& path, const PolygonSoup& soup, std::string_view name) {
+  auto file = AtomicFile::create(path);
+  if (!file) return std::move(file).error();
+  ALGEBRA3D_RETURN_IF_ERROR(append_obj(*file, soup, one_line(name)));
+  return file->commit();
+}
+
+}  // namespace
+
+Status write_obj_file(const OutputPath& path, const PolygonSoup& soup, std::string_view name) {
+  ALGEBRA3D_RETURN_IF_ERROR(check_soup(path.path(), soup, CoordinateRange::doubles));
+  return write_obj(path, soup, name);
+}
+
+}  // namespace mesh_formats

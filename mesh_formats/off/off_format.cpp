@@ -1,0 +1,55 @@
+#include "mesh_formats/off/off_format.h"
+
+#include <array>
+#include <utility>
+
+#include "mesh_formats/off/off_header.h"
+#include "mesh_formats/off/off_reader.h"
+#include "mesh_formats/off/off_writer.h"
+
+namespace mesh_formats {
+
+using algebra3d::PolygonSoup;
+using algebra3d::Result;
+using algebra3d::Status;
+
+namespace {
+
+constexpr std::array<std::string_view, 1> kOffEndings{".off"};
+constexpr std::array<FileForm, 2> kOffForms{
+    {{Encoding::ascii, CoordinateRange::doubles}, {Encoding::binary, CoordinateRange::floats}}};
+
+Match detect_off(std::string_view head, std::size_t /*size*/) {
+  const auto header = off_header(head);
+  return header && (header->is_binary || begins_as_text(head)) ? Match::sure : Match::none;
+}
+
+Result<MeshContent> read_off_content(std::string_view bytes, std::string_view file_name,
+                                     const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(ReadMesh read, read_off(bytes, file_name, cancel));
+  const auto header = off_header(bytes);
+  const Encoding encoding = header && header->is_binary ? Encoding::binary : Encoding::ascii;
+  return MeshContent{std::move(read.soup), encoding, std::move(read.remarks), std::nullopt};
+}
+
+Status write_off_content(const algebra3d::OutputPath& path, const Facets& facets, std::string_view /*name*/,
+                         Encoding encoding) {
+  return write_off_file(path, std::get<PolygonSoup>(facets), encoding);
+}
+
+}  // namespace
+
+MeshFormat off_format() {
+  return {.name = "OFF",
+          .title = "an OFF file",
+          .variants = " (also COFF, NOFF, binary ones)",
+          .endings = kOffEndings,
+          .forms = kOffForms,
+          .stores_triangles = false,
+          .stores_name = false,
+          .detect = detect_off,
+          .read = read_off_content,
+          .write = write_off_content};
+}
+
+}  // namespace mesh_formats

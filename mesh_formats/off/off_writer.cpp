@@ -1,0 +1,93 @@
+#include "mesh_formats/off/off_writer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "base/atomic_file.h"
+#include "base/number_text.h"
+#include "mesh_formats/detail/soup_check.h"
+
+namespace mesh_formats {
+
+using algebra3d::append_number;
+using algebra3d::AtomicFile;
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::OutputPath;
+using algebra3d::PolygonSoup;
+using algebra3d::Status;
+using algebra3d::Vec3;
+
+namespace {
+
+// Signed, since readers hold the counts so.
+constexpr std::size_t kMostInBinaryOff = std::numeric_limits<std::int32_t>::max();
+
+Status append_ascii_off(AtomicFile& file, const PolygonSoup& soup) {
+  std::string line = fmt::format("OFF\n{} {} 0\n", soup.points.size(), soup.face_count());
+  ALGEBRA3D_RETURN_IF_ERROR(file.append(line));
+  for (const Vec3& point : soup.points) {
+    line.clear();
+    for (std::size_t axis = 0; axis < 3; ++axis) append_number(axis == 0 ? line : line += ' ', point[axis]);
+    ALGEBRA3D_RETURN_IF_ERROR(file.append(line += '\n'));
+  }
+  for (std::size_t i = 0; i < soup.face_count(); ++i) {
+    line.clear();
+    append_number(line, static_cast<std::uint32_t>(soup.face(i).size()));
+    for (const std::uint32_t corner : soup.face(i)) append_number(line += ' ', corner);
+    ALGEBRA3D_RETURN_IF_ERROR(file.append(line += '\n'));
+  }
+  return {};
+}
+
+void append_word(std::string& bytes, std::uint32_t word) {
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>((word >> shift) & 0xffU);
+}
+
+Status append_binary_off(AtomicFile& file, const PolygonSoup& soup) {
+  std::string bytes = "OFF BINARY\n";
+  append_word(bytes, static_cast<std::uint32_t>(soup.points.size()));
+  append_word(bytes, static_cast<std::uint32_t>(soup.face_count()));
+  append_word(bytes, 0);
+  ALGEBRA3D_RETURN_IF_ERROR(file.append(bytes));
+  for (const Vec3& point : soup.points) {
+    bytes.clear();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      append_word(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(point[axis])));
+    ALGEBRA3D_RETURN_IF_ERROR(file.append(bytes));
+  }
+  for (std::size_t i = 0; i < soup.face_count(); ++i) {
+    bytes.clear();
+    append_word(bytes, static_cast<std::uint32_t>(soup.face(i).size()));
+    for (const std::uint32_t corner : soup.face(i)) append_word(bytes, corner);
+    append_word(bytes, 0);
+    ALGEBRA3D_RETURN_IF_ERROR(file.append(bytes));
+  }
+  return {};
+}
+
+Status write_off(const OutputPath& path, const PolygonSoup& soup, Encoding format) {
+  auto file = AtomicFile::create(path);
+  if (!file) return std::move(file).error();
+  ALGEBRA3D_RETURN_IF_ERROR(format == Encoding::binary ? append_binary_off(*file, soup)
+                                                       : append_ascii_off(*file, soup));
+  return file->commit();
+}
+
+}  // namespace
+
+Status write_off_file(const OutputPath& path, const PolygonSoup& soup, Encoding format) {
+  const bool is_binary = format == Encoding::binary;
+  if (is_binary && std::max(soup.points.size(), soup.face_count()) > kMostInBinaryOff)
+    return Error{ErrorCode::limit_exceeded,
+                 "{}: {} points and {} faces, but a binary file holds at most 2147483647; ASCII holds more",
+                 path.path().string(), soup.points.size(), soup.face_count()};
+  ALGEBRA3D_RETURN_IF_ERROR(
+      check_soup(path.path(), soup, is_binary ? CoordinateRange::floats : CoordinateRange::doubles));
+  return write_off(path, soup, format);
+}
+
+}  // namespace mesh_formats
