@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "algebra3d/library/detail/operator_call.h"
+#include "algebra3d/library/detail/surroundings.h"
 #include "algebra3d/library/shape_access.h"
 #include "algebra3d/values/conversions/export_solid.h"
 #include "algebra3d/values/conversions/import_solid.h"

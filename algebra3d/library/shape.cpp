@@ -4,9 +4,10 @@
 
 #include "algebra3d/kernel/exact/exact_sum.h"
 #include "algebra3d/kernel/halfedge/mesh_triangles.h"
-#include "algebra3d/library/detail/operator_call.h"
+#include "algebra3d/library/detail/surroundings.h"
 #include "algebra3d/library/detail/triangles.h"
 #include "algebra3d/library/shape_access.h"
+#include "algebra3d/values/constructions/motions.h"
 #include "algebra3d/values/types/codec.h"
 #include "base/interruption_scope.h"
 #include "base/nearest_rounding.h"
@@ -17,11 +18,10 @@
 
 namespace algebra3d {
 
-using detail::call;
 using detail::check_finite;
-using detail::point_value;
+using detail::defined;
 using detail::ShapeAccess;
-using detail::vector_value;
+using detail::Surroundings;
 
 template <typename Derived, typename Content>
 Shape<Derived, Content>::Shape() : content_(std::make_shared<const Content>()) {}
@@ -87,7 +87,9 @@ template <typename Derived, typename Content>
 Result<Derived> Shape<Derived, Content>::translated(const Vec3& by) const {
   return without_exceptions([&]() -> Result<Derived> {
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("translated", by));
-    return ShapeAccess::outer(call<Content>("translated", "translate", {ShapeAccess::value(*this), vector_value(by)}));
+    Surroundings surroundings{Monitor{}};
+    return ShapeAccess::outer(
+        defined("translated", algebra3d::translated(surroundings.context, *content_, detail::vector(by))));
   });
 }
 
@@ -97,9 +99,10 @@ Result<Derived> Shape<Derived, Content>::rotated(const Vec3& centre, const Vec3&
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("rotated", centre));
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("rotated", axis));
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("rotated", {degrees, 0, 0}));
-    return ShapeAccess::outer(call<Content>(
-        "rotated", "rotate",
-        {ShapeAccess::value(*this), point_value(centre), vector_value(axis), Value::of<double>(degrees)}));
+    Surroundings surroundings{Monitor{}};
+    return ShapeAccess::outer(defined(
+        "rotated",
+        algebra3d::rotated(surroundings.context, *content_, detail::point(centre), detail::vector(axis), degrees)));
   });
 }
 
@@ -108,17 +111,18 @@ Result<Derived> Shape<Derived, Content>::scaled(const Vec3& centre, const Vec3& 
   return without_exceptions([&]() -> Result<Derived> {
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("scaled", centre));
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("scaled", factors));
-    return ShapeAccess::outer(
-        call<Content>("scaled", "scaleDir", {ShapeAccess::value(*this), point_value(centre), vector_value(factors)}));
+    Surroundings surroundings{Monitor{}};
+    return ShapeAccess::outer(defined(
+        "scaled", scaled_by_axis(surroundings.context, *content_, detail::point(centre), detail::vector(factors))));
   });
 }
 
 template <typename Derived, typename Content>
 Result<Derived> Shape<Derived, Content>::mirrored(const Vec3& point, const Vec3& normal) const {
   return without_exceptions([&]() -> Result<Derived> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Plane3d plane, detail::plane_through("mirrored", point, normal));
-    return ShapeAccess::outer(
-        call<Content>("mirrored", "mirror", {ShapeAccess::value(*this), Value::of<Plane3d>(std::move(plane))}));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Plane3d plane, detail::plane_through("mirrored", point, normal));
+    Surroundings surroundings{Monitor{}};
+    return ShapeAccess::outer(defined("mirrored", algebra3d::mirrored(surroundings.context, *content_, plane)));
   });
 }
 

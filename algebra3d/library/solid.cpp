@@ -2,10 +2,15 @@
 
 #include "algebra3d/kernel/exact/exact_sum.h"
 #include "algebra3d/kernel/halfedge/mesh_triangles.h"
-#include "algebra3d/library/detail/operator_call.h"
+#include "algebra3d/kernel/rounding/coordinate_grid.h"
+#include "algebra3d/kernel/rounding/rounded_solid.h"
+#include "algebra3d/library/detail/surroundings.h"
 #include "algebra3d/library/detail/triangles.h"
 #include "algebra3d/library/shape_access.h"
+#include "algebra3d/values/constructions/shape_makers.h"
+#include "algebra3d/values/constructions/solid_components.h"
 #include "algebra3d/values/constructions/solid_sets.h"
+#include "base/interruption_scope.h"
 #include "base/nearest_rounding.h"
 #include "base/without_exceptions.h"
 
@@ -15,10 +20,10 @@
 namespace algebra3d {
 namespace {
 
-using detail::call;
 using detail::check_finite;
-using detail::point_value;
+using detail::defined;
 using detail::ShapeAccess;
+using detail::Surroundings;
 
 Rational exact_volume_of(const Volume3d& volume) {
   const NearestRounding rounding;
@@ -40,7 +45,9 @@ Result<Solid> Solid::box(const Vec3& corner, const Vec3& opposite) {
   return without_exceptions([&]() -> Result<Solid> {
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("box", corner));
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("box", opposite));
-    return ShapeAccess::outer(call<Volume3d>("box", "createCube", {point_value(corner), point_value(opposite)}));
+    Surroundings surroundings{Monitor{}};
+    return ShapeAccess::outer(
+        defined("box", box_between(surroundings.context, detail::point(corner), detail::point(opposite))));
   });
 }
 
@@ -48,8 +55,9 @@ Result<Solid> Solid::sphere(const Vec3& centre, double radius, int corners) {
   return without_exceptions([&]() -> Result<Solid> {
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("sphere", centre));
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("sphere", {radius, 0, 0}));
-    return ShapeAccess::outer(call<Volume3d>(
-        "sphere", "createSphere", {point_value(centre), Value::of<double>(radius), Value::of<std::int64_t>(corners)}));
+    Surroundings surroundings{Monitor{}};
+    return ShapeAccess::outer(
+        defined("sphere", sphere_polyhedron(surroundings.context, detail::point(centre), radius, corners)));
   });
 }
 
@@ -65,32 +73,35 @@ std::string Solid::exact_volume() const {
 
 Result<Vec3> Solid::centroid() const {
   return without_exceptions([&]() -> Result<Vec3> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Point3d centroid,
-                               call<Point3d>("centroid", "centroid", {ShapeAccess::value(*this)}));
-    return centroid.position.approx();
+    if (content().mesh().is_empty()) return Error{ErrorCode::invalid_value, "centroid: an empty solid has no centroid"};
+    return nearest_centroid(content().mesh().points(), triangles_of(content().mesh()));
   });
 }
 
 Result<Solid> Solid::rounded(const Monitor& monitor) const {
   return without_exceptions([&]() -> Result<Solid> {
-    return ShapeAccess::outer(call<Volume3d>("rounded", "roundCoordinates", {ShapeAccess::value(*this)}, monitor));
+    const InterruptionScope interruption(monitor.cancel());
+    ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded,
+                               rounded_solid(content().mesh(), CoordinateGrid::doubles(), monitor));
+    if (!rounded.mesh) return Error{ErrorCode::invalid_value, "rounded: {}", rounded.reason};
+    return rounded.moved_vertices == 0 ? *this : ShapeAccess::outer(Volume3d::trusted(*std::move(rounded.mesh)));
   });
 }
 
 Result<std::vector<Solid>> Solid::components(const Monitor& monitor) const {
   return without_exceptions([&]() -> Result<std::vector<Solid>> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Value> parts,
-                               detail::call_for_values("components", {ShapeAccess::value(*this)}, monitor));
+    Surroundings surroundings(monitor);
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Volume3d> parts, components_of(surroundings.context, content()));
     std::vector<Solid> solids;
     solids.reserve(parts.size());
-    for (const Value& part : parts) solids.push_back(ShapeAccess::outer(part.get<Volume3d>()));
+    for (Volume3d& part : parts) solids.push_back(ShapeAccess::outer(std::move(part)));
     return solids;
   });
 }
 
 Result<Solid> unite(std::span<const Solid> solids, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<Solid> {
-    detail::Surroundings surroundings(monitor);
+    Surroundings surroundings(monitor);
     return ShapeAccess::outer(united(surroundings.context, contents_of(solids)));
   });
 }
@@ -102,7 +113,7 @@ Result<Solid> unite(const Solid& a, const Solid& b, const Monitor& monitor) {
 Result<Solid> intersect(std::span<const Solid> solids, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<Solid> {
     if (solids.empty()) return Error{ErrorCode::wrong_usage, "intersect: expected at least one solid"};
-    detail::Surroundings surroundings(monitor);
+    Surroundings surroundings(monitor);
     return ShapeAccess::outer(intersected(surroundings.context, contents_of(solids)));
   });
 }
@@ -113,14 +124,14 @@ Result<Solid> intersect(const Solid& a, const Solid& b, const Monitor& monitor) 
 
 Result<Solid> subtract(const Solid& a, const Solid& b, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<Solid> {
-    detail::Surroundings surroundings(monitor);
+    Surroundings surroundings(monitor);
     return ShapeAccess::outer(without(surroundings.context, ShapeAccess::content(a), ShapeAccess::content(b)));
   });
 }
 
 Result<Solid> symmetric_difference(const Solid& a, const Solid& b, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<Solid> {
-    detail::Surroundings surroundings(monitor);
+    Surroundings surroundings(monitor);
     return ShapeAccess::outer(in_either(surroundings.context, ShapeAccess::content(a), ShapeAccess::content(b)));
   });
 }
@@ -128,7 +139,7 @@ Result<Solid> symmetric_difference(const Solid& a, const Solid& b, const Monitor
 Result<SplitSolid> split(const Solid& solid, const Vec3& point, const Vec3& normal, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<SplitSolid> {
     ALGEBRA3D_ASSIGN_OR_RETURN(const Plane3d plane, detail::plane_through("split", point, normal));
-    detail::Surroundings surroundings(monitor);
+    Surroundings surroundings(monitor);
     ALGEBRA3D_ASSIGN_OR_RETURN(SolidParts parts, split(surroundings.context, ShapeAccess::content(solid), plane.plane));
     return SplitSolid{ShapeAccess::outer(std::move(parts.in_front)), ShapeAccess::outer(std::move(parts.behind))};
   });

@@ -1,7 +1,7 @@
 #include "algebra3d/geometry/surface.h"
 
 #include "algebra3d/kernel/arrangement/surface_arrangement.h"
-#include "algebra3d/library/detail/operator_call.h"
+#include "algebra3d/library/detail/surroundings.h"
 #include "algebra3d/library/shape_access.h"
 #include "algebra3d/values/constructions/solid_sets.h"
 #include "base/without_exceptions.h"

@@ -4,6 +4,7 @@
 #include "algebra3d/operators/descriptions/all.h"
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/operators/registry/overload.h"
+#include "algebra3d/values/constructions/planes.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
 
@@ -26,20 +27,6 @@ Maybe<Vector3d> as_vector(const RationalVec3& exact) {
 
 Maybe<Vector3d> vector_between(const Point3d& from, const Point3d& to) {
   return as_vector(to.position.rational() - from.position.rational());
-}
-
-Maybe<Plane3d> plane_through(const Point3d& point, const Vector3d& normal) {
-  const RationalVec3 p = point.position.rational();
-  auto plane = ExactPlane::through(p, normal.components.rational());
-  if (!plane) return Undefined{"the normal is the zero vector"};
-  return Plane3d{std::move(*plane), p, nullptr};
-}
-
-Maybe<Plane3d> plane_spanned(const Point3d& point, const Vector3d& u, const Vector3d& v) {
-  const RationalVec3 p = point.position.rational();
-  auto plane = ExactPlane::spanned(p, u.components.rational(), v.components.rational());
-  if (!plane) return Undefined{"the two directions are parallel or zero"};
-  return Plane3d{std::move(*plane), p, nullptr};
 }
 
 template <std::size_t kAxis>

@@ -3,7 +3,7 @@
 #include "algebra3d/operators/descriptions/detail/sample_values.h"
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/operators/registry/overload.h"
-#include "algebra3d/values/constructions/value_images.h"
+#include "algebra3d/values/constructions/motions.h"
 #include "algebra3d/values/types/scalars.h"
 
 namespace algebra3d {
@@ -17,35 +17,6 @@ Result<Maybe<Region>> translated_region(Context& context, const Region& region, 
 Result<Maybe<MovingRegion>> translated_motion(Context& context, const MovingRegion& moving, const Vector3d& by) {
   if (by.components.rational().z.sign() != 0) return Maybe<MovingRegion>(Undefined{"the vector leaves the plane"});
   return image_of(context, AffineMap::translation(by.components.rational()), moving);
-}
-
-template <typename T>
-Result<Maybe<T>> rotated(Context& context, const T& geometry, const Point3d& centre, const Vector3d& axis,
-                         double angle_degrees) {
-  const auto map = AffineMap::rotation(centre.position.rational(), axis.components.rational(), angle_degrees);
-  if (!map) return Maybe<T>(Undefined{"the axis is the zero vector"});
-  return image_of(context, *map, geometry);
-}
-
-template <typename T>
-Result<Maybe<T>> mirrored(Context& context, const T& geometry, const Plane3d& plane) {
-  return image_of(context, AffineMap::reflection(plane.plane), geometry);
-}
-
-template <typename T>
-Result<Maybe<T>> translated(Context& context, const T& geometry, const Vector3d& by) {
-  return image_of(context, AffineMap::translation(by.components.rational()), geometry);
-}
-
-template <typename T>
-Result<Maybe<T>> scaled(Context& context, const T& geometry, const Point3d& centre, double factor) {
-  const Rational f(factor);
-  return image_of(context, AffineMap::scaling(centre.position.rational(), RationalVec3(f, f, f)), geometry);
-}
-
-template <typename T>
-Result<Maybe<T>> scaled_by_axis(Context& context, const T& geometry, const Point3d& centre, const Vector3d& factors) {
-  return image_of(context, AffineMap::scaling(centre.position.rational(), factors.components.rational()), geometry);
 }
 
 const std::string kCuboid = "(createCube (makePoint3D 0 0 0) (makePoint3D 1 2 3))";

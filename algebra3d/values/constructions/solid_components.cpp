@@ -122,4 +122,33 @@ Result<std::vector<std::vector<FaceId>>> solid_components(const TriangleMesh& me
   return join_shells(std::move(faces), leaders);
 }
 
+namespace {
+
+template <typename T>
+Result<std::vector<T>> parts_of(Context& context, const T& geometry,
+                                const std::vector<std::vector<FaceId>>& components) {
+  if (components.size() == 1) return std::vector<T>{geometry};
+  std::vector<T> result;
+  SubmeshMaker maker(geometry.mesh());
+  for (const std::vector<FaceId>& faces : components) {
+    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    // No proof: triangles that are fine among others are so among fewer. A component of a volume holds the outer shell
+    // of a body and the walls of its cavities, so next to these the winding numbers are what they were in the whole.
+    result.push_back(T::trusted(maker.make(faces)));
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<std::vector<Surface3d>> components_of(Context& context, const Surface3d& surface) {
+  return parts_of(context, surface, connected_components(surface.mesh()).faces());
+}
+
+Result<std::vector<Volume3d>> components_of(Context& context, const Volume3d& solid) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto components,
+                             solid_components(solid.mesh(), solid.geometry().hierarchy(), context.cancel));
+  return parts_of(context, solid, components);
+}
+
 }  // namespace algebra3d

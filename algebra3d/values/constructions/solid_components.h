@@ -6,6 +6,8 @@
 #include "algebra3d/base/error.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "algebra3d/kernel/search/box_hierarchy.h"
+#include "algebra3d/values/types/spatial.h"
+#include "base/context.h"
 
 namespace algebra3d {
 
@@ -16,5 +18,10 @@ namespace algebra3d {
 /// line, and one per body around it.
 Result<std::vector<std::vector<FaceId>>> solid_components(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
                                                           const std::atomic<bool>* cancel = nullptr);
+
+/// The parts of a surface or solid that are connected across common edges, in the order of their first triangles; a
+/// solid has those of `solid_components`. Empty geometry has none. Exact. Errors and cost: as above.
+Result<std::vector<Surface3d>> components_of(Context& context, const Surface3d& surface);
+Result<std::vector<Volume3d>> components_of(Context& context, const Volume3d& solid);
 
 }  // namespace algebra3d
