@@ -33,7 +33,4 @@ struct SoupReport {
   std::vector<std::string> remarks() const;
 };
 
-/// The name of the defect for people: "boundary edges".
-std::string_view name_of(Defect kind);
-
 }  // namespace algebra3d

@@ -38,6 +38,10 @@ std::string place_text(const DefectExample& e) {
 
 }  // namespace
 
+std::string_view name_of(Defect kind) {
+  return kKindTexts[static_cast<std::size_t>(kind)].many;
+}
+
 std::uint64_t ValidityReport::total() const {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
@@ -56,6 +60,11 @@ void ValidityReport::add(const DefectExample& defect) {
 }
 
 std::string ValidityReport::text() const {
+  return text("; ", place_text);
+}
+
+std::string ValidityReport::text(std::string_view separator,
+                                 const std::function<std::string(const DefectExample&)>& place) const {
   std::string text;
   Defect previous{kDefectKinds};
   for (const DefectExample& example : examples) {
@@ -64,8 +73,8 @@ std::string ValidityReport::text() const {
     const std::uint64_t n = count(example.kind);
     const KindText& name = kKindTexts[static_cast<std::size_t>(example.kind)];
     const bool at_least = is_cut_short && example.kind == Defect::intersecting_triangles;
-    text += fmt::format("{}{}{} {} ({})", text.empty() ? "" : "; ", at_least ? "at least " : "", n,
-                        n == 1 ? name.one : name.many, place_text(example));
+    text += fmt::format("{}{}{} {} ({})", text.empty() ? "" : separator, at_least ? "at least " : "", n,
+                        n == 1 ? name.one : name.many, place(example));
   }
   return text;
 }

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "algebra3d/base/vec3.h"
@@ -21,6 +23,9 @@ enum class Defect : std::uint8_t {
   wrong_winding,           ///< volume: a shell whose winding number is not 0 in front of it, or not 1 behind it
 };
 inline constexpr std::size_t kDefectKinds = 7;
+
+/// The name of the defect for people: "boundary edges".
+std::string_view name_of(Defect kind);
 
 /// A defect with its place, for people.
 struct DefectExample {
@@ -52,6 +57,8 @@ struct ValidityReport {
   /// The report for people, one line, triangles numbered from 0; empty if valid. For example "2 boundary edges (first
   /// at triangle 12, near (1.0 2.0 3.0)); 3 intersecting pairs (first triangles 4 and 17, near (0.5 0.0 0.0))".
   std::string text() const;
+  /// Likewise with another separator and other words for the places.
+  std::string text(std::string_view separator, const std::function<std::string(const DefectExample&)>& place) const;
 };
 
 }  // namespace algebra3d
