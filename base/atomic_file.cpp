@@ -39,7 +39,7 @@ Status write_all(int descriptor, const char* bytes, std::size_t size, const fs::
 }
 
 // The name of a new file is safe only once its folder is on disk. Some file systems cannot do this for folders; the
-// file itself is whole by then, so that is no error.
+// file itself is whole by then, so that is not an error.
 void sync_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);  // NOLINT(*-vararg)
   if (descriptor < 0) return;

@@ -27,7 +27,7 @@ std::invoke_result_t<const Work&> without_exceptions(const Work& work) noexcept 
   } catch (const std::exception& exception) {
     return Error(ErrorCode::internal, exception.what());
   } catch (...) {
-    return Error(ErrorCode::internal, "an exception that is no std::exception");
+    return Error(ErrorCode::internal, "an exception that is not a std::exception");
   }
 }
 

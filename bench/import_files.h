@@ -100,7 +100,7 @@ inline void add_cube(TriangleSoup& soup, const Vec3& middle, double size) {
   for (const auto& [a, b, c] : algebra3d::kBoxTriangles) soup.triangles.push_back({corner(a), corner(b), corner(c)});
 }
 
-/// The triangles of a square with a defect that is no hole.
+/// The triangles of a square with a defect that is not a hole.
 inline void add_faulty(TriangleSoup& soup, const std::array<TriangleSoup::Triangle, 2>& square, Defect defect) {
   auto [first, second] = square;
   const Vec3 diagonal = first[2] - first[0];

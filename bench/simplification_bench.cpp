@@ -3,7 +3,7 @@
 // names; with vertices and triangles in order, and shuffled. The meshes of the peers are built before the clock starts,
 // and their results are not taken out of them; ours goes from mesh to mesh. `deviation` is the Hausdorff distance from
 // the mesh by our exact search, in parts of a million of half the largest extent, and `crossing` whether the result is
-// no valid volume (of the terrain, surface).
+// not a valid volume (of the terrain, surface).
 #include <benchmark/benchmark.h>
 
 #ifdef BENCH_WITH_OPENMESH

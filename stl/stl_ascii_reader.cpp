@@ -108,7 +108,7 @@ class AsciiReader : Reading {
   }
 
   // The facet here, if the text between its numbers is that of an earlier one; else nothing is taken. All in one
-  // function and with a cursor that is no member, so that the place stays in a register.
+  // function and with a cursor that is not a member, so that the place stays in a register.
   bool take_facet_as_before() {
     Vec3 normal;
     TriangleSoup::Triangle corners;

@@ -81,7 +81,7 @@ class ObjReader : Reading {
   }
 
   // Goes over lines that are plain vertices and faces, as most are, up to one that is none; gives their number, at most
-  // kStatementsPerPoll. The cursor is no member, so that the place stays in a register.
+  // kStatementsPerPoll. The cursor is not a member, so that the place stays in a register.
   std::size_t take_plain_lines() {
     AsciiCursor cursor = cursor_;
     for (std::size_t count = 0; count < kStatementsPerPoll; ++count) {

@@ -107,7 +107,7 @@ class OffAsciiReader : Reading {
   }
 
   // Takes vertices of three plain numbers that fill their line, as most are, up to one that is none, and at most
-  // kOffElementsPerPoll. The cursor is no member, so that the place stays in a register.
+  // kOffElementsPerPoll. The cursor is not a member, so that the place stays in a register.
   void take_plain_vertices() {
     if (header_.has_weights || header_.has_normals || header_.has_texture_coordinates) return;
     auto& points = read_.soup.points;

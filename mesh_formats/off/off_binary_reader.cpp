@@ -112,7 +112,7 @@ class OffBinaryReader : Reading {
     for (std::uint32_t face = 0; face < face_count; ++face) {
       const std::size_t face_begin = next;
       if (next == count || words[next] >= count - next) return {false, face_begin};
-      // The 0 colour floats of a file that was cut are no face.
+      // In a file that was cut, 0 colour floats are not a face.
       if (!layout.has_colour_counts && words[next] < 3) return {false, face_begin};
       const std::size_t face_end = next + 1 + words[next];
       for (++next; next < face_end; ++next)

@@ -6,7 +6,7 @@ query createCube(makePoint3D(0, 0, 0), makePoint3D(20, 10, 5)) exportSTL["plate"
 query createCylinder(makePoint3D(10, 5, 5), 3, 40, 24) exportSTL["shaft", 'shaft.stl', TRUE];
 query createSphere(makePoint3D(10, 5, 50), 6, 24) exportSTL["knob", 'knob.stl', FALSE];
 
-# Every *.stl file of the folder and below becomes a tuple. What is no valid solid becomes undefined, with a note that
+# Every *.stl file of the folder and below becomes a tuple. What is not a valid solid becomes undefined, with a note that
 # says why, and stops nothing.
 let Parts = getDirectory('.', '*.stl') transformstream projectextend[; Name: .Elem, Solid: importSTL(.Elem)] consume;
 

@@ -140,7 +140,7 @@ Status Import::drop_gone(const FileList& list, RelationWriter& writer) {
   std::unordered_set<std::string> listed;
   for (const ListedFile& file : list.files) listed.insert(path_text(file.path));
   const auto is_gone = [&](const std::string& file) {
-    constexpr std::string_view kOtherByte = "\\x";  // of a name that is no UTF-8, so that the name is not known
+    constexpr std::string_view kOtherByte = "\\x";  // of a name that is not UTF-8, so that the name is not known
     if (listed.contains(file) || file.find(kOtherByte) != std::string::npos || !list.covers(file)) return false;
     std::error_code error;
     return std::filesystem::status(file, error).type() == std::filesystem::file_type::not_found;

@@ -190,7 +190,7 @@ Result<TypedPtr> Checker::checked_argument(const Argument& argument, const Typed
 Result<TypedPtr> Checker::check(const ListExpression& list, const SourcePlace& place) {
   if (list.items.size() == 1 && list.items[0].name.empty() && list.items[0].modifier == nullptr)
     return check(*list.items[0].value);
-  return Error(ErrorCode::type_error, "a list of {} elements is no value", list.items.size()).at(place);
+  return Error(ErrorCode::type_error, "a list of {} elements is not a value", list.items.size()).at(place);
 }
 
 }  // namespace queries

@@ -62,8 +62,8 @@ Path odd_one_out(const NestedList& list) {
   return {};
 }
 
-// Where in a list that is no value of the type the first wrong element stands, as far as that can be told: an atom that
-// is no number among numbers, or else an element that is no value alone either.
+// Where in a list that is not a value of the type the first wrong element stands, as far as that can be told: an atom
+// that is not a number among numbers, or else an element that is not a value alone either.
 Path wrong_element(const algebra3d::Type& type, const NestedList& list, const Context& surroundings) {
   if (Path odd = odd_one_out(list); !odd.empty()) return odd;
   if (!list.is_list() || list.elements().size() < 2) return {};

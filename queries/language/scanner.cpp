@@ -291,7 +291,7 @@ Token Scanner::scan_special(Token token) {
            (position_ == token.begin || (at(position_) != '-' && at(position_) != '+')))
       ++position_;
   }
-  // The message shows a character that is no ASCII whole.
+  // The message shows all bytes of a character beyond ASCII.
   if (static_cast<unsigned char>(source_[token.begin]) >= 0x80)
     while (position_ < source_.size() && algebra3d::is_utf8_continuation(source_[position_])) ++position_;
   token.text = source_.substr(token.begin, position_ - token.begin);
@@ -307,7 +307,7 @@ void Scanner::rewind_to_next() {
   known_offset_ = position_;
   place_ = buffer_.front().place;
   buffer_.clear();
-  // What was no token may well be part of a nested list.
+  // What was not a token may well be part of a nested list.
   error_.reset();
 }
 

@@ -22,7 +22,7 @@ Error wrong_parameter(std::string_view text, std::string_view why) {
   return {ErrorCode::wrong_usage, "-p {}: {}", quoted_excerpt(text), why};
 }
 
-// As for commands: a string that is no text could be stored, but neither saved and restored nor shown.
+// As for commands: a string that is not text could be stored, but neither saved and restored nor shown.
 Status check_is_text(std::string_view text) {
   const std::size_t wrong = algebra3d::first_no_text(text);
   if (wrong == std::string_view::npos) return {};

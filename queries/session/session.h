@@ -159,7 +159,7 @@ class Session {
 
   /// Runs `work` as one statement of the open database, or without one if none is open.
   Status in_transaction(bool writes, const std::function<Status()>& work);
-  /// Evaluates an expression whose value is no stream, as a statement of its own.
+  /// Evaluates an expression whose value is not a stream, as a statement of its own.
   Result<Value> evaluate_alone(const Expression& expression, Context& context);
   Status set_memory(const Value& value, const SourcePlace& place);
   Result<bool> holds(const Expression& condition, std::string_view command, Context& context);

@@ -13,8 +13,8 @@ struct StoreOptions {
   /// Maximum bytes of encoded values in a row; further values are stored in chunks in another table. A quarter of a
   /// page: so a scan of numbers and boxes reads few pages, and writing a row again does not write its geometry again.
   std::uint64_t inline_bytes = 1024;
-  /// Maximum bytes of a chunk, and of the value of an object that is no relation in one row. SQLite's own limit is 10^9
-  /// bytes per row.
+  /// Maximum bytes of a chunk, and of the value of an object that is not a relation in one row. SQLite's own limit is
+  /// 10^9 bytes per row.
   std::uint64_t chunk_bytes = std::uint64_t{64} << 20;
   /// Size of the cache of loaded geometry, in estimated bytes: a twelfth of the default memory limit; less where little
   /// memory is left.

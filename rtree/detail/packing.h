@@ -103,8 +103,8 @@ class Packing {
     }
   }
 
-  // Lists what is not empty, with its keys: later these are read in the order of the tree, which is no order in memory,
-  // and the boxes of the input, which are larger and in smaller pages, are not.
+  // Lists what is not empty, with its keys: later these are read in the order of the tree, which is not an order in
+  // memory, and the boxes of the input, which are larger and in smaller pages, are not.
   void encode(std::size_t count, const CellGrid& grid) {
     places_.resize(storage_.entry_count);
     items_.resize(storage_.entry_count);

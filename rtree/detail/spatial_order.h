@@ -40,7 +40,8 @@ class CellGrid {
     constexpr double kLargest = std::numeric_limits<double>::max();
     return std::clamp(x, -kLargest, kLargest);
   }
-  // Quarters, so that no sum and no difference is infinite unless the box is. A centre that is no number is in cell 0.
+  // Quarters, so that no sum and no difference is infinite unless the box is. A centre that is not a number is in cell
+  // 0.
   std::uint32_t cell(const Box3& box, std::size_t axis) const {
     const double doubled = box.min[axis] / 4 + box.max[axis] / 4 - 2 * origin_[axis];
     const double number = doubled * scale_;

@@ -14,7 +14,7 @@
 namespace queries::fuzz {
 
 /// All types and operators, but those that make solids out of numbers make small ones only: a sphere of a million
-/// triangles is no hang.
+/// triangles is not a hang.
 const algebra3d::Registry& fuzz_registry();
 
 /// What every input meets: a folder of its own with a database `w` of objects of all kinds and some files. One per

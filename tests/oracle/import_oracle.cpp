@@ -1,7 +1,7 @@
-// import_oracle [FILE...]: imports mesh files, repairs what is no solid, and has CGAL examine every result: its polygon
-// mesh processing with exact coordinates says whether it is closed, free of self-intersections and bounds a volume, and
-// its polygon soup tools (equal points and polygons merged, polygons oriented) give a volume of their own. Without
-// files, takes them from standard input, one in each line.
+// import_oracle [FILE...]: imports mesh files, repairs what is not a solid, and has CGAL examine every result: its
+// polygon mesh processing with exact coordinates says whether it is closed, free of self-intersections and bounds a
+// volume, and its polygon soup tools (equal points and polygons merged, polygons oriented) give a volume of their own.
+// Without files, takes them from standard input, one in each line.
 //
 // For each file one line of fields with tabs between: file, status, `solid` or `undefined`, triangles, volume, CGAL's
 // volume (`-` if its tools give nothing closed), seconds for reading and making the solid, largest distance from the

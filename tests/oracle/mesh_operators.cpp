@@ -52,7 +52,7 @@ template <typename Mesh>
 std::string violation(const Mesh& mesh) {
   if (const auto found = audit(mesh); !found.empty()) return found.front();
   if (!is_closed(mesh)) return "has a boundary";
-  if (!is_manifold(mesh)) return "is no manifold";
+  if (!is_manifold(mesh)) return "is not a manifold";
   if (!is_consistently_oriented(mesh)) return "is not oriented";
   return "ok";
 }
@@ -190,7 +190,7 @@ void examine(const std::string& path) {
   try {
     const auto imported = import_solid(path);
     if (!imported) throw std::runtime_error(imported.error().message);
-    if (!imported->solid) throw std::runtime_error("is no solid");
+    if (!imported->solid) throw std::runtime_error("is not a solid");
     Operations(path, *imported->solid).run();
   } catch (const std::runtime_error& error) {
     std::printf("%s\tfailed\t0\t0\t0\t%s\n", path.c_str(), error.what());

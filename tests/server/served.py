@@ -243,7 +243,7 @@ class ServerTest(unittest.TestCase):
         self.assertTrue(wait_until(lambda: self.server.statements() == []), "statements are left")
 
     def expect_refusal(self, answer, status, code, words=""):
-        """An answer that is no success: its status, its code, and words of its message."""
+        """An error response: its status, its code, and words of its message."""
         self.assertIsNotNone(answer, "the connection was closed without an answer")
         self.assertEqual(answer.status, status, answer)
         self.assertEqual(answer.headers["content-type"], "application/json")

@@ -20,7 +20,7 @@ struct Cylinder {
 
 /// A cylinder with nearly the smallest volume around a convex hull, which must not be empty. It contains the hull:
 /// radius and height are enlarged by 2^-40 of the size of the hull, which is more than all roundings, and by the
-/// rounding of coordinates that are no doubles or far from the origin. Nothing if it leaves the range of doubles.
+/// rounding of coordinates that are not doubles or far from the origin. Nothing if it leaves the range of doubles.
 /// `ratio` is at most 1.05 where the search ends by itself, as for most sets. Errors: interrupted. Cost: linear, and up
 /// to some tenths of a second for the search.
 Result<std::optional<Cylinder>> bounding_cylinder(const TriangleMesh& hull, const Monitor& monitor = {});

@@ -12,11 +12,11 @@ namespace {
 Undefined flat(int dimension) {
   switch (dimension) {
     case 0:
-      return Undefined{"there is only one point, so the hull is no solid"};
+      return Undefined{"there is only one point, so the hull is not a solid"};
     case 1:
-      return Undefined{"all points lie on one line, so the hull is no solid"};
+      return Undefined{"all points lie on one line, so the hull is not a solid"};
     default:
-      return Undefined{"all points lie in one plane, so the hull is no solid"};
+      return Undefined{"all points lie in one plane, so the hull is not a solid"};
   }
 }
 

@@ -37,7 +37,7 @@ Result<double> bounded_distance(const TriangleMesh& from, double at_most, const 
       near = FaceId(face);
       return false;
     });
-    if (!near.is_valid()) return at_most;  // only if that is no bound
+    if (!near.is_valid()) return at_most;  // only if that is not a bound
     faces.push_back({FaceId(f), at_most, near});
   }
   return bounded_distance(from, faces, to, enough, monitor);

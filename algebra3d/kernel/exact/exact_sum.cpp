@@ -60,7 +60,7 @@ class LongSums {
   std::array<mpz_class, 6> second_;
 };
 
-/// The same for triangles with a corner that is no double.
+/// The same for triangles with a corner that is not a double.
 class RationalSums {
  public:
   explicit RationalSums(const PointArray& points) : points_(points) {}

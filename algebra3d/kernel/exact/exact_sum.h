@@ -18,12 +18,12 @@ using IndexTriangles = std::span<const std::array<std::uint32_t, 3>>;
 /// all triangles. Units: cubed coordinate units. Domain: any triangles; if they are not closed, the volume depends on
 /// the origin. Exactness: exact. Errors: interrupted, once `*cancel` is set (null: never). Cost: linear; per triangle
 /// tens of nanoseconds where the coordinates of each axis are less than 60 bits apart (as floats mostly are), about a
-/// hundred up to 124 bits, more beyond, microseconds at corners that are no doubles. Source: [lien1984].
+/// hundred up to 124 bits, more beyond, microseconds at corners that are not doubles. Source: [lien1984].
 Result<Rational> exact_volume(const PointArray& points, IndexTriangles triangles,
                               const std::atomic<bool>* cancel = nullptr);
 
 /// `exact_volume`, rounded to nearest, with the same errors. Cost: linear; as `exact_volume` for doubles, and where
-/// corners are no doubles less than a microsecond per triangle, since coordinates that are cut off and a bound of what
+/// corners are not doubles less than a microsecond per triangle, since coordinates that are cut off and a bound of what
 /// that changes nearly always decide. If they do not, that of `exact_volume` (counted in
 /// `exact_counters().filter_failures`).
 Result<double> nearest_volume(const PointArray& points, IndexTriangles triangles,

@@ -21,7 +21,7 @@ struct NearestMassProperties {
 
 /// `mass_properties` and the principal axes of the tensor. Exactness: numbers are the exact ones, rounded to nearest,
 /// and infinite beyond the range of doubles; axes as those of `principal_axes`. Errors: interrupted. Cost: linear;
-/// where corners are no doubles about that of `nearest_volume`, since coordinates that are cut off and a bound of what
+/// where corners are not doubles about that of `nearest_volume`, since coordinates that are cut off and a bound of what
 /// that changes nearly always decide. If they do not (an entry that is exactly 0, moments that are exactly equal), that
 /// of `mass_properties` (counted in `exact_counters().filter_failures`).
 Result<NearestMassProperties> nearest_mass_properties(const PointArray& points, IndexTriangles triangles,

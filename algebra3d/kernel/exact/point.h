@@ -81,8 +81,8 @@ class ExactPoint {
   SharedCoordinates exact_;
 };
 
-/// The points of a mesh: 24 bytes each, 8 more for those from the first to the last that is no triple of doubles, and
-/// the exact coordinates of these, which copies share. Indexed from 0.
+/// The points of a mesh: 24 bytes each, 8 more for those from the first to the last that is not a triple of doubles,
+/// and the exact coordinates of these, which copies share. Indexed from 0.
 class PointArray {
  public:
   PointArray() = default;
@@ -122,7 +122,7 @@ class PointArray {
   static void prefetch_beyond(const std::vector<SharedCoordinates>& exact, std::size_t place);
 
   std::vector<Vec3> approx_;
-  std::vector<SharedCoordinates> exact_;  // from the first to the last point that is no triple of doubles
+  std::vector<SharedCoordinates> exact_;  // from the first to the last point that is not a triple of doubles
   std::size_t first_exact_ = 0;
   std::size_t exact_count_ = 0;
 };

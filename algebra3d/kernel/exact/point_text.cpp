@@ -41,7 +41,7 @@ void set_digits_of(mpz_ptr number, std::string_view digits) {
   }
 }
 
-/// False if the text is no number.
+/// False if the text is not a number.
 bool set_terms(mpz_class& numerator, mpz_class& denominator, std::string_view text) {
   const bool is_negative = text.starts_with('-');
   if (is_negative) text.remove_prefix(1);

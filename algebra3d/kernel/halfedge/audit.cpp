@@ -110,7 +110,7 @@ template <typename Layout>
 bool MeshAuditor<Layout>::check_origins() {
   const std::size_t before = violations.size();
   for (std::uint32_t h = 0; h < mesh.origins_.size(); ++h)
-    if (origin(h) >= mesh.points_.size()) report("half-edge {}: origin {} is no vertex", h, origin(h));
+    if (origin(h) >= mesh.points_.size()) report("half-edge {}: origin {} is not a vertex", h, origin(h));
   return violations.size() == before;
 }
 
@@ -172,7 +172,7 @@ void MeshAuditor<Layout>::check_opposite(std::uint32_t h) {
   const std::uint32_t stored = mesh.opposites_[h];
   if (stored != opposites[h]) report("half-edge {}: {}, its edge demands {}", h, state(stored), state(opposites[h]));
   if (!has_opposite(stored)) return;
-  if (stored >= opposites.size()) return report("half-edge {}: opposite {} is no half-edge", h, stored);
+  if (stored >= opposites.size()) return report("half-edge {}: opposite {} is not a half-edge", h, stored);
   if (mesh.opposites_[stored] != h)
     report("half-edge {}: its opposite {} has {}", h, stored, state(mesh.opposites_[stored]));
   if (origin(h) != target(stored) || target(h) != origin(stored))
@@ -186,7 +186,7 @@ void MeshAuditor<Layout>::check_outgoing(std::uint32_t v) {
   if (!stored.is_valid()) {
     if (!fans[v].empty()) report("vertex {}: no outgoing half-edge, but faces", v);
   } else if (stored.index() >= opposites.size()) {
-    report("vertex {}: outgoing half-edge {} is no half-edge", v, stored.index());
+    report("vertex {}: outgoing half-edge {} is not a half-edge", v, stored.index());
   } else if (origin(stored.index()) != v) {
     report("vertex {}: outgoing half-edge {} leaves vertex {}", v, stored.index(), origin(stored.index()));
   } else if (stored.index() != fans[v].front()) {
@@ -235,7 +235,7 @@ void MeshAuditor<Layout>::check_vertex_table(const NonManifoldTables& tables) {
   for (std::size_t n = 0; n < tables.vertices.size(); ++n) {
     const std::uint32_t v = tables.vertices[n];
     if (v >= fans.size()) {
-      report("table of non-manifold vertices: {} is no vertex", v);
+      report("table of non-manifold vertices: {} is not a vertex", v);
       continue;
     }
     is_listed[v] = true;

@@ -44,7 +44,7 @@ class AttributeValues {
   bool is_defined(std::size_t i) const;
   /// Whether two values of canonical ones are the same, or both undefined.
   bool are_equal(std::size_t i, std::size_t j) const;
-  /// The numbers of a defined value that is no text.
+  /// The numbers of a defined value that is not a text.
   std::span<const double> numbers(std::size_t i) const { return std::span(numbers_).subspan(i * width_, width_); }
   /// The text of a defined value.
   const std::string& text(std::size_t i) const { return texts_[numbers_of_texts_[i]]; }

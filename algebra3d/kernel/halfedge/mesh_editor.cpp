@@ -26,11 +26,11 @@ PolygonLayout layout_of(LargeVector<std::uint32_t> starts) {
 Maybe<MeshEditor> MeshEditor::of(const PolygonMesh& mesh) {
   if (mesh.nonmanifold_edge_count() > 0) {
     const HalfedgeId h = mesh.nonmanifold_edge(0).front();
-    return Undefined{fmt::format("the mesh is no manifold: {} faces meet at the edge between vertices {} and {}",
+    return Undefined{fmt::format("the mesh is not a manifold: {} faces meet at the edge between vertices {} and {}",
                                  mesh.nonmanifold_edge(0).size(), mesh.origin(h).index(), mesh.target(h).index())};
   }
   if (const auto vertices = mesh.nonmanifold_vertices(); !vertices.empty())
-    return Undefined{fmt::format("the mesh is no manifold: its faces at vertex {} form {} fans",
+    return Undefined{fmt::format("the mesh is not a manifold: its faces at vertex {} form {} fans",
                                  vertices.front().index(), mesh.fans(vertices.front()).size())};
   MeshEditor editor;
   editor.take(mesh);

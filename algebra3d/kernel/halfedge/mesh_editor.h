@@ -26,7 +26,7 @@ namespace algebra3d {
 class MeshEditor {
  public:
   /// From a mesh, with the same numbers of vertices, half-edges and faces. Undefined, with the reason, if the mesh is
-  /// no manifold. Cost: linear.
+  /// not a manifold. Cost: linear.
   static Maybe<MeshEditor> of(const PolygonMesh& mesh);
   /// The mesh as it is now: faces and vertices in the order of their numbers, without the unused numbers. Vertices that
   /// were isolated stay. Cost: linear.
@@ -81,7 +81,7 @@ class MeshEditor {
   /// The same at the share of the place on the edge that is nearest to the point, rounded.
   VertexId split_edge(HalfedgeId h, const ExactPoint& point);
   /// Merges the ends of an edge into its origin, which stays where it is; triangles along it vanish. Refused unless the
-  /// link condition holds: if a vertex is joined to both ends that is no corner of a triangle along the edge; if the
+  /// link condition holds: if a vertex is joined to both ends that is not a corner of a triangle along the edge; if the
   /// edge is inside and both ends are on the boundary; if one face is on both sides; if the third corner of a triangle
   /// has no edge besides; of a tetrahedron. Source: [dey1999].
   Maybe<VertexId> collapse_edge(HalfedgeId h);

@@ -107,7 +107,7 @@ Maybe<FaceId> MeshEditor::split_face(FaceId f, VertexId from, VertexId to) {
   } while (h != halfedge(f));
   if (!first.is_valid() || !second.is_valid())
     return Undefined{
-        fmt::format("vertex {} is no corner of face {}", (first.is_valid() ? to : from).index(), f.index())};
+        fmt::format("vertex {} is not a corner of face {}", (first.is_valid() ? to : from).index(), f.index())};
   if (first == second) return Undefined{"both corners are the same"};
   if (next(first) == second || next(second) == first)
     return Undefined{fmt::format("vertices {} and {} are neighbours in the face", from.index(), to.index())};

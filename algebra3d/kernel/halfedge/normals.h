@@ -32,8 +32,8 @@ VectorArea vector_area(const HalfedgeMesh<Layout>& mesh, FaceId f) {
 template <typename Layout>
 std::optional<double> dihedral_angle_degrees(const HalfedgeMesh<Layout>& mesh, HalfedgeId edge);
 
-/// The normals of all faces. Exactness: within 1e-9, for faces that are no slivers a few ulp. Cost: linear, some
-/// nanoseconds per face; as vector_area at corners that are no doubles and for slivers.
+/// The normals of all faces. Exactness: within 1e-9, for faces that are not slivers a few ulp. Cost: linear, some
+/// nanoseconds per face; as vector_area at corners that are not doubles and for slivers.
 template <typename Layout>
 std::vector<Vec3> face_normals(const HalfedgeMesh<Layout>& mesh);
 /// The same, written to `normals`, one per face.
@@ -48,7 +48,7 @@ Vec3 vertex_normal(const HalfedgeMesh<Layout>& mesh, VertexId v);
 /// The normals of all vertices. Exactness: sums of normals as of face_normals and of angles that are within
 /// 2^-49 / sin(a), where a is the angle at a triangle's first corner, at most 1e-9 and mostly a few ulp; the same bits
 /// on all processors. Cost: linear; some nanoseconds per face with three or four corners, tens for others, and as
-/// vector_area for slivers and corners that are no doubles.
+/// vector_area for slivers and corners that are not doubles.
 template <typename Layout>
 std::vector<Vec3> vertex_normals(const HalfedgeMesh<Layout>& mesh);
 /// The same, written to `normals`, one per vertex.

@@ -241,7 +241,7 @@ std::string ConflictText::text(const planar::ClaimConflict& conflict) const {
   for (const HalfedgeId h : {conflict.first, conflict.second}) {
     if (h.is_none()) continue;
     for (const HalfedgeId side : {h, Subdivision::twin(h)}) {
-      // The unbounded face is no triangle that turns counter-clockwise.
+      // The unbounded face is not a triangle that turns counter-clockwise.
       const HalfedgeId second = triangulation_.next(side);
       if (points_.turn(triangulation_.origin(side), triangulation_.target(side), triangulation_.target(second)) <= 0)
         continue;

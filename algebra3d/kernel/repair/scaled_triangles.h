@@ -26,7 +26,7 @@ class BinaryScale {
   /// An area of scaled triangles as that of the triangles themselves.
   Amount area(double a) const { return {a, 2 * exponent_}; }
 
-  /// The corners of a face, scaled; rounded if they are no doubles.
+  /// The corners of a face, scaled; rounded if they are not doubles.
   Triangle3 scaled(const TriangleMesh& mesh, FaceId face) const {
     const TriangleRef corners = mesh.corners(face);
     return {scaled(corners[0].approx), scaled(corners[1].approx), scaled(corners[2].approx)};

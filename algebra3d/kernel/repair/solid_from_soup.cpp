@@ -81,7 +81,7 @@ Status take_valid(TriangleMesh mesh, const OrderedTriangles& given, const Repair
   return {};
 }
 
-/// Repairs a mesh that the examination found to be no solid.
+/// Repairs a mesh that the examination found not to be a solid.
 Status repair(TriangleMesh mesh, OrderedTriangles given, const VolumeExamination& examined,
               const RepairOptions& options, const Monitor& monitor, SolidFromSoup& result) {
   // Which parts of it are inside out is found by the repair.

@@ -37,7 +37,7 @@ Result<SurfaceFromSoup> surface_from_soup(const TriangleSoup& soup, const Repair
   ExactWorkLimit limit(exact_work_limit(options));
   ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport proof, prove_surface(result.mesh, first, limit));
   if (!proof.is_valid())
-    return Error{ErrorCode::internal, "the triangles divided at one another are no valid surface: {}", proof.text()};
+    return Error{ErrorCode::internal, "the triangles divided at one another are not a valid surface: {}", proof.text()};
   return result;
 }
 

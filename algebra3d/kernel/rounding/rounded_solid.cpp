@@ -44,8 +44,7 @@ Result<RoundedSolid> climbed(const TriangleMesh& solid, const SolidPart& part, c
 
 std::string shells_text(const RoundedSolid& rounded) {
   const auto shells = [](std::size_t count) { return fmt::format("{} shell{}", count, count == 1 ? "" : "s"); };
-  return fmt::format("{} in place of {}, since shells vanished or grew together", shells(rounded.shells_after),
-                     rounded.shells_before);
+  return fmt::format("{} instead of {}: some vanished or merged", shells(rounded.shells_after), rounded.shells_before);
 }
 
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid, const Monitor& monitor) {

@@ -18,7 +18,8 @@ struct RoundedSolid {
   std::optional<TriangleMesh> mesh;
   std::string reason = {};         ///< why there is none
   std::size_t moved_vertices = 0;  ///< of the given ones
-  /// In coordinate units: no point of the new boundary is farther from the given one. What vanished is not in it.
+  /// In coordinate units: no point of the new boundary is farther from the given one. Parts that vanished are not
+  /// counted.
   double largest_movement = 0;
   RoundingMethod method = RoundingMethod::none;  ///< that found the mesh
   /// How many vertices lie inside edges or faces of others, if their faces or these are among those that changed:
@@ -32,8 +33,8 @@ struct RoundedSolid {
   std::size_t shells_before = 0, shells_after = 0;
 };
 
-/// The part of a note that tells how many shells are left, where there are fewer than before: "1 shell in place of 2,
-/// since shells vanished or grew together".
+/// The part of a note that says how many shells are left, where there are fewer than before: "1 shell instead of 2:
+/// some vanished or merged".
 std::string shells_text(const RoundedSolid& rounded);
 
 /// Rounds the vertices of a solid to a grid, and proves the result (docs/set-operations.md, "Rounding of solids").

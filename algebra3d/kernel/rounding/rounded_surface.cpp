@@ -20,7 +20,7 @@ Result<bool> cover(SurfaceRounding& job) {
   ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh squares, square_cover(job.mesh(), *met, job.cancel()));
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, job.accept({std::move(squares), Movement(met->lattice.diagonal()), 0,
                                                               RoundingMethod::faces_of_cubes}));
-  if (!is_valid) return Error(ErrorCode::internal, "faces of cubes are no valid surface");
+  if (!is_valid) return Error(ErrorCode::internal, "faces of cubes are not a valid surface");
   return true;
 }
 

@@ -85,7 +85,7 @@ class BoxHierarchy {
   /// Slabs around the nodes, of the mesh that the hierarchy was built over. Made at the first call, by any thread.
   /// Cost: linear at the first call, some 30 nanoseconds per face.
   const NodeSlabs& slabs(const TriangleMesh& mesh) const;
-  /// The same where they pay: null until searches have told of as many steps as would have been spent on making them.
+  /// Like `slabs`, but null until the reported search steps exceed the cost of building them.
   const NodeSlabs* slabs_after(std::size_t steps, const TriangleMesh& mesh) const;
 
   /// Assigns each leaf a group or kNoGroup. A node whose leaves are all in one group is in that group; `for_each_pair`

@@ -12,8 +12,8 @@ namespace algebra3d {
 
 /// A slab around the faces of each node of a hierarchy: two parallel planes across about their mean normal. A box along
 /// the axes around a patch of a smooth surface that lies aslant is about as thick as the patch is wide, s; its slab is
-/// some s^2 thick. So few nodes reach farther along a direction, by what box and slab tell, than the farthest face
-/// does, while the boxes of some sqrt(n) of n nodes do.
+/// some s^2 thick. So, judged by box and slab, few nodes extend beyond the farthest face along a direction, while the
+/// boxes of some sqrt(n) of n nodes do.
 ///
 /// Immutable, refers to nothing. Memory: 5 bytes per face. Source: oriented boxes as in [larsen2000], of which only the
 /// shortest side is kept, and that turned for each node.

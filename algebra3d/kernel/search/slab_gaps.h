@@ -8,13 +8,13 @@
 
 namespace algebra3d {
 
-/// Tells nodes of two hierarchies apart by their boxes and slabs: along the line between the middles of their boxes,
-/// along both normals, and half-way between these. For surfaces whose curvature is bounded, this fails by the square of
-/// the nodes' sizes, where boxes along the axes fail by the sizes. For one search by one thread; refers to its
-/// operands.
+/// Decides whether nodes of two hierarchies are apart, by their boxes and slabs: along the line between the middles of
+/// their boxes, along both normals, and half-way between these. For surfaces whose curvature is bounded, this fails by
+/// the square of the nodes' sizes, where boxes along the axes fail by the sizes. For one search by one thread; refers
+/// to its operands.
 ///
-/// Does nothing until searches have been so long that the slabs are paid for, or if they are there already; and little
-/// for nodes of a size for which it tells little.
+/// Uses slabs that exist; builds them only after searches have taken as long as building them would. Skips node sizes
+/// at which the test rarely succeeds.
 class SlabGaps {
  public:
   /// The hierarchies are those over the meshes, or over some of their faces.
@@ -35,7 +35,8 @@ class SlabGaps {
     const NodeSlabs* slabs = nullptr;
   };
   struct Pair;
-  /// Whether comparisons of nodes of one level tell enough to be worth their time. One in eight is made in any case.
+  /// Whether comparisons of nodes of one level succeed often enough to be worth their time. One in eight is made in any
+  /// case.
   class Score {
    public:
     bool is_worth_asking() { return balance_ >= 0 || ++skipped_ % 8 == 0; }

@@ -14,7 +14,7 @@
 namespace algebra3d {
 namespace {
 
-/// True if the point lies in the triangle, which is not degenerate, or in an edge, and is no corner.
+/// True if the point lies in the triangle, which is not degenerate, or in an edge, and is not a corner.
 bool is_in(const TriangleRef& triangle, const PointRef& p) {
   if (orient3d(triangle[0], triangle[1], triangle[2], p) != 0) return false;
   const ProjectedTurn turn = dominant_turn(triangle);

@@ -83,7 +83,7 @@ Maybe<double> divide(double a, double b) {
 // As in C and in SECONDO: div rounds towards zero, and mod has the sign of the first operand.
 Maybe<std::int64_t> divide_ints(std::int64_t a, std::int64_t b) {
   if (b == 0) return Undefined{"division by zero"};
-  // The one quotient that is no int; the processor would trap.
+  // The one quotient that is not an int; the processor would trap.
   if (b == -1) return subtract_ints(0, a);
   return a / b;
 }

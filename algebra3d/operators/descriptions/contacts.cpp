@@ -27,7 +27,7 @@ Maybe<Volume3d> solid_of(const Volume3d& solid) {
   return solid;
 }
 Maybe<Volume3d> solid_of(const Box3& box) {
-  if (dimension_of(box) < 3) return Undefined{"a flat box is no solid"};
+  if (dimension_of(box) < 3) return Undefined{"a flat box is not a solid"};
   return solid_of_box(box);
 }
 

@@ -30,14 +30,15 @@ Result<std::vector<std::string>> files_below(const std::filesystem::path& folder
       entry.disable_recursion_pending();
       continue;
     }
-    std::error_code ignored;  // a file that has gone meanwhile, or a dangling link, is no file
+    std::error_code ignored;  // a file that has gone meanwhile, or a dangling link, is not a file
     if (!entry->is_regular_file(ignored)) continue;
     if (fnmatch(pattern.c_str(), entry->path().filename().c_str(), FNM_CASEFOLD) != 0) continue;
     const std::string name = (fs::path(shown) / entry->path().lexically_relative(folder)).string();
     files.push_back(shown_as_text(name));
     if (files.back() != name)
       context.diagnostics.report(
-          "getDirectory: the name of a file is no UTF-8; its bytes are given as \\xff, and it cannot be opened by them",
+          "getDirectory: a file name is not UTF-8; its bytes are shown as \\xNN, and the name cannot be used to open "
+          "the file",
           files.back());
   }
   std::ranges::sort(files);

@@ -30,7 +30,7 @@ Result<Maybe<JsonMember>> json_member(const Context& context, const Text& object
   const auto tree = JsonTree::parse(object.content, 1, context.monitor());
   if (!tree && tree.error().code == ErrorCode::interrupted) return tree.error();
   if (!tree) return Maybe<JsonMember>(Undefined{tree.error().message});
-  if (tree->kind(0) != JsonKind::object) return Maybe<JsonMember>(Undefined{"the text is no JSON object"});
+  if (tree->kind(0) != JsonKind::object) return Maybe<JsonMember>(Undefined{"the text is not a JSON object"});
   const auto member = tree->member(0, key);
   if (!member) return Maybe<JsonMember>(Undefined{"the object has no member " + quoted_key(key)});
   const JsonKind kind = tree->kind(*member);
@@ -52,7 +52,7 @@ Result<Maybe<double>> json_number(Context& context, const Text& object, const Te
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto member, json_member(context, object, key));
   if (!member) return Maybe<double>(Undefined{member.reason()});
   if (member->kind != JsonKind::number)
-    return Maybe<double>(Undefined{"the member " + quoted_key(key) + " is no number"});
+    return Maybe<double>(Undefined{"the member " + quoted_key(key) + " is not a number"});
   const auto number = parse_real(member->text);
   if (!number) return Maybe<double>(Undefined{"the member " + quoted_key(key) + " is beyond the range of doubles"});
   return Maybe<double>(*number);

@@ -188,7 +188,7 @@ void register_setting(Registry& registry) {
       .detail =
           std::string(kElements) +
           " If there are no values with this name, those of all others are undefined. Values are rounded to doubles. "
-          "Undefined if the number is no element, or if the values with this name are of another kind.",
+          "Undefined if the number is not an element, or if the values with this name are of another kind.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&set_attribute<double>>("mesh", "elements", "name", "id", "value"),
                     overload<&set_attribute<Point2d>>("mesh", "elements", "name", "id", "value"),
@@ -207,7 +207,7 @@ void register_setting(Registry& registry) {
       .syntax = "clearAttribute(_, _, _, _)",
       .doc = "The mesh with the named value of one element undefined.",
       .detail = std::string(kElements) + " The mesh itself if there are no values with this name. Undefined if the "
-                                         "number is no element.",
+                                         "number is not an element.",
       .exactness = Exactness::exact,
       .overloads = {overload<&clear_attribute>("mesh", "elements", "name", "id")},
       .examples = {{{kWithWeights, R"("vertex")", R"("Weight")", "2"},

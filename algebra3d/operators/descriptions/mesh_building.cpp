@@ -71,7 +71,7 @@ void register_adding(Registry& registry) {
       .syntax = "addFace(_ ...)",
       .doc = "The mesh with a face more, which is the last one: by the numbers of its three or four corners, or a text "
              "with the numbers of any corners.",
-      .detail = std::string(kKept) + " The mesh may become non-manifold. Undefined if a number is no vertex, or for "
+      .detail = std::string(kKept) + " The mesh may become non-manifold. Undefined if a number is not a vertex, or for "
                                      "fewer than three corners.",
       .exactness = Exactness::exact,
       .overloads = {overload<&add_triangle>("mesh", "a", "b", "c"), overload<&add_quad>("mesh", "a", "b", "c", "d"),
@@ -97,7 +97,7 @@ void register_mesh_building(Registry& registry) {
       .syntax = "removeFace(_, _)",
       .doc = "The mesh without a face; the faces behind it are renumbered.",
       .detail = std::string(kKept) + " Vertices stay, also those that no face uses any more. Undefined if the number "
-                                     "is no face.",
+                                     "is not a face.",
       .exactness = Exactness::exact,
       .overloads = {overload<&remove_face>("mesh", "face")},
       .examples = {{{"(addFace " + kFourPoints + " 0 1 2)", "0"}, "0", "(size _)"},

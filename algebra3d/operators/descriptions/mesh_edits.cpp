@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/mesh_editor.h"
 #include "algebra3d/kernel/halfedge/topology.h"
@@ -20,8 +22,15 @@ namespace {
 
 using Outcome3d = Result<Maybe<Mesh3d>>;
 
+/// The elements of a kind by their numbers: "edges 0 to 17".
+std::string numbered(const std::string& kind, std::size_t count) {
+  if (count == 0) return "no " + kind;
+  if (count == 1) return "only " + kind + " 0";
+  return fmt::format("{} 0 to {}", kind == "vertex" ? "vertices" : kind + "s", count - 1);
+}
+
 Error no_element(const char* name, const char* kind, std::int64_t id, std::size_t count) {
-  return {ErrorCode::invalid_value, "{}: {} {} is none of the {} of the mesh, numbered from 0", name, kind, id, count};
+  return {ErrorCode::invalid_value, "{}: there is no {} {}; the mesh has {}", name, kind, id, numbered(kind, count)};
 }
 
 bool is_below(std::int64_t id, std::size_t count) {
@@ -142,7 +151,7 @@ void register_edge_edits(Registry& registry) {
                    {{kHalvedSquare, "0"}, "undefined"},
                    {{kUnitTetrahedron, "0"}, "undefined"},
                    {{kUndefinedMesh, "0"}, "undefined"}},
-      .errors = {{{kHalvedSquare, "5"}, "flipEdge: edge 5 is none of the 5 of the mesh, numbered from 0"},
+      .errors = {{{kHalvedSquare, "5"}, "flipEdge: there is no edge 5; the mesh has edges 0 to 4"},
                  {{"1", "0"}, "flipEdge: expected (mesh3d int)"}},
   });
   registry.add({
@@ -165,8 +174,8 @@ void register_edge_edits(Registry& registry) {
                    {{kSquareFace, "0", "1.0"}, "undefined"},
                    {{kUndefinedMesh, "0", "0.5"}, "undefined"},
                    {{kUndefinedMesh, "0", kOrigin}, "undefined"}},
-      .errors = {{{kSquareFace, "-1", "0.5"}, "splitEdge: edge -1 is none of the 4 of the mesh, numbered from 0"},
-                 {{kSquareFace, "4", kOrigin}, "splitEdge: edge 4 is none of the 4 of the mesh, numbered from 0"},
+      .errors = {{{kSquareFace, "-1", "0.5"}, "splitEdge: there is no edge -1; the mesh has edges 0 to 3"},
+                 {{kSquareFace, "4", kOrigin}, "splitEdge: there is no edge 4; the mesh has edges 0 to 3"},
                  {{"1", "0", "0.5"}, "splitEdge: expected (mesh3d int real) or (mesh3d int point3d)"}},
   });
   registry.add({
@@ -188,7 +197,7 @@ void register_edge_edits(Registry& registry) {
                    {{kHalvedSquare, "2"}, "undefined"},
                    {{kUnitTetrahedron, "0"}, "undefined"},
                    {{kUndefinedMesh, "0"}, "undefined"}},
-      .errors = {{{kUnitTetrahedron, "6"}, "collapseEdge: edge 6 is none of the 6 of the mesh, numbered from 0"},
+      .errors = {{{kUnitTetrahedron, "6"}, "collapseEdge: there is no edge 6; the mesh has edges 0 to 5"},
                  {{"1", "0"}, "collapseEdge: expected (mesh3d int)"}},
   });
 }
@@ -208,8 +217,8 @@ void register_other_edits(Registry& registry) {
                     "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0)) ((0 1 2) (2 3 0)))"},
                    {{kSquareFace, "0", "0", "1"}, "undefined"},
                    {{kUndefinedMesh, "0", "0", "2"}, "undefined"}},
-      .errors = {{{kSquareFace, "1", "0", "2"}, "splitFace: face 1 is none of the 1 of the mesh, numbered from 0"},
-                 {{kSquareFace, "0", "4", "2"}, "splitFace: vertex 4 is none of the 4 of the mesh, numbered from 0"},
+      .errors = {{{kSquareFace, "1", "0", "2"}, "splitFace: there is no face 1; the mesh has only face 0"},
+                 {{kSquareFace, "0", "4", "2"}, "splitFace: there is no vertex 4; the mesh has vertices 0 to 3"},
                  {{"1", "0", "0", "2"}, "splitFace: expected (mesh3d int int int)"}},
   });
   registry.add({
@@ -229,7 +238,7 @@ void register_other_edits(Registry& registry) {
                    {{kHalvedSquare, "1", "3", "0", kOrigin}, "undefined"},
                    {{kUndefinedMesh, "0", "1", "2", kOrigin}, "undefined"}},
       .errors = {{{kHalvedSquare, "4", "3", "0", kOrigin},
-                  "splitVertex: vertex 4 is none of the 4 of the mesh, numbered from 0"},
+                  "splitVertex: there is no vertex 4; the mesh has vertices 0 to 3"},
                  {{"1", "0", "0", "2", kOrigin}, "splitVertex: expected (mesh3d int int int point3d)"}},
   });
   registry.add({
@@ -243,7 +252,7 @@ void register_other_edits(Registry& registry) {
       .examples = {{{kSquareFace, "1", "(makePoint3D 2 0 0)"},
                     "(((0.0 0.0 0.0) (2.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0)) ((0 1 2 3)))"},
                    {{kUndefinedMesh, "1", kOrigin}, "undefined"}},
-      .errors = {{{kSquareFace, "7", kOrigin}, "moveVertex: vertex 7 is none of the 4 of the mesh, numbered from 0"},
+      .errors = {{{kSquareFace, "7", kOrigin}, "moveVertex: there is no vertex 7; the mesh has vertices 0 to 3"},
                  {{"1", "0", kOrigin}, "moveVertex: expected (mesh3d int point3d)"}},
   });
 }

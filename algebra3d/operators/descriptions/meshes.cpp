@@ -88,7 +88,7 @@ void register_conversions_of_meshes(Registry& registry) {
       .syntax = "mesh2surface(_)",
       .doc = "The surface of the faces of a mesh, triangulated.",
       .detail = std::string("Equal vertices are welded. ") + kTriangulation +
-                " Undefined, with the defects, if the triangles are no surface.",
+                " Undefined, with the defects, if the triangles are not a surface.",
       .exactness = Exactness::exact,
       .cost = Cost::sorting,
       .overloads = {overload<&proved<Surface3d>>("mesh")},

@@ -57,8 +57,8 @@ class Registry {
   /// The overload for these argument types: an exact match, else the one with the cheapest conversions (conversion.h).
   /// Errors: type_error "volume: expected (volume3d), got (int)".
   Result<ResolvedCall> resolve(const Operator& op, std::span<const TypeExpr> arguments) const;
-  /// The overload of an operator on values of every type (Operator::overload_for) for the type that such a term stands
-  /// for; null if the operator or the type is none such. Made once.
+  /// The overload of a generic operator (Operator::overload_for) for the type of this term, created on first use; null
+  /// if the operator is not generic or the term names no value type.
   const Overload* overload_for(const Operator& op, const TypeExpr& term) const;
 
   /// Calls a scalar with arguments of the types for which it was resolved: converts, gives undefined for undefined

@@ -125,7 +125,7 @@ Result<ExportedSolid> export_rounded(Context& context, const std::string& name, 
                              divided_where_it_touches(*rounded.mesh, numbers.grid, context.cancel));
   if (divided.contacts_left > 0)
     context.diagnostics.report(
-        fmt::format("{}: {} in points that are no {}: other programs may take them for crossings", name,
+        fmt::format("{}: {} in points that are not {}: other programs may take them for crossings", name,
                     divided.contacts_left == 1 ? "1 pair of edges crosses"
                                                : fmt::format("{} pairs of edges cross", divided.contacts_left),
                     numbers.name),

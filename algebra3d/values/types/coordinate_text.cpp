@@ -39,7 +39,7 @@ std::optional<double> double_of(const NestedList& atom) {
   return std::nullopt;
 }
 
-// Nothing if one of the coordinates is no double.
+// Nothing if one of the coordinates is not a double.
 std::optional<Vec3> doubles_of(const NestedList& triple) {
   Vec3 result;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -137,7 +137,7 @@ class Parser {
     }
     const auto token = source_.substr(position, bare_end(position) - position);
     const auto shown = token.empty() ? source_.substr(position, 1) : utf8_prefix(token, kShownLength);
-    if (first_invalid_utf8(shown) != kNowhere) return "bytes that are no text";
+    if (first_invalid_utf8(shown) != kNowhere) return "bytes that are not valid UTF-8";
     return fmt::format("{}{}", shown, shown.size() < token.size() ? "..." : "");
   }
 

@@ -59,7 +59,7 @@ class NestedRelationType final : public DescribedType {
   static constexpr std::size_t kMaxTuples = 0xFFFF'FFFF;
 
   /// The type of nested relations of these tuples: one object per process for each tuple type, never destroyed. Errors:
-  /// type_error for an attribute that is no value, or no attribute at all; limit_exceeded beyond kMaxDepth.
+  /// type_error for an attribute that is not a value, or no attribute at all; limit_exceeded beyond kMaxDepth.
   static Result<const NestedRelationType*> of(const TypeExpr& tuple);
 
   TypeExpr term() const override { return term_; }

@@ -101,7 +101,7 @@ class Value {
   static Result<Value> undefined(std::string_view type);
   /// Parses a value of any type that an attribute can have from its notation, as in
   /// `parse("plane3d", "(0.0 0.0 0.0 1.0)")`. Undefined, with the reason, if it is well-formed but not a valid value.
-  /// Errors: unknown_name, invalid_value; type_error for relations, tuples, functions and indexes, which are no values
+  /// Errors: unknown_name, invalid_value; type_error for relations, tuples, functions and indexes, which are not values
   /// outside of a database (write `[const TYPE value NOTATION]` in a statement).
   static Result<Value> parse(std::string_view type, std::string_view notation);
 

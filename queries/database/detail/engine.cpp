@@ -28,7 +28,7 @@ const Registry& operators() {
   return registry;
 }
 
-// A string that is no text could be stored, but neither saved and restored nor shown.
+// A string that is not text could be stored, but neither saved and restored nor shown.
 Result<queries::SessionParameters> session_parameters(const Parameters& parameters) {
   queries::SessionParameters result;
   result.advice = "the statement was given none";

@@ -37,7 +37,7 @@ struct Slot {
 };
 
 /// Messages of readers begin with the path, which stands in the attribute File. Their bytes are those of the name of
-/// the file, which may be no text.
+/// the file, which may not be UTF-8.
 std::string without_path(std::string_view message, const std::string& path) {
   std::string text = algebra3d::shown_as_text(message);
   if (text.starts_with(path + ": ")) text.erase(0, path.size() + 2);

@@ -138,7 +138,7 @@ HttpAnswer Api::get_operator(const Call& call) {
                   "\n"};
 }
 
-// The words of commands that are no placeholders.
+// The words of commands that are not placeholders.
 HttpAnswer Api::get_commands(const Call&) {
   std::string json = "[";
   for (const auto& [syntax, meaning] : language_commands())

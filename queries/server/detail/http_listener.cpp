@@ -89,7 +89,7 @@ HttpRequest request_of(const httplib::Request& request) {
   return result;
 }
 
-// The announced length of the body; nothing for a text that is no number.
+// The announced length of the body; nothing for a text that is not a number.
 std::optional<std::uint64_t> length_of(const httplib::Request& request) {
   const std::string text = request.get_header_value("Content-Length");
   if (text.empty()) return 0;
@@ -102,11 +102,11 @@ std::optional<std::uint64_t> length_of(const httplib::Request& request) {
 // The refusal of requests that the library would misunderstand, or take without a limit.
 std::optional<Refusal> refuse_form(const httplib::Request& request) {
   const bool has_control = std::ranges::any_of(request.path, [](unsigned char c) { return c < ' ' || c == 0x7F; });
-  if (has_control || !request.target.starts_with('/')) return Refusal::bad_request("the path of the request is none");
+  if (has_control || !request.target.starts_with('/')) return Refusal::bad_request("the request has no valid path");
   if (request.has_header("Transfer-Encoding"))
     return Refusal{411, "bad_request", "expected a body with the header 'Content-Length'"};
   if (request.get_header_value_count("Content-Length") > 1 || !length_of(request))
-    return Refusal::bad_request("the header 'Content-Length' is no number, or there are several");
+    return Refusal::bad_request("the header 'Content-Length' is not a number, or there are several");
   if (request.is_multipart_form_data())
     return Refusal{415, "bad_request", "expected JSON or the bytes of a file, got a form of several parts"};
   return std::nullopt;
@@ -164,7 +164,7 @@ void explain(const httplib::Request& request, httplib::Response& response) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the library's own object, which it made as a variable
   forget_wishes(const_cast<httplib::Request&>(request));
   if (!response.body.empty()) return;
-  Refusal refusal{response.status, "bad_request", "the address of the request is none"};
+  Refusal refusal{response.status, "bad_request", "the request has no valid address"};
   if (response.status == 404) refusal = Refusal::not_found("there is no path '" + request.path + "'");
   if (response.status == 413) refusal = {413, "too_large", "the body is too large"};
   give(refusal.answer(), response);

@@ -10,7 +10,7 @@
 
 namespace queries {
 
-/// An answer that is no success: its status and the object `error` of docs/http-api.md.
+/// An error response: its status and the object `error` of docs/http-api.md.
 struct Refusal {
   int status = 400;
   std::string code = "bad_request";  ///< an error code of the language, or of the HTTP API
@@ -29,7 +29,7 @@ struct Refusal {
 /// The refusal for an error of a statement or of the database.
 Refusal refusal_of(const algebra3d::Error& error);
 
-/// The same for an error of SessionPool::run: too many statements are no error of the statement.
+/// The refusal for an error of SessionPool::run: that there are too many statements is not an error of the statement.
 Refusal refusal_of_session(const algebra3d::Error& error);
 
 /// A value, or the refusal of the request that asked for it.

@@ -52,7 +52,7 @@ std::optional<Refusal> refuse_request_line(std::string_view line) {
   const std::string_view version = has_parts ? line.substr(last + 1) : std::string_view();
   if (!is_token(method) || target.empty() || target.find(' ') != std::string_view::npos || !is_version(version))
     return Refusal::bad_request(
-        fmt::format("the first line '{}' is no request; expected METHOD TARGET HTTP/1.1", line.substr(0, kShown)));
+        fmt::format("the first line '{}' is not a request; expected METHOD TARGET HTTP/1.1", line.substr(0, kShown)));
   if (version != "HTTP/1.1" && version != "HTTP/1.0")
     return Refusal{505, "bad_request", fmt::format("{}: expected HTTP/1.1 or HTTP/1.0", version)};
   if (std::ranges::find(kMethods, method) == kMethods.end())
@@ -66,7 +66,7 @@ std::optional<Refusal> refuse_header(std::string_view line) {
   const std::size_t colon = line.find(':');
   if (colon != std::string_view::npos && is_token(line.substr(0, colon))) return std::nullopt;
   return Refusal::bad_request(
-      fmt::format("the line '{}' is no header; expected NAME: VALUE on one line", line.substr(0, kShown)));
+      fmt::format("the line '{}' is not a header; expected NAME: VALUE on one line", line.substr(0, kShown)));
 }
 
 bool is_range(std::string_view line) {

@@ -43,9 +43,10 @@ Refusal refusal_of(Body::Outcome outcome, std::size_t limit) {
 
 Reply<Uploads::File> Uploads::take(const std::string& name, Body& body) {
   if (!is_upload_name(name))
-    return Refusal::bad_request(fmt::format(
-        "'{}' is no name for an upload; expected letters, digits, '.', '_', '-' and blanks, not beginning with '.'",
-        name));
+    return Refusal::bad_request(
+        fmt::format("'{}' is not a valid name for an upload; expected letters, digits, '.', '_', '-' and blanks, not "
+                    "beginning with '.'",
+                    name));
   fs::path part;
   {
     const std::lock_guard lock(mutex_);

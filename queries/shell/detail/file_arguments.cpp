@@ -51,7 +51,7 @@ bool is_missing_mesh(const std::string& name) {
   return has_mesh_ending(name) && !std::filesystem::exists(name, error);
 }
 
-/// Zero bytes are in no text. Other bytes that are no UTF-8 have a message with their place when the script is run.
+/// Zero bytes are in no text. Other bytes that are not UTF-8 have a message with their place when the script is run.
 bool is_binary(std::string_view head) {
   return head.find('\0') != std::string_view::npos;
 }

@@ -40,7 +40,7 @@ std::string time_text(std::chrono::steady_clock::duration elapsed) {
                                                : fmt::format("{:.1f} s", milliseconds / 1000);
 }
 
-/// A line or command that is longer than any that was meant: a device that never ends, or a file that is no script.
+/// A line or command that is longer than any that was meant: a device that never ends, or a file that is not a script.
 constexpr std::size_t kLongestCommand = std::size_t{1} << 30U;
 
 // As std::getline, but stops reading behind the limit.

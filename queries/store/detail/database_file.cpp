@@ -217,7 +217,7 @@ Result<std::unique_ptr<SqliteConnection>> connect(const fs::path& file, OpenMode
 
 }  // namespace
 
-// A log may still hold what a file lacks, so that this is no error by itself.
+// A log may still hold what a file lacks, so that this is not an error by itself.
 std::string lost_bytes(const fs::path& file) {
   constexpr std::size_t kPageSizeOffset = 16;
   constexpr std::size_t kPageCountOffset = 28;

@@ -1,4 +1,4 @@
-// The part of the integrity check that looks at levels of detail. A level that belongs to no value is no defect:
+// The part of the integrity check that looks at levels of detail. A level that belongs to no value is not a defect:
 // programs that know of no levels leave them when they change a value.
 #include "queries/store/detail/integrity_check.h"
 #include "queries/store/detail/shape_levels.h"

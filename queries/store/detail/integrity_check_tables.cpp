@@ -16,7 +16,7 @@ constexpr std::pair<const char*, const char*> kOwnTables[] = {
     {"catalogue", "the catalogue (table catalogue): "},
     {"named_types", "the catalogue (table named_types): "},
     {"abandoned", "the catalogue (table abandoned): "},
-    {"object_values", "the table object_values, which holds the values of objects that are no relations: "},
+    {"object_values", "the table object_values, which holds the values of objects that are not relations: "},
     {"chunks", "the table chunks, which holds long values: "},
     {"index_pages", "the table index_pages, which holds spatial indexes: "},
     {"shape_levels", "the table shape_levels, which holds levels of detail: "},
@@ -229,7 +229,7 @@ Status IntegrityCheck::check_columns() {
   return check_meta();
 }
 
-// SQLite does not miss an index that is no part of its table, only the time that it saves and the proof of uniqueness.
+// SQLite does not miss an index that is not part of its table, only the time that it saves and the proof of uniqueness.
 Status IntegrityCheck::check_indexes(SqliteConnection& model) {
   ALGEBRA3D_ASSIGN_OR_RETURN(
       SqliteStatement expected,

@@ -9,8 +9,8 @@
 
 namespace queries {
 
-/// The large value of an object that is no relation, read when its geometry is first needed, and kept from then on as
-/// long as this value.
+/// The large value of an object that is not a relation, read when its geometry is first needed, and kept from then on
+/// as long as this value.
 class StoredObjectValue final : public StoredBytes, public std::enable_shared_from_this<StoredObjectValue> {
  public:
   /// Fewer stored bytes are read at once.

@@ -48,7 +48,11 @@ Result<std::string> encoded_bytes(const Database& database, const Value& value) 
 }  // namespace
 
 Error RowReader::corrupt(const AttributeColumns& attribute) const {
-  return {ErrorCode::database_corrupt, "{}: tuple {}: '{}' is no {}", layout_->relation(), id(), attribute.name,
+  return {ErrorCode::database_corrupt,
+          "{}: tuple {}: '{}' is not a value of type {}",
+          layout_->relation(),
+          id(),
+          attribute.name,
           attribute.type->name()};
 }
 

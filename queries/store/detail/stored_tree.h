@@ -52,7 +52,7 @@ algebra3d::Result<std::shared_ptr<IndexCache::Tree>> spatial_tree(const std::sha
 algebra3d::Result<std::shared_ptr<IndexCache::Tree>> tree_of_rows(const std::shared_ptr<Database>& database,
                                                                   const std::shared_ptr<const RelationLayout>& layout,
                                                                   std::size_t attribute);
-/// Finds the stored trees of a relation that is about to be changed, so that they follow.
+/// Loads the stored trees of a relation before it changes, so that they are updated with it.
 void follow_changes(const std::shared_ptr<Database>& database, const std::shared_ptr<const RelationLayout>& layout);
 
 /// Writes the trees that differ from the stored ones. One that cannot be written is not up to date in the file, and is

@@ -215,7 +215,7 @@ bool is_undefined_cell(const CsvCell& cell, const CsvOptions& options) {
 
 std::string with_decimal_point(const std::string& text, char decimal) {
   if (decimal == '.') return text;
-  // A point would separate thousands: such a cell is no number.
+  // A point would separate thousands: such a cell is not a number.
   if (text.find('.') != std::string::npos) return "no number";
   std::string changed = text;
   std::ranges::replace(changed, decimal, '.');

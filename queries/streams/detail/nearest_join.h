@@ -6,8 +6,8 @@
 namespace queries {
 
 /// Each tuple of a stream with each of its nearest partners, concatenated: in the order of the stream, the nearest
-/// partner first. Tuples whose value is undefined or empty have none. A task with partners of the same stream is for a
-/// stream that yields the tuples of `partners` in their order.
+/// partner first. Tuples whose value is undefined or empty have none. For a self-join, `probes` must yield the tuples
+/// of `partners` in the same order.
 TupleStreamPtr nearest_join(TupleStreamPtr probes, TupleBuffer partners, const NearestTask& task,
                             const Context& context);
 

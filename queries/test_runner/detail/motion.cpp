@@ -248,7 +248,7 @@ Motion::Moved Motion::mesh(const NestedList& list) const {
   return NestedList(std::move(parts));
 }
 
-// The distance of a moved plane is no double as a rule; the form with a point is exact. Where the origin stays, the
+// The distance of a moved plane is not a double as a rule; the form with a point is exact. Where the origin stays, the
 // form with a distance is kept, because that is what is compared with.
 Motion::Moved Motion::plane(const NestedList& list) const {
   const auto given = plane_from_nested(list);

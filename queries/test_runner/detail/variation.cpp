@@ -119,7 +119,7 @@ struct Replacement {
   std::string text;
 };
 
-// Steps over `[const T value L`; nothing if it is no value of a type that is known.
+// Steps over `[const T value L`; nothing if it is not a value of a type that is known.
 std::optional<Replacement> moved_literal(Scanner& scanner, const Registry& registry, const Motion& motion) {
   scanner.take();
   scanner.take();

@@ -290,7 +290,7 @@ TEST(BuildResultMesh, audit_sees_damaged_pseudo_nodes) {
     expect_part(audit(steps.subdivision, damaged), part);
   };
   expect_seen([](auto& found) { found[0].after = found[0].before; }, "does not lie between");
-  expect_seen([](auto& found) { found[0].before = NodeId(99); }, "is no node");
+  expect_seen([](auto& found) { found[0].before = NodeId(99); }, "is not a node");
   expect_seen([](auto& found) { std::swap(found[0], found[1]); }, "is not behind the one before it");
   expect_seen(
       [](auto& found) {
@@ -313,9 +313,9 @@ TEST(BuildResultMesh, audit_sees_damaged_regions) {
   expect_seen([](auto& regions) { --regions.regions[0].triangles.last; }, "its triangles and its boundary differ");
   expect_seen([](auto& regions) { std::swap(regions.triangles[0][0], regions.triangles[0][1]); },
               "is not counter-clockwise from the front");
-  expect_seen([](auto& regions) { regions.triangles[0][2] = 99; }, "has a corner that is no node");
+  expect_seen([](auto& regions) { regions.triangles[0][2] = 99; }, "has a corner that is not a node");
   expect_seen([](auto& regions) { regions.regions[0].has_exact_corner = true; },
-              "does not say whether a corner is no double");
+              "does not say whether a corner is not a double");
 }
 
 }  // namespace

@@ -184,7 +184,7 @@ TEST(FacetContacts, audit_sees_damage) {
       [&](SegmentComplex& c) {
         c.incidences.push_back({common(c), FacetId(0), FacetSides::left});
       },
-      "bounds facet 0, but is no edge");
+      "bounds facet 0, but is not an edge");
   expect_seen(
       [&](SegmentComplex& c) {
         for (const FacetId facet : facets.ids()) c.incidences.push_back({first, facet, FacetSides::both});

@@ -37,7 +37,7 @@ class Chance {
 enum class Family : std::uint8_t {
   grid_boxes,          // integer corners on a small grid: everything touches
   grid_tetrahedra,     // the same with slanted faces
-  common_corners,      // tetrahedra and prisms over few corners that are no integers: whole faces and edges in common
+  common_corners,      // tetrahedra and prisms over few corners that are not integers: whole faces and edges in common
   rotated_cubes,       // general position
   rotated_grid_boxes,  // one rotation for all, rounded: nearly touching
   spheres,

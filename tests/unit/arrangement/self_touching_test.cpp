@@ -1,4 +1,4 @@
-// Operands that touch themselves in points that are no vertices of all that meets there, which is valid (validity.h).
+// Operands that touch themselves in points that are not vertices of all that meets there, which is valid (validity.h).
 #include <gtest/gtest.h>
 
 #include <string>

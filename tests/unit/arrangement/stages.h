@@ -162,7 +162,7 @@ inline Lines segments(const Facets& facets, const SegmentComplex& complex) {
   return sorted(std::move(lines));
 }
 
-/// "(4 0 4)-(4 4 4) at (4 2 4)": each cut that is no end of its segment, once.
+/// "(4 0 4)-(4 4 4) at (4 2 4)": each cut that is not an end of its segment, once.
 inline Lines cuts(const SegmentComplex& complex) {
   Lines lines;
   for (const auto& [id, node] : complex.cuts) {

@@ -28,7 +28,7 @@ double nearest_double(const std::string& text) {
   return *end == '\0' ? value : std::nan("");
 }
 
-/// Bits, so that -0 is no 0.
+/// Bits, so that -0 is not 0.
 std::uint64_t bits(double value) {
   return std::bit_cast<std::uint64_t>(value);
 }

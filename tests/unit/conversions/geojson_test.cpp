@@ -257,9 +257,9 @@ TEST(JsonMembers, texts_and_numbers) {
   EXPECT_EQ(number("big").get<double>(), 12345678901234567890123.0);
   EXPECT_EQ(number("huge").diagnostics,
             (std::vector<std::string>{"jsonNumber: the member \"huge\" is beyond the range of doubles"}));
-  EXPECT_EQ(number("name").diagnostics, (std::vector<std::string>{"jsonNumber: the member \"name\" is no number"}));
+  EXPECT_EQ(number("name").diagnostics, (std::vector<std::string>{"jsonNumber: the member \"name\" is not a number"}));
   EXPECT_EQ(call("jsonText", Text{"[1]"}, std::string("a")).diagnostics,
-            (std::vector<std::string>{"jsonText: the text is no JSON object"}));
+            (std::vector<std::string>{"jsonText: the text is not a JSON object"}));
 }
 
 }  // namespace

@@ -100,9 +100,9 @@ TEST(convex_hull, flat_sets_have_a_reason) {
     return *hull ? "none" : hull->reason();
   };
   const Vec3 a{0, 0, 0}, b{1, 2, 3}, c{2, 4, 6}, d{0, 1, 0}, e{1, 3, 3};
-  EXPECT_EQ(reason({a, a}), "there is only one point, so the hull is no solid");
-  EXPECT_EQ(reason({a, b, c, a}), "all points lie on one line, so the hull is no solid");
-  EXPECT_EQ(reason({a, b, c, d, e}), "all points lie in one plane, so the hull is no solid");
+  EXPECT_EQ(reason({a, a}), "there is only one point, so the hull is not a solid");
+  EXPECT_EQ(reason({a, b, c, a}), "all points lie on one line, so the hull is not a solid");
+  EXPECT_EQ(reason({a, b, c, d, e}), "all points lie in one plane, so the hull is not a solid");
   EXPECT_TRUE(convex_hull(PointArray()).value().value().is_empty());
 }
 

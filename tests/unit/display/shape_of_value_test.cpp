@@ -114,7 +114,7 @@ TEST(ShapeOfValue, far_from_zero_nothing_moves) {
   EXPECT_EQ(lines_of(shape, shape.edges), edges_of_box({1e9, 1e9, 1e9}, {1e9 + 0.5, 1e9 + 0.5, 1e9 + 0.5}));
 }
 
-/// A square of two triangles with a corner that is no double.
+/// A square of two triangles with a corner that is not a double.
 TEST(ShapeOfValue, flat_surfaces_have_boundary_and_no_edges) {
   const DrawnShape shape = shape_from<Surface3d>("(((0 0 1/3) (1 0 1/3) (1 1 1/3)) ((0 0 1/3) (1 1 1/3) (0 1 1/3)))");
   EXPECT_EQ(shape.triangles.size(), 2U);

@@ -26,7 +26,7 @@ TEST(HalfSpace, HasWhatRationalsSay) {
     for (const double of_normal : {1.0, 1e-310, 1e300}) {
       for (int round = 0; round < 200; ++round) {
         const Vec3 point = vector(size), unit = vector(1), normal = of_normal * unit, along = vector(size);
-        // Thirds are no doubles.
+        // Thirds are not doubles.
         const Rational third(Rational(1) / Rational(3));
         const RationalVec3 exact_normal = third * rational(normal);
         const HalfSpace half_space(rational(point), exact_normal);

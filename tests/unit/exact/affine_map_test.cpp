@@ -261,7 +261,7 @@ TEST(AffineMap, circle_points_are_rounded_once_and_exact_at_quarters) {
   }
 }
 
-/// Nearest double by MPFR, infinity beyond the range; the numbers of these tests are no subnormals unless `exact`.
+/// Nearest double by MPFR, infinity beyond the range; the numbers of these tests are not subnormals unless `exact`.
 double rounded_by_mpfr(const Rational& exact) {
   Real number(exact);
   return mpfr_get_d(number.get(), MPFR_RNDN);
@@ -350,7 +350,7 @@ TEST(AffineMap, general_rotations_of_general_points_need_no_rationals) {
 TEST(AffineMap, ties_go_to_even) {
   const AffineMap by_doubles = AffineMap::translation(RationalVec3(Vec3{0x1p-53, 0x1p-53, -0x1p-54}));
   EXPECT_EQ(by_doubles.apply_rounded(Vec3{1, 1 + 0x1p-52, 1}), (Vec3{1, 1 + 0x1p-51, 1}));
-  // 9 times a ninth: the entries are no doubles, so the filter cannot see that the image is a tie.
+  // 9 times a ninth: the entries are not doubles, so the filter cannot see that the image is a tie.
   const AffineMap ninths = AffineMap::scaling({0, 0, 0}, {Rational(1, 9), Rational(1, 9), Rational(1, 9)});
   const AffineMap map = ninths.then(by_doubles);
   reset_exact_counters();

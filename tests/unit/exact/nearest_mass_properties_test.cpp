@@ -1,4 +1,4 @@
-// Rounded mass properties against the exact ones, rounded: of solids whose corners are no doubles.
+// Rounded mass properties against the exact ones, rounded: of solids whose corners are not doubles.
 #include "algebra3d/kernel/exact/nearest_mass_properties.h"
 
 #include <gtest/gtest.h>

@@ -24,7 +24,7 @@ TEST(exact_point, rounds_to_nearest_and_keeps_the_exact_value) {
   EXPECT_FALSE(point.is_double());
   EXPECT_EQ(point.approx().x, 1.0 / 3.0);
   EXPECT_EQ(point.rational().x, kThird);
-  EXPECT_NE(point, ExactPoint(point.approx())) << "a third is no double";
+  EXPECT_NE(point, ExactPoint(point.approx())) << "a third is not a double";
   // 1/3 as a double is 6004799503160661 * 2^-54, which is below 1/3.
   EXPECT_GT(point, ExactPoint(point.approx()));
 }

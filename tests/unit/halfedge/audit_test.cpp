@@ -43,7 +43,7 @@ TEST(Audit, wrong_sizes_are_found) {
 TEST(Audit, origin_that_is_no_vertex_is_found) {
   TriangleMesh mesh = tetrahedron();
   Tester::origins(mesh)[5] = 4;
-  EXPECT_EQ(audit(mesh), Lines{"half-edge 5: origin 4 is no vertex"});
+  EXPECT_EQ(audit(mesh), Lines{"half-edge 5: origin 4 is not a vertex"});
 }
 
 TEST(Audit, forgotten_opposite_is_found) {
@@ -67,7 +67,7 @@ TEST(Audit, opposite_that_is_no_halfedge_is_found) {
   Tester::opposites(mesh)[9] = 12;
   EXPECT_EQ(audit(mesh), (Lines{"half-edge 0: its opposite 9 has opposite 12",
                                 "half-edge 9: opposite 12, its edge demands opposite 0",
-                                "half-edge 9: opposite 12 is no half-edge"}));
+                                "half-edge 9: opposite 12 is not a half-edge"}));
 }
 
 TEST(Audit, boundary_taken_for_nonmanifold_is_found) {
@@ -91,7 +91,7 @@ TEST(Audit, missing_outgoing_halfedge_is_found) {
 TEST(Audit, outgoing_that_is_no_halfedge_is_found) {
   TriangleMesh mesh = tetrahedron();
   Tester::outgoing(mesh)[2] = HalfedgeId(99);
-  EXPECT_EQ(audit(mesh), Lines{"vertex 2: outgoing half-edge 99 is no half-edge"});
+  EXPECT_EQ(audit(mesh), Lines{"vertex 2: outgoing half-edge 99 is not a half-edge"});
 }
 
 TEST(Audit, outgoing_halfedge_of_another_vertex_is_found) {
@@ -183,7 +183,7 @@ TEST(Audit, unknown_vertex_in_the_table_is_found) {
     tables.fans.emplace_back(1);
     tables.fan_starts.push_back(3);
   });
-  EXPECT_EQ(audit(mesh), Lines{"table of non-manifold vertices: 7 is no vertex"});
+  EXPECT_EQ(audit(mesh), Lines{"table of non-manifold vertices: 7 is not a vertex"});
 }
 
 TEST(Audit, vertex_table_out_of_order_is_found) {

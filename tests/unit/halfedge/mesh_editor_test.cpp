@@ -97,9 +97,9 @@ TEST(MeshEditor, there_and_back_is_the_same_mesh) {
 
 TEST(MeshEditor, refuses_what_is_no_manifold) {
   EXPECT_EQ(MeshEditor::of(polygons({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, 5)).reason(),
-            "the mesh is no manifold: 3 faces meet at the edge between vertices 0 and 1");
+            "the mesh is not a manifold: 3 faces meet at the edge between vertices 0 and 1");
   EXPECT_EQ(MeshEditor::of(polygons({{0, 1, 2}, {0, 3, 4}}, 5)).reason(),
-            "the mesh is no manifold: its faces at vertex 0 form 2 fans");
+            "the mesh is not a manifold: its faces at vertex 0 form 2 fans");
 }
 
 TEST(MeshEditor, flip_edge) {
@@ -181,7 +181,7 @@ TEST(MeshEditor, collapse_edge_is_refused) {
   EXPECT_EQ(collapse(triangle, 0, 1), "vertex 2 would be left with one edge");
   MeshEditor strip = editor_of(polygons(kTwoTriangles, 4));
   EXPECT_EQ(collapse(strip, 0, 2), "the edge is inside, and both ends are on the boundary");
-  // A triangular prism without its ends: vertex 2 closes a cycle of three edges that is no face.
+  // A triangular prism without its ends: vertex 2 closes a cycle of three edges that is not a face.
   MeshEditor tube = editor_of(polygons({{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}, 6));
   EXPECT_EQ(collapse(tube, 0, 1), "vertex 2 is joined to both ends, and not by a triangle along the edge");
   MeshEditor slit = editor_of(polygons({{0, 3, 1, 2, 1}}, 4));
@@ -208,8 +208,8 @@ TEST(MeshEditor, split_face) {
   expect_sound(editor);
   EXPECT_EQ(*added, FaceId(1));
   EXPECT_EQ(faces_of(editor.mesh()), (Faces{{1, 2, 3}, {3, 4, 0, 1}}));
-  EXPECT_EQ(editor.split_face(FaceId(0), VertexId(4), VertexId(1)).reason(), "vertex 4 is no corner of face 0");
-  EXPECT_EQ(editor.split_face(FaceId(0), VertexId(1), VertexId(4)).reason(), "vertex 4 is no corner of face 0");
+  EXPECT_EQ(editor.split_face(FaceId(0), VertexId(4), VertexId(1)).reason(), "vertex 4 is not a corner of face 0");
+  EXPECT_EQ(editor.split_face(FaceId(0), VertexId(1), VertexId(4)).reason(), "vertex 4 is not a corner of face 0");
   EXPECT_EQ(editor.split_face(FaceId(0), VertexId(1), VertexId(1)).reason(), "both corners are the same");
   EXPECT_EQ(editor.split_face(FaceId(0), VertexId(1), VertexId(2)).reason(),
             "vertices 1 and 2 are neighbours in the face");

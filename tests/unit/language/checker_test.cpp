@@ -162,7 +162,7 @@ TEST(CheckerErrors, wrong_elements_of_constants_have_their_place) {
 }
 
 TEST(CheckerErrors, lists_are_no_values) {
-  EXPECT_EQ(type_of("[1, 2]"), "error 1:1 a list of 2 elements is no value");
+  EXPECT_EQ(type_of("[1, 2]"), "error 1:1 a list of 2 elements is not a value");
   EXPECT_EQ(type_of("[1]"), "int");
 }
 

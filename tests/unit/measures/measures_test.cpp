@@ -171,7 +171,7 @@ TEST(Thickness, IsThatOfExactRays) {
     }
   expect_exact_thickness(box_solid({0.1, 0.2, 0.3}, {0.7, 0.5, 1.9}));
   expect_exact_thickness(box_solid({1e-30, 0, 0}, {1, 1e-20, 1}));
-  // Corners that are no doubles.
+  // Corners that are not doubles.
   expect_exact_thickness(
       prism_solid(12, 2, 0.7, {0, 0, 0}, RationalVec3(Rational(1, 3), Rational(1, 7), Rational(1, 11))));
 }

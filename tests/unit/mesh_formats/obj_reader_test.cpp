@@ -91,7 +91,7 @@ std::vector<AcceptedObj> left_out_of_obj() {
        "",
        {"3 texture coordinates ignored"}},
       {"normals", "vn 0 0 1\n" + kObjTetrahedron, kObjTetrahedronFaces, "", {"1 normal ignored"}},
-      {"normals that are no numbers",
+      {"normals that are not numbers",
        "vn nan nan nan\nvn\n" + kObjTetrahedron,
        kObjTetrahedronFaces,
        "",

@@ -201,13 +201,12 @@ TEST_F(Files, export_says_so_if_a_body_vanishes) {
   const Answer answer = export_to("part.stl", both);
   EXPECT_EQ(answer.text(), "TRUE");
   ASSERT_EQ(answer.diagnostics.size(), 1U);
-  EXPECT_NE(answer.diagnostics[0].find("; 1 shell in place of 2, since shells vanished or grew together; exportOBJ "),
+  EXPECT_NE(answer.diagnostics[0].find("; 1 shell instead of 2: some vanished or merged; exportOBJ "),
             std::string::npos)
       << answer.diagnostics[0];
   const Answer rounded = call("roundCoordinates", both, 0.001);
   ASSERT_EQ(rounded.diagnostics.size(), 1U);
-  EXPECT_NE(rounded.diagnostics[0].find("; 1 shell in place of 2, since shells vanished or grew together"),
-            std::string::npos)
+  EXPECT_NE(rounded.diagnostics[0].find("; 1 shell instead of 2: some vanished or merged"), std::string::npos)
       << rounded.diagnostics[0];
 }
 

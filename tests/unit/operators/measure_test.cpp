@@ -67,11 +67,11 @@ TEST(Volume, sums_agree_with_rationals_for_doubles_of_unlike_size) {
 
 TEST(Volume, sums_agree_with_rationals_for_coordinates_that_are_no_doubles) {
   expect_moments_as_by_rationals(samples::MeshMaker(Rational(1, 3), Rational(1, 7)).box({0, 0, 0}, {1, 2, 3}).mesh());
-  // Only some corners are no doubles.
+  // Only some corners are not doubles.
   expect_moments_as_by_rationals(samples::MeshMaker(Rational(1, 3)).box({0, 0, 0}, {1, 3, 6}).mesh());
 }
 
-/// Corners that are no doubles: some of those of a mesh of doubles are divided by an odd number.
+/// Corners that are not doubles: some of those of a mesh of doubles are divided by an odd number.
 TriangleMesh with_fractions(const TriangleMesh& mesh, std::uint32_t seed) {
   std::mt19937 random(seed);
   PointArray points;

@@ -60,7 +60,7 @@ std::uint64_t rationals_made(OpenTable& table, std::size_t rows) {
   return exact_counters().heap_rationals;
 }
 
-/// Measures of coordinates that are no doubles take rationals, which are counted.
+/// Measures of coordinates that are not doubles take rationals, which are counted.
 TEST(MeshRows, that_are_not_read_are_not_made) {
   const samples::Triangles torus = samples::torus(30, 40);
   const Mesh3d mesh(samples::polygon_mesh(samples::polygons_of(torus), thirds(samples::torus_points(30, 40))));

@@ -70,7 +70,7 @@ inline const Texts& plain_values() {
   return texts;
 }
 
-/// Parameters of type real or vector3d that are no lengths, by name: factors, angles, directions. All others of an
+/// Parameters of type real or vector3d that are not lengths, by name: factors, angles, directions. All others of an
 /// operator on shapes are lengths.
 inline bool is_plain(const Parameter& parameter) {
   // A value is that of an attribute.
@@ -122,7 +122,7 @@ inline NestedList sample(const Type& type, std::size_t choice) {
   return *NestedList::parse(found->second[choice % found->second.size()]);
 }
 
-/// Argument number `choice` for the parameter at a scale; nothing if it is no value.
+/// Argument number `choice` for the parameter at a scale; nothing if it is not a value.
 inline std::optional<Value> argument(const Parameter& parameter, std::size_t choice, const Rational& factor,
                                      bool has_lengths) {
   const Type& type = *parameter.type;

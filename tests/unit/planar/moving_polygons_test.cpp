@@ -414,7 +414,7 @@ TEST(moving_polygons, random_ones_are_valid_or_not_as_samples_say) {
 }
 
 TEST(moving_polygons, with_changed_coordinates_are_judged_alike) {
-  // Exact images: by a rational factor, which makes coordinates that are no doubles, and mirrored.
+  // Exact images: by a rational factor, which makes coordinates that are not doubles, and mirrored.
   std::mt19937 random(12);
   for (int round = 0; round < 300; ++round) {
     MovingCycle cycle;

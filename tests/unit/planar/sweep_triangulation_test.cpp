@@ -62,7 +62,7 @@ class Plane {
       if (part <= 0) findings += "a triangle does not turn left\n";
       area += part;
       for (std::size_t i = 0; i < 3; ++i) {
-        if (!ends.contains(t[i])) findings += "a corner is no end of an edge\n";
+        if (!ends.contains(t[i])) findings += "a corner is not an end of an edge\n";
         if (!sides.emplace(t[i], t[(i + 1) % 3]).second) findings += "a side has two triangles\n";
       }
     }

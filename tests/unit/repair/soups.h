@@ -22,7 +22,7 @@
 #include "unit/arrangement/random_solids.h"
 #include "unit/validity/sample_meshes.h"
 
-/// Triangles that are no solid, and what is known of them without the code under test.
+/// Triangles that are not a solid, and what is known of them without the code under test.
 namespace algebra3d::soups {
 
 using solids::Chance;

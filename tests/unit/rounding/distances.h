@@ -82,7 +82,7 @@ inline double distance_to_inner_parts(const Vec3& point, const TriangleMesh& mes
 
 /// Brute force, at corners and inner points of the rounded triangles, with eleven bits more than doubles have: slivers
 /// need them, and needles, whose normals even these do not tell, need rationals. What is left is the rounding of the
-/// given corners that are no doubles.
+/// given corners that are not doubles.
 inline void expect_near(const TriangleMesh& rounded, const TriangleMesh& given, double distance) {
   for (std::size_t f = 0; f < rounded.face_count(); ++f) {
     const std::array<Wide, 3> t = wide_corners(rounded, f);

@@ -41,7 +41,7 @@ inline bool is_corner_of(const FaultKernel::Point_3& point, const FaultKernel::T
 /// Counts of faults that the definition forbids, and of points of contact, which it allows.
 struct Faults {
   int degenerate = 0, improper_pairs = 0, unbalanced_edges = 0;
-  int points_inside = 0;  ///< pairs that share one point, which is no corner of both
+  int points_inside = 0;  ///< pairs that share one point, which is not a corner of both
 };
 
 inline Faults faults_of(const TriangleMesh& mesh) {

@@ -135,7 +135,7 @@ TEST_F(FailureReport, repeats_a_call_with_solids) {
       "query brokenSolid(createCube(makePoint3D(0, 0, 0), makePoint3D(1 / 3, 1, 1)), "
       "createCube(makePoint3D(0, 0, 0), makePoint3D(0.1, 1e-300, 1)))",
       "broken here: solids of 12 triangles");
-  // Coordinates that are no doubles.
+  // Coordinates that are not doubles.
   expect_repeatable(
       "query brokenSolid(createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1)), "
       "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1)) translate[[const vector3d value (1/3 -2/7 0)]])",

@@ -1,4 +1,4 @@
-// Bytes that are no text come from outside in many ways; none is stored.
+// Bytes that are not text come from outside in many ways; none is stored.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -71,7 +71,7 @@ TEST_F(ForeignText, names_of_files_are_given_with_their_bytes_and_a_note) {
   write("parts/b.stl", "");
   EXPECT_EQ(session_.run("query getDirectory('parts') transformstream consume"),
             "(('parts/a\\\\xff.stl') ('parts/b.stl'))");
-  EXPECT_NE(session_.notes().find("the name of a file is no UTF-8"), std::string::npos) << session_.notes();
+  EXPECT_NE(session_.notes().find("a file name is not UTF-8"), std::string::npos) << session_.notes();
 }
 
 TEST_F(ForeignText, a_database_in_a_file_of_any_name_is_saved_and_restored) {

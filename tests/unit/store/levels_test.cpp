@@ -185,7 +185,7 @@ TEST_F(Levels, of_other_values_are_not_found) {
   read([&] { EXPECT_EQ(level(solid_of(0), 20000), "nothing"); });
   sql("UPDATE shape_levels SET tuple = 2 WHERE tuple = 11");
   read([&] { EXPECT_EQ(level(solid_of(1), 20000), "nothing"); });
-  EXPECT_EQ(findings(), std::vector<std::string>()) << "left over is no defect";
+  EXPECT_EQ(findings(), std::vector<std::string>()) << "left over is not a defect";
 }
 
 TEST_F(Levels, of_a_value_that_is_gone_are_not_kept) {

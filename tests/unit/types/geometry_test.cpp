@@ -144,7 +144,7 @@ void add_square(Corners& corners, const std::array<RationalVec3, 4>& q, std::siz
   corners.push_back({p[cut], p[cut + 2], p[(cut + 3) % 4]});
 }
 
-/// The boundary of the cubes, each square cut at random, in coordinates of thirds: most corners are no doubles.
+/// The boundary of the cubes, each square cut at random, in coordinates of thirds: most corners are not doubles.
 Corners boundary_of(const Voxels& voxels, std::mt19937& random) {
   Corners corners;
   for (int n = 0; n < 27; ++n) {

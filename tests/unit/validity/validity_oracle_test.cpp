@@ -157,7 +157,7 @@ TEST(validity_oracle, random_boxes_on_a_small_grid_are_judged_by_the_definition)
 }
 
 TEST(validity_oracle, random_stars_of_a_corner_are_judged_by_the_definition) {
-  // Closed fans round one corner: most are no graphs, some go round twice, some fold.
+  // Closed fans round one corner: most are not graphs, some go round twice, some fold.
   std::mt19937 random(13);  // NOLINT(cert-msc51-cpp): the same in every run
   Tally tally;
   for (int round = 0; round < 300; ++round) {

@@ -107,7 +107,7 @@ export class Client {
     return answer;
   }
 
-  /** Cancels a running statement; one that has ended meanwhile is no error. */
+  /** Cancels a running statement; one that has ended meanwhile is not an error. */
   async cancel(id: string): Promise<void> {
     await this.#delete(`api/statements/${encodeURIComponent(id)}`);
   }
@@ -149,7 +149,7 @@ export class Client {
     return { blob: await response.blob(), diagnostics: notes ? (JSON.parse(notes) as string[]) : [] };
   }
 
-  /** Drops a result; one that the server has dropped already is no error. */
+  /** Drops a result; one that the server has dropped already is not an error. */
   async drop(result: string): Promise<void> {
     await this.#delete(`api/results/${result}`);
   }

@@ -141,7 +141,7 @@ export interface Upload {
 
 export type MeshFormat = "stl" | "stl-ascii" | "obj" | "off";
 
-/** The body of every answer that is no success. */
+/** The body of every error response. */
 export interface ErrorBody {
   readonly error: {
     readonly code: string;

@@ -32,7 +32,7 @@ const mostCompared = 300_000;
 
 const importers: Readonly<Record<string, string>> = { stl: "importSTL", obj: "importOBJ", off: "importOFF" };
 
-/** The operator that repairs a file of this name; null if it is no mesh file. */
+/** The operator that repairs a file of this name; null if it is not a mesh file. */
 export function importerOf(fileName: string): string | null {
   const ending = /\.(\w+)$/.exec(fileName)?.[1]?.toLowerCase() ?? "";
   return importers[ending] ?? null;

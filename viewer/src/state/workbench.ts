@@ -209,7 +209,7 @@ export class Side {
     const outcome = await this.#query(statement, inputs, signal);
     const type = outcome.answer.type ?? "";
     if (!isMeshType(type))
-      throw new Error(`A ${type || "command"} is no mesh; expected a solid, surface or mesh.`);
+      throw new Error(`A ${type || "command"} is not a mesh; expected a solid, surface or mesh.`);
     if (outcome.resultId === null || outcome.answer.value === null) {
       const reason = outcome.answer.diagnostics.join(" ");
       throw new Error(`${label} is undefined. ${reason}`.trim());

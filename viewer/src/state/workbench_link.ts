@@ -124,7 +124,7 @@ function resolved(
   return found;
 }
 
-/** The statements of a link that a person has to agree to: those that are no operations of the split screen. */
+/** The statements of a link that a person has to agree to: those that are not operations of the split screen. */
 export function foreignStatements({ steps }: LinkCompare): readonly string[] {
   return steps.map(({ statement }) => statement).filter((statement) => !isWorkbenchStatement(statement));
 }

@@ -98,7 +98,7 @@ bool FacetContactFinder::is_real(const FaceContactEnd& end) {
   return is_end(end.features.first, end.first) || is_end(end.features.second, end.second);
 }
 
-/// The edge and the plane that meet in a real end which is no vertex of an operand.
+/// The edge and the plane that meet in a real end which is not a vertex of an operand.
 EdgeAndPlane FacetContactFinder::crossing_of(const FaceContact& contact, const FaceContactEnd& end) {
   const auto& [features, first, second] = end;
   return is_end(features.first, first) ? EdgeAndPlane{features.first.edge(), facets_[contact.second_facet].plane}

@@ -39,7 +39,7 @@ class ExactFaces {
   IdVector<InputFaceId, Note> notes_;
 };
 
-/// Planes of faces with corners that are no doubles, and of those that are compared with such. Between doubles, planes
+/// Planes of faces with corners that are not doubles, and of those that are compared with such. Between doubles, planes
 /// would take longer.
 PlanesOfFaces planes_for(PairSpan pairs, const Operands& operands) {
   PlanesOfFaces planes(operands);

@@ -20,7 +20,7 @@ struct PairContact {
 /// Output of stage 2: the pairs of faces that touch.
 struct PairContacts {
   std::vector<PairContact> contacts;
-  /// Planes of faces with corners that are no doubles, and of faces that were compared with such.
+  /// Planes of faces with corners that are not doubles, and of faces that were compared with such.
   PlanesOfFaces planes;
 };
 

@@ -99,7 +99,7 @@ std::vector<PseudoNode> PseudoNodeFinder::found_at_nodes(const EndsOfNodes& ends
   return std::move(part.found_);
 }
 
-/// The edge of a patch is whole or ends at the patch's corner, as the patch has it: there it is no arm.
+/// The edge of a patch is whole or ends at the patch's corner, as the patch has it: there it is not an arm.
 void PseudoNodeFinder::find_arms(EdgeEnds ends) {
   const bool is_corner = patch_corners_.is_corner(ends[0].node);
   arms_.clear();

@@ -20,7 +20,7 @@ std::vector<std::string> audit(const Subdivision& subdivision, const std::vector
   Violations violations;
   const NodePool& nodes = subdivision.complex.nodes;
   for (const PseudoNode& at : pseudo_nodes)
-    if (violations.expect(has_nodes(nodes, at), "pseudo-node {} or a neighbour of it is no node", at.node.index()))
+    if (violations.expect(has_nodes(nodes, at), "pseudo-node {} or a neighbour of it is not a node", at.node.index()))
       violations.expect(is_between(nodes, at), "pseudo-node {} does not lie between nodes {} and {}", at.node.index(),
                         at.before.index(), at.after.index());
   for (std::size_t i = 1; i < pseudo_nodes.size(); ++i) {

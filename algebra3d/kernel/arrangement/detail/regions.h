@@ -13,7 +13,7 @@ namespace algebra3d::arrangement {
 /// A region of the result, triangulated.
 struct Region {
   RegionKey key;
-  bool has_exact_corner;  ///< a corner is no triple of doubles
+  bool has_exact_corner;  ///< a corner is not a triple of doubles
   Slice triangles;        ///< of Regions::triangles
 };
 
@@ -33,7 +33,7 @@ Result<Regions> triangulate_regions(const Subdivision& subdivision, const std::v
 
 /// Every violated invariant, one sentence each: there is one region for each key among the edges, in their order; its
 /// triangles have nodes for corners and are counter-clockwise from the front of the plane; an edge of a triangle is a
-/// boundary edge of the region or has another triangle on its other side; a corner that is no double is noted.
+/// boundary edge of the region or has another triangle on its other side; a corner that is not a double is noted.
 /// Cost: n log n, with exact predicates.
 std::vector<std::string> audit(const Subdivision& subdivision, const std::vector<RegionEdge>& edges,
                                const Regions& regions);

@@ -49,8 +49,8 @@ bool RegionsAudit::check_triangles(const Region& region) {
   const Projection projection = subdivision_.facets.planes[region.key.plane()].projection;
   bool are_there = true, has_exact_corner = false;
   for (const auto& [a, b, c] : regions_.triangles_of(region)) {
-    if (!violations_.expect(std::max({a, b, c}) < nodes_.size(), "triangle ({} {} {}) has a corner that is no node", a,
-                            b, c)) {
+    if (!violations_.expect(std::max({a, b, c}) < nodes_.size(), "triangle ({} {} {}) has a corner that is not a node",
+                            a, b, c)) {
       are_there = false;
       continue;
     }
@@ -61,7 +61,7 @@ bool RegionsAudit::check_triangles(const Region& region) {
     has_exact_corner = has_exact_corner || !p.is_double() || !q.is_double() || !r.is_double();
   }
   violations_.expect(!are_there || has_exact_corner == region.has_exact_corner,
-                     "a region in plane {} does not say whether a corner is no double", region.key.plane().index());
+                     "a region in plane {} does not say whether a corner is not a double", region.key.plane().index());
   return are_there;
 }
 

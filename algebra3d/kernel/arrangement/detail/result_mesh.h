@@ -35,7 +35,7 @@ class ResultMesh {
   ResultMesh(const Subdivision& subdivision, const PatchCorners& patch_corners, const KeptPatches& kept,
              std::size_t region_triangles);
 
-  /// Adds the triangles of a region, with nodes for corners. If some corner is no double, the plane is kept.
+  /// Adds the triangles of a region, with nodes for corners. If some corner is not a double, the plane is kept.
   void add(const Region& region, std::span<const IndexTriangle> triangles);
   /// The mesh. Leaves this object empty.
   UnlinkedMesh finish();

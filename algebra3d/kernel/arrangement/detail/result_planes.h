@@ -10,7 +10,7 @@
 namespace algebra3d::arrangement {
 
 /// Collects the planes that a result keeps: those that faces of operands bring along, and those of regions with corners
-/// that are no doubles.
+/// that are not doubles.
 class ResultPlanes {
  public:
   explicit ResultPlanes(const Subdivision& subdivision)

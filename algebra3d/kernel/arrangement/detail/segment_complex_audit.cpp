@@ -105,7 +105,8 @@ void SegmentComplexAudit::check_incidence(const SegmentIncidence& incidence) {
                      "segment {} is not in the plane of its facet {}", incidence.segment.index(),
                      incidence.facet.index());
   violations_.expect(incidence.sides == FacetSides::both || !segment.edge.is_none(),
-                     "segment {} bounds facet {}, but is no edge", incidence.segment.index(), incidence.facet.index());
+                     "segment {} bounds facet {}, but is not an edge", incidence.segment.index(),
+                     incidence.facet.index());
 }
 
 /// A cut lies between the ends of its segment, or is one of them.

@@ -19,7 +19,7 @@ class TakenVertices {
   /// The vertex of the result. Demands a corner of a face that is taken over.
   VertexId operator[](InputVertexId vertex) const { return numbers_[vertex]; }
   std::size_t settled_count() const { return settled_count_; }
-  /// The vertices at nodes; invalid at nodes that are no corners.
+  /// The vertices at nodes; invalid at nodes that are not corners.
   const IdVector<NodeId, VertexId>& at_nodes() const { return at_nodes_; }
   /// The points of all of them, with room for those of the other nodes.
   PointArray points() const;
@@ -27,7 +27,7 @@ class TakenVertices {
   LargeVector<HalfedgeId> outgoing(const TakenRuns& runs) const;
 
  private:
-  /// In place of a number: not settled; the number follows.
+  /// Marks a vertex that is not settled and gets its number later.
   static constexpr VertexId kOpen{0xFFFFFFFE};
 
   void number_settled(const KeptPatches& kept);

@@ -18,7 +18,7 @@ inline constexpr std::size_t kContactsPerBlock = 8192;
 inline constexpr std::size_t kPlanesPerTask = 32;
 /// Nodes at which one task looks for pseudo-nodes; many have no edge of a region.
 inline constexpr std::size_t kNodesPerTask = 128;
-/// Sub-edges of which one task sorts those round space edges, and those whose radial orders are there at once.
+/// Sub-edges sorted by one task; sub-edges whose radial orders are kept in memory at a time.
 inline constexpr std::size_t kSubEdgesPerTask = 512, kSubEdgesPerBlock = 65536;
 
 }  // namespace algebra3d::arrangement

@@ -59,10 +59,10 @@ class Reach {
 };
 
 /// Keeps parts of two sets apart along a direction: between the farthest points of the first one's part and the nearest
-/// points of the second one's. Boxes along the axes say little of surfaces that lie aslant; the direction from one set
-/// to the other says nearly all, if they are near each other in one place only. Parts of surfaces that are parallel are
-/// apart by what they are apart along the direction, and by what they are beside each other across it. Where this tells
-/// few parts apart, no more time is spent on it.
+/// points of the second one's. Boxes along the axes separate slanted surfaces badly; the direction from one set to the
+/// other separates nearly all parts if the sets are near each other in one place only. Parallel parts are separated by
+/// their distance along the direction and by their offset across it. Where few parts are separated, no more time is
+/// spent on it.
 class Separation {
  public:
   Separation(const DistanceOperand& a, const DistanceOperand& b);
@@ -74,7 +74,7 @@ class Separation {
   bool keeps_apart(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance);
 
  private:
-  /// Nodes to be looked at for each pair of nodes that is told apart, and before the first one.
+  /// Nodes that may be looked at for each pair of nodes that is separated, and before the first one.
   static constexpr std::int64_t kWorkForAPair = 64, kFirstWork = 16384;
 
   double between(double first, double second) const;

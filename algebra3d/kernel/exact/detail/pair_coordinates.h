@@ -12,7 +12,7 @@
 
 namespace algebra3d::detail {
 
-// Determinants of points that are no triples of doubles, by pairs of doubles: a hundred bits of each coordinate, where
+// Determinants of points that are not triples of doubles, by pairs of doubles: a hundred bits of each coordinate, where
 // rounded points have 53. Where facets nearly coincide their points are some roundings apart, so nearly all signs that
 // rounded points leave open are decided, at a fifth of the cost of integers.
 

@@ -38,7 +38,8 @@ struct RepairedSolid {
 ///  6. misconnected triangles and dangling sheets are dropped (misconnected_triangles.h, dangling_sheets.h), bands
 ///     made if the strategy says so (bands.h), holes closed and open patches dropped (holes.h, nonmanifold_loops.h);
 ///  7. shells that are inside out are flipped (shell_orientation.h);
-///  8. if that is no solid yet, triangles are divided at one another. If every edge is balanced, the solid is the union
+///  8. if that is not a solid yet, triangles are divided at one another. If every edge is balanced, the solid is the
+///  union
 ///     of the cells with a positive winding number (winding_selection.h), otherwise of those with a mean generalized
 ///     winding number above 1/2 (winding_segmentation.h). Coplanar triangles are brought together and triangulated
 ///     anew;

@@ -4,9 +4,9 @@
 
 namespace algebra3d {
 
-/// The same triangles, with the faces at each non-manifold edge in pairs that go on from each other: those whose
-/// normals are most alike first. A vertex is there once for each fan of faces that are linked in this way, so that all
-/// edges are manifold, but for those whose pairs have both vertices in common. Isolated vertices go. Domain: a mesh
+/// The triangles of a mesh with the faces at each non-manifold edge linked in pairs that go on from each other: those
+/// whose normals are most alike first. Each vertex is duplicated once per fan of linked faces, so that all edges are
+/// manifold except those whose pairs have both vertices in common. Isolated vertices are removed. Domain: a mesh
 /// without boundary, with double coordinates. Deterministic. Cost: linear, and the cube of the number of faces at a
 /// non-manifold edge.
 TriangleMesh with_paired_faces(const TriangleMesh& mesh);

@@ -41,8 +41,8 @@ struct RoundingCandidate {
   Movement movement = {};  ///< from the given mesh
   double reach = 0;        ///< within which features were joined, in coordinate units; 0 if none were
   RoundingMethod method = RoundingMethod::vertices_moved;
-  /// Per face: the number of the face of the given mesh that is the same, corner by corner; kNone if none is or it is
-  /// not known. Empty: of no face known.
+  /// For each face the face of the given mesh with the same corners, or kNone if there is none or it was not tracked;
+  /// empty if no face was tracked.
   std::vector<std::uint32_t> kept = {};
 
   /// The faces that the given mesh has too.

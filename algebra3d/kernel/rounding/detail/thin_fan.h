@@ -10,8 +10,8 @@
 
 namespace algebra3d {
 
-/// The triangles around a vertex where thin ones, of a height of at most two tolerances, may be: which way these face
-/// means nothing. In long doubles.
+/// The fan of a vertex that may contain thin triangles, of a height of at most two tolerances, whose orientation is
+/// ignored. Computed in long doubles.
 class ThinFan {
  public:
   /// Takes over a fan. The tolerance is in coordinate units.

@@ -28,8 +28,8 @@ class VertexFan {
   /// Prepares the questions below.
   void measure(const TriangleStars& stars, double tolerance);
   /// True if the vertex is certainly farther than the tolerance from the plane of one of the triangles that replace the
-  /// fan if the vertex is merged with this neighbour, which is given by its place in the ring. By doubles with a bound
-  /// of their error. Cost: linear, and a constant for most that bend.
+  /// fan if the vertex is merged with this neighbour, which is given by its place in the ring. Decided in doubles with
+  /// an error bound. Cost: linear; constant in most cases where the answer is true.
   bool bends(std::size_t target);
   /// The least height of these triangles; 0 if they do not represent the surface: if one is turned over or farther than
   /// the tolerance from the vertex, or if the vertex is over none of them. Nothing if doubles cannot tell.

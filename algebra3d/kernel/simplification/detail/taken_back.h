@@ -11,8 +11,8 @@
 
 namespace algebra3d {
 
-/// Faces at which a mesh is no valid surface: those that cross others, and degenerate ones; empty if it is one. Exact.
-/// Errors: interrupted. Cost: that of prove_surface.
+/// Faces at which a mesh is not a valid surface: those that cross others, and degenerate ones; empty if it is one.
+/// Exact. Errors: interrupted. Cost: that of prove_surface.
 Result<std::vector<FaceId>> defects_of_surface(const TriangleMesh& mesh, const Monitor& monitor);
 /// The same for volumes, with faces of shells on the wrong side of others.
 Result<std::vector<FaceId>> defects_of_volume(const TriangleMesh& mesh, const Monitor& monitor);

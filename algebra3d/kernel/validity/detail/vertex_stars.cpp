@@ -5,7 +5,7 @@
 //
 // Any d will do, so d is made of small integers, and all rounding happens in the edge vectors and the products with
 // them: a bound for it is all that has to be compared with. Whatever the bound leaves open (sharp creases, saddles that
-// fold over every plane, slivers, coordinates that are no doubles, boundaries, several fans) is left to the exact test
+// fold over every plane, slivers, coordinates that are not doubles, boundaries, several fans) is left to the exact test
 // of pairs.
 
 #include "algebra3d/kernel/validity/detail/vertex_stars.h"
@@ -30,7 +30,7 @@ constexpr double kDirectionSize = 1024;
 constexpr int kSearchRounds = 8;
 constexpr std::size_t kVerticesPerTask = 4096;
 
-/// Collects the closed fan of `v`; false if there is none, or its coordinates are no doubles.
+/// Collects the closed fan of `v`; false if there is none, or its coordinates are not doubles.
 bool collect_star(const TriangleMesh& mesh, VertexId v, Star& star) {
   star.edges.clear();
   star.longest = 0;

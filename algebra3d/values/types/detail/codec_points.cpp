@@ -176,7 +176,7 @@ bool tell_defect(ByteReader& reader, std::string_view text, double approx) {
   reader.require(value.has_value(), "a number p/q");
   if (value && !text.empty())
     reader.require(!value->is_double() && value->nearest_double() == approx,
-                   "a number that is no double and rounds to the one stored");
+                   "a number that is not a double and rounds to the one stored");
   return !reader.ok();
 }
 
@@ -194,7 +194,7 @@ ExactPoint read_exact(ByteReader& reader, const Vec3& approx) {
     const std::string_view text = reader.text();
     if (!reader.ok() || tell_defect(reader, text, approx[axis])) return {};
   }
-  reader.fail("a coordinate that is no double");
+  reader.fail("a coordinate that is not a double");
   return {};
 }
 

@@ -33,7 +33,7 @@ struct StoredAxis {
 };
 
 /// The points of write_points, found in the bytes but not decoded, so that what follows can be decoded at the same
-/// time. Points that are no triples of doubles are decoded at once.
+/// time. Points that are not triples of doubles are decoded at once.
 class StoredPoints {
  public:
   /// Moves the reader behind the points.
