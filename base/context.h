@@ -56,8 +56,8 @@ struct Context {
     if (reads != nullptr) ALGEBRA3D_RETURN_IF_ERROR(reads->check(file));
     return file;
   }
-  /// The same for writing, which the host can cancel. Errors: permission_denied, also where the host does not allow it;
-  /// wrong_usage where nothing must be changed.
+  /// The file that `name` means, for writing, which the host can cancel. Errors: permission_denied, also where the host
+  /// does not allow it; wrong_usage where nothing must be changed.
   Result<OutputPath> resolve_output(const std::filesystem::path& name) const {
     ALGEBRA3D_RETURN_IF_ERROR(check_changing("the file '" + name.string() + "' would be written"));
     ALGEBRA3D_ASSIGN_OR_RETURN(const OutputPath path, folder.output_path_of(name));

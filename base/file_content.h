@@ -30,7 +30,7 @@ class FileContent {
   /// linear; 30 ms for 100 MB in the page cache.
   static Result<FileContent> read(const InputFile& file, const std::atomic<bool>* cancel = nullptr);
   static Result<FileContent> read(const InputFile& file, const std::atomic<bool>* cancel, std::size_t most_in_memory);
-  /// The same of the file at `path`. Errors: also those of InputFile::open.
+  /// Reads the whole file at `path`. Errors: also those of InputFile::open.
   static Result<FileContent> read(const std::filesystem::path& path, const std::atomic<bool>* cancel = nullptr);
 
   [[nodiscard]] std::string_view bytes() const { return {data_.get(), size_}; }

@@ -40,7 +40,8 @@ struct LargeAllocator {
   friend bool operator==(const LargeAllocator&, const LargeAllocator&) { return true; }
 };
 
-/// The same, but `resize` leaves new numbers unset: so the tasks that fill an array are the first to touch its memory.
+/// A LargeAllocator with which `resize` leaves new numbers unset: so the tasks that fill an array are the first to
+/// touch its memory.
 template <typename T>
 struct UnsetAllocator : LargeAllocator<T> {
   UnsetAllocator() = default;

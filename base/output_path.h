@@ -17,7 +17,8 @@ class OutputPath {
   /// A file that must be new.
   static OutputPath new_file(std::filesystem::path path);
 
-  /// The same; writing it ends with the error interrupted once `*cancel`, which must outlive the writing, is set.
+  /// The path for writing that can be cancelled: it ends with the error interrupted once `*cancel` is set, which must
+  /// outlive the writing.
   OutputPath with_cancel(const std::atomic<bool>* cancel) const;
 
   const std::filesystem::path& path() const { return path_; }

@@ -31,7 +31,8 @@ class WorkingFolder {
   /// The file that `name` means, for reading. Errors: permission_denied for a name that leads out of a confined folder
   /// or to a hidden file.
   Result<std::filesystem::path> path_of(const std::filesystem::path& name) const;
-  /// The same for writing. Errors: also permission_denied where nothing may be written, or not over this file.
+  /// The file that `name` means, for writing. Errors: also permission_denied where nothing may be written, or not over
+  /// this file.
   Result<OutputPath> output_path_of(const std::filesystem::path& name) const;
   /// Whether statements see nothing of files with this name, since a part of it begins with a point.
   bool hides(const std::filesystem::path& name) const;

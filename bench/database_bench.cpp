@@ -41,7 +41,7 @@ void rows_ours(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * kTuples);
 }
 
-/// The same relation in SQLite's own tables.
+/// The relation of the benchmarks in SQLite's own tables.
 class Sqlite {
  public:
   Sqlite() {

@@ -37,7 +37,7 @@ inline IndexedFaces torus_of_quadrilaterals(std::uint32_t n) {
   return faces;
 }
 
-/// The same with the quadrilaterals halved.
+/// A torus of triangles: its quadrilaterals halved.
 inline IndexedFaces torus_of_triangles(std::uint32_t n) {
   IndexedFaces faces = torus_of_quadrilaterals(n);
   std::vector<std::uint32_t> corners;
@@ -48,7 +48,7 @@ inline IndexedFaces torus_of_triangles(std::uint32_t n) {
   return faces;
 }
 
-/// The same faces with points and faces in random order.
+/// The faces with points and faces in random order.
 inline IndexedFaces shuffled(const IndexedFaces& faces) {
   std::mt19937_64 random(1);
   IndexedFaces result{std::vector<Vec3>(faces.points.size()), {}, faces.degree};

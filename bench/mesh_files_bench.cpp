@@ -135,7 +135,7 @@ std::size_t faces_read(FileKind kind, const std::filesystem::path& path) {
   return read ? read->soup.face_count() : 0;
 }
 
-/// The same with CGAL.
+/// The number of faces that CGAL reads.
 std::size_t faces_read_by_cgal(FileKind kind, const std::string& path) {
   std::vector<Point> points;
   if (is_stl(kind)) {

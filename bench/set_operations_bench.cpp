@@ -322,7 +322,7 @@ void grid_ours(benchmark::State& state) {
 }
 BENCHMARK(grid_ours)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-/// The same with gaps of one unit in the last place.
+/// The grid with gaps of one unit in the last place.
 void gaps_ours(benchmark::State& state) {
   const auto n = static_cast<int>(state.range(0));
   const auto below = [](int i) { return std::nextafter(i + 1.0, 0.0); };

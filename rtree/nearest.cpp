@@ -44,7 +44,7 @@ double scaled_distance(const Box3& a, const Box3& b, double scale) {
   return std::sqrt(sum) / scale;
 }
 
-// The same for large gaps: coordinates are scaled before they are subtracted, and the result stays scaled.
+// The distance for large gaps: coordinates are scaled before they are subtracted, and the result stays scaled.
 double scaled_large_distance(const Box3& a, const Box3& b, double scale) {
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -122,7 +122,7 @@ void for_each_pair(const RTree<Payload>& tree, Visit visit) {
 /// Lists every violated invariant of Storage; empty if all hold. Cost: linear.
 template <typename Payload>
 std::vector<std::string> audit(const RTree<Payload>& tree);
-/// The same for a Storage.
+/// Lists every violated invariant of a Storage.
 template <typename Leaf>
 std::vector<std::string> audit(const Storage<Leaf>& storage);
 

@@ -189,7 +189,7 @@ class OffAsciiReader : Reading {
     return true;
   }
 
-  // The same for triangles and quadrilaterals that fill their line, with indices below 10000000.
+  // Takes triangles and quadrilaterals that fill their line, with indices below 10000000.
   void take_plain_faces() {
     const std::uint64_t most = std::min(face_count_, face_index_ + kOffElementsPerPoll);
     AsciiCursor cursor = cursor_;

@@ -44,7 +44,7 @@ class ExchangeValues {
   /// a CSV form are value lists, as in `(1.0 2.0 3.0)`. Errors: also type_error for a nested relation.
   Status append_csv(const Value& value, const std::string& name, Context& context, std::string& csv);
 
-  /// The same for a value that is the whole result. Errors: also io_error for one whose file cannot be written.
+  /// Append a value that is the whole result. Errors: also io_error for one whose file cannot be written.
   Status append_json_result(const Value& value, Context& context, std::string& json);
   Status append_csv_result(const Value& value, Context& context, std::string& csv);
 

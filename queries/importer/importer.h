@@ -40,7 +40,7 @@ struct ImportHost {
 /// Nothing is changed unless all paths exist. Never throws.
 int run_import(const ImportOptions& options, const ImportHost& host);
 
-/// The same with standard output, standard error and STL files.
+/// Imports with standard output, standard error and STL files.
 int run_import(const ImportOptions& options, const algebra3d::Registry& registry, const std::atomic<bool>* cancel);
 
 }  // namespace queries

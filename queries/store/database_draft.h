@@ -10,7 +10,7 @@ namespace queries {
 
 /// The ending of the interim name of a database that is being created, before a process id and a number.
 inline constexpr std::string_view kNewEnding = ".new-";
-/// The same of one that is being restored.
+/// The ending of the interim name of a database that is being restored.
 inline constexpr std::string_view kRestoreEnding = ".restore-";
 
 /// A new database under an interim name beside its place, without objects. Its file says in its header that it is a

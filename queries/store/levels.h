@@ -24,8 +24,8 @@ bool is_stored(const algebra3d::Value& value);
 
 /// The level `number` of a value; nothing if none was kept, or if it is damaged. Errors: database_busy, io_error.
 algebra3d::Result<std::optional<std::string>> level_of(const algebra3d::Value& value, std::uint64_t number);
-/// The same without a copy: calls `visit` with the bytes, which are valid during the call. False, without a call, if
-/// there is no level. Errors: also those of `visit`.
+/// Reads a level without a copy: calls `visit` with the bytes, which are valid during the call. False, without a call,
+/// if there is no level. Errors: also those of `visit`.
 algebra3d::Result<bool> with_level(const algebra3d::Value& value, std::uint64_t number,
                                    const std::function<algebra3d::Status(std::string_view bytes)>& visit);
 

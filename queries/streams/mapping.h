@@ -39,7 +39,7 @@ class MappingCheck {
   Result<std::vector<std::size_t>> attributes(std::size_t position, const TypeExpr& tuple) const;
   /// Indices of the attributes that the argument names; error for a duplicate.
   Result<std::vector<std::size_t>> distinct_or_no_attributes(std::size_t position, const TypeExpr& tuple) const;
-  /// The same; error also if the argument names none.
+  /// Indices of the attributes that the argument names; error for a duplicate, or if it names none.
   Result<std::vector<std::size_t>> distinct_attributes(std::size_t position, const TypeExpr& tuple) const;
   /// Index of the only attribute of type tid.
   Result<std::size_t> id_attribute(const TypeExpr& tuple) const;

@@ -58,7 +58,7 @@ std::optional<NumberShape> number_shape(std::string_view text) {
   return shape;
 }
 
-/// The same; nothing if a number would lose zeros.
+/// The shape of a number; nothing if the number would lose zeros.
 std::optional<NumberShape> plain_number_shape(std::string_view text) {
   auto shape = number_shape(text);
   if (shape && shape->whole.size() > 1 && shape->whole.front() == '0') return std::nullopt;

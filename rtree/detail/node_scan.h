@@ -53,15 +53,15 @@ struct alignas(64) NearestList {
 struct NodeScans {
   /// The slots that may meet the box.
   SlotMask (*meeting)(const KeyBoxes& node, const KeyBox& box);
-  /// The same, with those that are to be looked at closer.
+  /// Those slots, and which of them need a closer look.
   Meeting (*meeting_exactly)(const KeyBoxes& node, const KeyBox& box);
   /// `meetings[row]` for each of the rows: the slots of `second` that meet the slot `row` of `first`.
   void (*meeting_rows)(const KeyBoxes& first, SlotMask rows, const KeyBoxes& second, Meeting (&meetings)[kFanOut]);
   /// Lower bounds of the squared distances of the slots from the box. Unused slots get any number.
   void (*squared_distances)(const KeyBoxes& node, const Target& target, const KeyFrame& frame,
                             double (&squares)[kFanOut]);
-  /// The same, rounded down to have room for the slots; returns the slots whose bounds are at most `limit`. Domain:
-  /// coordinates whose squares do not overflow.
+  /// Ranks the slots by these bounds, which are rounded down to make room for the slots' numbers; returns the slots
+  /// whose bounds are at most `limit`. Domain: coordinates whose squares do not overflow.
   SlotMask (*rank)(const KeyBoxes& node, const Target& target, const KeyFrame& frame, double limit,
                    RankedSlots& ranked);
   /// Puts those of the slots of the `node`-th node into the first `size` places of a list, of which the largest numbers

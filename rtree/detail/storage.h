@@ -45,7 +45,7 @@ struct TreeView {
     else
       return OrderedBox::of(boxes[leaves[leaf].reference[slot]]);
   }
-  /// The same as doubles.
+  /// The exact box of an entry as doubles.
   Box3 exact_coordinates(NodeIndex leaf, std::size_t slot) const {
     if constexpr (kHasRemainders<Leaf>)
       return exact_box(leaf, slot).box();
@@ -158,7 +158,7 @@ struct Storage {
 /// Bulk loads the empty `storage` with the entries whose boxes are not empty; `fill` slots of each node are used.
 template <typename Payload>
 void bulk_load(Storage<ExactLeaf<Payload>>& storage, std::span<const Entry<Payload>> entries, std::size_t fill);
-/// The same for boxes that stay where they are, each with its index as its payload.
+/// Bulk loads boxes that stay where they are, each with its index as its payload.
 void bulk_load(Storage<IndexLeaf>& storage, std::span<const Box3> boxes);
 /// Adds an entry whose box is not empty.
 template <typename Payload>

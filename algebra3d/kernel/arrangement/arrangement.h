@@ -33,7 +33,7 @@ class SolidArrangement {
   /// volume, with cavities, nested bodies and bodies that touch; the empty mesh if nothing is kept. Vertices,
   /// minimality, errors and cost as of `faces`.
   Result<TriangleMesh> solid(const KeepRule& rule) const&;
-  /// The same by an arrangement that is not needed any more: what it holds is freed as soon as no step needs it.
+  /// As above, for an arrangement that is not needed any more: frees its parts as soon as no step needs them.
   Result<TriangleMesh> solid(const KeepRule& rule) &&;
   /// The faces that the rule keeps: a valid surface. For rules that look at both sides of a face, as a section of a
   /// solid does; a solid needs `solid` only.

@@ -16,7 +16,7 @@ namespace algebra3d {
 /// logarithm of the number of solids.
 Result<TriangleMesh> unite_solids(std::span<const Operand> solids, const Monitor& monitor = {});
 
-/// The same for the intersection of at least one solid.
+/// The intersection of at least one solid, by the same method.
 Result<TriangleMesh> intersect_solids(std::span<const Operand> solids, const Monitor& monitor = {});
 
 }  // namespace algebra3d

@@ -18,14 +18,14 @@ class ValidParts {
   /// `known`: faces that an earlier proof found to be a valid surface by themselves. Errors: interrupted. Exact. Cost:
   /// that of a proof.
   static Result<ValidParts> make(const TriangleMesh& mesh, const Monitor& monitor = {}, const FaceSet& known = {});
-  /// The same; the faces flagged in `are_alone`, one flag per face, become parts of their own, too. For faces at edges
-  /// that were non-manifold in the mesh from which this one was taken (repair/detail/winding_segmentation.h).
+  /// As above; faces flagged in `are_alone`, one flag per face, also become parts of their own. For faces at edges that
+  /// were non-manifold in the mesh from which this one was taken (repair/detail/winding_segmentation.h).
   static Result<ValidParts> make(const TriangleMesh& mesh, const std::vector<bool>& are_alone,
                                  const Monitor& monitor = {}, const FaceSet& known = {});
-  /// The same with fewer parts where many edges are non-manifold, as where boundaries cross that are joined in
-  /// vertices. Faces that alternate around an edge, as those of solids do, stay together; others that meet in a
-  /// non-manifold edge go to different sheets (detail/face_sheets.h). Only entangled faces of each sheet become parts
-  /// of their own. Errors and cost as above.
+  /// Divides the mesh into fewer parts than `make` where many edges are non-manifold, as where boundaries cross that
+  /// are joined in vertices. Faces that alternate around an edge, as those of solids do, stay together; others that
+  /// meet in a non-manifold edge go to different sheets (detail/face_sheets.h). Only entangled faces of each sheet
+  /// become parts of their own. Errors and cost as above.
   static Result<ValidParts> in_sheets(const TriangleMesh& mesh, const Monitor& monitor = {});
 
   /// One operand per part, all of group 0. Valid as long as this object.

@@ -24,7 +24,7 @@ using WindingRule = std::function<bool(int winding)>;
 /// more than an edge.
 Result<TriangleMesh> solid_by_winding(const TriangleMesh& mesh, const WindingRule& rule, const Monitor& monitor = {},
                                       const ArrangementOptions& limits = {});
-/// The same for a mesh that was divided into valid parts before.
+/// As above, for a mesh that is already divided into valid parts.
 Result<TriangleMesh> solid_by_winding(const ValidParts& parts, const WindingRule& rule, const Monitor& monitor = {},
                                       const ArrangementOptions& limits = {});
 

@@ -22,7 +22,8 @@ struct BoundedFace {
 /// looked at, down to the result; some microseconds for each, and for each face of `to` beside it.
 Result<double> bounded_distance(const TriangleMesh& from, std::span<const BoundedFace> faces, const DistanceOperand& to,
                                 double enough, const Monitor& monitor = {});
-/// The same for all faces of `from`, no point of which is farther than `at_most`; the result is at most that, too.
+/// Bounds the distance of all faces of `from`, no point of which is farther than `at_most`; the result is at most that,
+/// too.
 Result<double> bounded_distance(const TriangleMesh& from, double at_most, const DistanceOperand& to, double enough,
                                 const Monitor& monitor = {});
 

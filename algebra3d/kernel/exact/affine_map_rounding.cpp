@@ -84,8 +84,8 @@ struct RowFilter {
     return {result.value, result.rest, size * 0x1p-48 + entry_error() * (1 + 0x1p-40)};
   }
 
-  /// The same with what each rounding takes off, so that the error is zero if nothing was lost. Decides ties of maps
-  /// with entries of at most 106 bits.
+  /// Like `quick`, but keeps the error of each rounding, so that the error is zero if nothing was lost. Decides ties of
+  /// maps with entries of at most 106 bits.
   Estimate thorough() const {
     const auto& [a, b, c, d] = row.entries;
     const Rounded p = product(a, point.x), q = product(b, point.y), r = product(c, point.z);

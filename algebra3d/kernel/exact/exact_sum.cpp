@@ -21,7 +21,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Per axis, the bits of the coordinates.
 using AxisRanges = std::array<BitRange, 3>;
 
-/// The same for integers of any size.
+/// Sums over triangles in integers of any size.
 class LongSums {
  public:
   LongSums(const PointArray& points, const AxisRanges& ranges) : points_(points), ranges_(ranges) {}
@@ -60,7 +60,7 @@ class LongSums {
   std::array<mpz_class, 6> second_;
 };
 
-/// The same for triangles with a corner that is not a double.
+/// Sums over triangles with a corner that is not a double.
 class RationalSums {
  public:
   explicit RationalSums(const PointArray& points) : points_(points) {}

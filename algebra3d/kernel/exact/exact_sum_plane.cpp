@@ -41,7 +41,7 @@ class WideDeterminants {
   detail::WideSum<2 * Limbs + 1> sum_;  // one limb more for the number of points
 };
 
-/// The same for integers of any size.
+/// Sums of determinants in integers of any size.
 class LongDeterminants {
  public:
   explicit LongDeterminants(int exponent) : exponent_(exponent) {}

@@ -38,7 +38,7 @@ class IntegerPlane {
   int side(const PointRef& point) const;
   /// The coefficients a, b, c, -d times one power of two and rounded, for detail::filter_rounded_side.
   std::array<double, 4> rounded() const;
-  /// The same plane with front and back exchanged.
+  /// The plane with front and back exchanged.
   IntegerPlane flipped() const { return {form_, !is_flipped_}; }
   ExactPlane exact() const;
   /// a, b, c, -d. Valid as long as a copy of the plane lives.

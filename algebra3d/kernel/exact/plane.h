@@ -21,8 +21,8 @@ struct ExactPlane {
 
   /// Exact value of p.n - c: positive on the side to which the normal points.
   Rational evaluate(const RationalVec3& p) const;
-  /// The same oriented plane with a primitive normal: two oriented planes are the same if and only if their canonical
-  /// forms are equal.
+  /// The canonical form of the oriented plane, with a primitive normal: two oriented planes are the same if and only if
+  /// their canonical forms are equal.
   ExactPlane canonical() const;
 };
 

@@ -40,7 +40,7 @@ class PointTable {
   /// The number of the point, which is added if it is new; the table shares the ownership of exact coordinates.
   /// Cost: constant expected.
   std::uint32_t intern(const PointRef& point) { return intern(point, hash_of(point.approx)); }
-  /// The same for a point whose hash is known.
+  /// As above, for a point whose hash is known.
   std::uint32_t intern(const PointRef& point, std::uint64_t hash) {
     if (approx_.size() >= slots_.size() / 8 * 5) grow();
     Slot& slot = slots_[place_of(point, hash)];

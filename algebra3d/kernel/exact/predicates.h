@@ -82,7 +82,7 @@ Contact intersect_segment_triangle(PointRef p, PointRef q, const TriangleRef& tr
 /// plane; some twenty of orient2d in a common plane. Source: [guigue2003] for the order of the tests, which use
 /// orient3d, orient2d and comparisons only.
 Contact intersect_triangles(const TriangleRef& s, const TriangleRef& t);
-/// The same for two triangles in one plane.
+/// The intersection of two triangles in one plane.
 Contact intersect_coplanar_triangles(const TriangleRef& s, const TriangleRef& t);
 
 /// The intersection of two triangles, and where the corners of each lie relative to the plane of the other: all 0 if
@@ -94,9 +94,10 @@ struct SidedContact {
 
   bool is_coplanar() const { return kind != Contact::none && t_sides == std::array<int, 3>{}; }
 };
-/// The same as `intersect_triangles`, with the sides that it finds on the way.
+/// Like `intersect_triangles`, but also returns the sides that it finds on the way.
 SidedContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t);
-/// The same if it is known already on which sides of the plane of s corners of t lie; detail::kUndecided for others.
+/// As above, where the sides of the plane of s on which corners of t lie are known; detail::kUndecided for unknown
+/// ones.
 SidedContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t, const std::array<int, 3>& known_t_sides);
 /// True if p lies on the triangle, its edges and corners included. It must not be degenerate. Exact. Cost: one orient3d
 /// if p is not in its plane.

@@ -13,8 +13,8 @@ namespace {
 
 constexpr mpfr_prec_t kWorkingBits = 128;
 
-/// The same direction in (-180, 180]. Exact: the remainder is, and so is the difference of doubles within a factor of
-/// two.
+/// The angle of the same direction in (-180, 180]. Exact: the remainder is, and so is the difference of doubles within
+/// a factor of two.
 double reduce_by_turns(double angle_degrees) {
   const double rest = std::fmod(angle_degrees, 360.0);
   if (rest > 180) return rest - 360;

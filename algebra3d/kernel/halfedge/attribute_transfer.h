@@ -49,7 +49,7 @@ struct ElementBlends {
 /// The attributes of the elements that are the sources, some of which are blends.
 MeshAttributes taken_over(const MeshAttributes& attributes, const ElementSources& sources, const ElementBlends& blends);
 
-/// The same for a mesh whose vertices were merged. A corner that is now at the place of another vertex of `source`
+/// The attributes of a mesh whose vertices were merged. A corner that is now at the place of another vertex of `source`
 /// takes the value that this vertex has in the same chart; a chart is a set of faces connected across edges on both
 /// sides of which the values agree. Without a corner in the chart it keeps its own value. So texture coordinates stay
 /// those of the place, and seams stay seams. `result`: the mesh of the sources. Cost: linear.

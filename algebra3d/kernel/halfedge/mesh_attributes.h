@@ -62,7 +62,7 @@ class AttributeValues {
 
   /// The values of other elements: element i has the value of element sources[i], or is undefined for kNone.
   AttributeValues selected(std::span<const std::uint32_t> sources) const;
-  /// The same values with each text once, in order of first use, so that equal values are stored alike.
+  /// The values with each text stored once, in order of first use, so that equal values are stored alike.
   AttributeValues canonical() const;
 
   /// A total order of canonical values; undefined comes first.

@@ -78,7 +78,7 @@ class MeshEditor {
   /// `h` ends in the new vertex. `share`: the place of the vertex in the edge for its attributes, from 0 at the origin
   /// to 1. Always possible.
   VertexId split_edge(HalfedgeId h, const ExactPoint& point, double share);
-  /// The same at the share of the place on the edge that is nearest to the point, rounded.
+  /// Splits the edge at the point; the share is that of the nearest place on the edge, rounded.
   VertexId split_edge(HalfedgeId h, const ExactPoint& point);
   /// Merges the ends of an edge into its origin, which stays where it is; triangles along it vanish. Refused unless the
   /// link condition holds: if a vertex is joined to both ends that is not a corner of a triangle along the edge; if the

@@ -36,7 +36,7 @@ std::optional<double> dihedral_angle_degrees(const HalfedgeMesh<Layout>& mesh, H
 /// nanoseconds per face; as vector_area at corners that are not doubles and for slivers.
 template <typename Layout>
 std::vector<Vec3> face_normals(const HalfedgeMesh<Layout>& mesh);
-/// The same, written to `normals`, one per face.
+/// Writes the normals of all faces to `normals`, one per face.
 template <typename Layout>
 void face_normals(const HalfedgeMesh<Layout>& mesh, std::span<Vec3> normals);
 
@@ -51,7 +51,7 @@ Vec3 vertex_normal(const HalfedgeMesh<Layout>& mesh, VertexId v);
 /// vector_area for slivers and corners that are not doubles.
 template <typename Layout>
 std::vector<Vec3> vertex_normals(const HalfedgeMesh<Layout>& mesh);
-/// The same, written to `normals`, one per vertex.
+/// Writes the normals of all vertices to `normals`, one per vertex.
 template <typename Layout>
 void vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<Vec3> normals);
 

@@ -20,7 +20,7 @@ class PolygonMesh : public HalfedgeMesh<PolygonLayout> {
   PolygonMesh(PointArray points, PolygonLayout layout, LargeVector<std::uint32_t> corners);
   /// In `opposites`: the half-edge is on the boundary.
   static constexpr std::uint32_t kNoOpposite = HalfedgeId::kInvalidIndex;
-  /// The same for a manifold mesh whose links are known: per half-edge its opposite or kNoOpposite, and per vertex the
+  /// Makes a manifold mesh whose links are known: per half-edge its opposite or kNoOpposite, and per vertex the
   /// half-edge `outgoing`: at the boundary the one without opposite, elsewhere the lowest that leaves the vertex. They
   /// are taken as they are; `audit` checks them. Cost: constant.
   PolygonMesh(PointArray points, PolygonLayout layout, LargeVector<std::uint32_t> corners,

@@ -30,7 +30,7 @@ struct RenderBuffers {
 template <typename Layout>
 RenderBuffers render_buffers(const HalfedgeMesh<Layout>& mesh, std::span<const std::array<HalfedgeId, 3>> triangles,
                              const CornerNormals& normals);
-/// The same for triangles as they are.
+/// The buffers of a triangle mesh.
 RenderBuffers render_buffers(const TriangleMesh& mesh, const CornerNormals& normals);
 
 }  // namespace algebra3d

@@ -38,7 +38,7 @@ FaceComponents shells_of(const HalfedgeMesh<Layout>& mesh) {
   return shells;
 }
 
-/// The same faces with vertices of their own for each shell, all at the origin.
+/// The faces of the mesh with separate vertices for each shell, all at the origin.
 template <typename Layout>
 PolygonMesh separated(const HalfedgeMesh<Layout>& mesh, const FaceComponents& shells) {
   LargeVector<std::uint32_t> corners(mesh.halfedge_count());

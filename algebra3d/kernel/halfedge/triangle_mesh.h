@@ -30,19 +30,19 @@ class TriangleMesh : public HalfedgeMesh<TriangleLayout> {
 
   /// In `opposites`: the half-edge is not linked yet.
   static constexpr std::uint32_t kUnlinked = kUnlinkedHalfedge;
-  /// The same for partly linked triangles: three origins per triangle, and per half-edge its opposite or kUnlinked. A
-  /// linked edge must have no further half-edges, and a vertex must be manifold if all half-edges that leave it are
+  /// Makes a mesh of partly linked triangles: three origins per triangle, and per half-edge its opposite or kUnlinked.
+  /// A linked edge must have no further half-edges, and a vertex must be manifold if all half-edges that leave it are
   /// linked. Cost: a few passes, and that of linking the rest.
   TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
                FacePlanes planes);
-  /// The same where the first vertices, those in `outgoing`, are *settled*: manifold, on no boundary, with all their
+  /// As above, where the first vertices, those in `outgoing`, are *settled*: manifold, on no boundary, with all their
   /// edges linked and with `outgoing` as of the result. Edges between two other vertices are linked anew, whatever is
   /// in `opposites`. `order` as face_order. Cost: a scan of the origins, and that of linking the rest.
   TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
                LargeVector<HalfedgeId> outgoing, FacePlanes planes, std::shared_ptr<const FaceOrder> order = nullptr);
 
-  /// The same where opposites are half-edges along the same edge in the other direction, of edges that may have further
-  /// half-edges, or kUnlinked. Cost: that of a mesh without links, or less.
+  /// Makes a mesh from proposed links: an opposite is a half-edge along the same edge in the other direction, or
+  /// kUnlinked; the edge may have further half-edges. Cost: that of a mesh without links, or less.
   static TriangleMesh with_proposed_links(PointArray points, LargeVector<std::uint32_t> origins,
                                           LargeVector<std::uint32_t> opposites);
 

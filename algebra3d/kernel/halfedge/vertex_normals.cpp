@@ -105,7 +105,7 @@ RunsByBlock runs_by_block(const HalfedgeMesh<Layout>& mesh, const FaceRun& faces
   return runs;
 }
 
-/// The same for all faces, divided into parts.
+/// The runs of all faces, which are divided into parts.
 template <typename Layout>
 std::vector<RunsByBlock> all_runs_by_block(const HalfedgeMesh<Layout>& mesh, std::size_t block_count) {
   constexpr std::size_t kLeastFaces = 32768, kMostParts = 256;

@@ -38,8 +38,8 @@ class BoxHierarchy {
   /// Builds the hierarchy over `faces` of `mesh`. Boxes are enlarged by `margin` on each side, so that boxes of faces
   /// up to two margins apart meet. Cost: linear (radix sort).
   BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin = 0);
-  /// The same over all faces. If the mesh knows most of their order (TriangleMesh::face_order), only the others are
-  /// sorted; the hierarchy is the same.
+  /// Builds the hierarchy over all faces. If the mesh knows most of their order (TriangleMesh::face_order), only the
+  /// others are sorted; the hierarchy is the same.
   explicit BoxHierarchy(const TriangleMesh& mesh);
 
   std::size_t face_count() const { return faces_.size(); }
@@ -113,14 +113,14 @@ class BoxHierarchy {
     std::uint32_t index, count;
   };
 
-  /// The same for pairs of a face of this hierarchy and a face of another one, regardless of groups. Each pair is in
-  /// one share, which depends only on the meshes and the number of shares.
+  /// Like `for_each_pair`, for pairs of a face of this hierarchy and a face of another one, regardless of groups. Each
+  /// pair is in one share, which depends only on the meshes and the number of shares.
   template <typename Visit, typename Pause>
   void for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause, Share share = {0, 1}) const {
     for_each_pair_with(
         other, visit, [](Node, Node) { return false; }, pause, share);
   }
-  /// The same, without the pairs of faces of two nodes about which `are_apart(m, n)` is true, m a node of this
+  /// As above, but skips the pairs of faces of two nodes for which `are_apart(m, n)` is true, m a node of this
   /// hierarchy, n one of the other.
   template <typename Visit, typename Apart, typename Pause>
   void for_each_pair_with(const BoxHierarchy& other, Visit visit, Apart are_apart, Pause pause, Share share) const;
@@ -140,7 +140,7 @@ class BoxHierarchy {
   void for_each_near(const Box3& where, double reach, Visit visit) const {
     for_each_near(where, reach, no_gap, visit);
   }
-  /// The same with gap(node), a lower bound of the distance of a node's faces from the place besides that of boxes.
+  /// As above, with gap(node), a further lower bound of the distance of a node's faces from the place.
   template <typename Gap, typename Visit>
   void for_each_near(const Box3& where, double reach, Gap gap, Visit visit) const;
 
@@ -171,8 +171,8 @@ class BoxHierarchy {
   template <typename Visit>
   void for_each_on_upward_rays(std::span<const Box3> points, Visit visit) const;
 
-  /// The same for the ray upwards, nodes with lower boxes first. visit(f) returns a height (infinite: none); faces
-  /// whose boxes lie above it are skipped from then on.
+  /// Calls visit(f) for each face whose box meets the ray upwards from a place, nodes with lower boxes first. It
+  /// returns a height (infinite: none); faces whose boxes lie above it are skipped from then on.
   template <typename Visit>
   void for_each_above(const Box3& where, Visit visit) const;
 
@@ -278,7 +278,7 @@ class BoxHierarchy {
   /// All faces by their places; placed(i) gives that of the i-th one, with i in place of the face.
   template <typename Placed>
   LargeVector<PlacedFace> sorted(const Placed& placed) const;
-  /// The same, where the places of most are known.
+  /// All faces by their places, where the places of most are known.
   template <typename Placed>
   LargeVector<PlacedFace> completed(const FaceOrder& known, const Placed& placed) const;
   void build_levels();

@@ -47,12 +47,12 @@ struct Simplification {
 Result<Simplification> simplified(const TriangleMesh& mesh, const SimplificationTarget& target,
                                   const Monitor& monitor = {}, std::span<const std::uint8_t> locked = {});
 
-/// The same for a valid surface with double coordinates; the result is one. It is proved, and where it crosses itself,
-/// the steps around the crossing are taken back, or fewer steps taken, whichever leaves fewer triangles. Cost: proofs
-/// besides.
+/// Simplifies a valid surface with double coordinates; the result is one, too. It is proved, and where it crosses
+/// itself, the steps around the crossing are taken back, or fewer steps taken, whichever leaves fewer triangles. Cost:
+/// proofs besides.
 Result<Simplification> simplified_surface(const TriangleMesh& surface, const SimplificationTarget& target,
                                           const Monitor& monitor = {});
-/// The same for a valid volume with double coordinates.
+/// Simplifies a valid volume with double coordinates in this way; the result is one, too.
 Result<Simplification> simplified_volume(const TriangleMesh& volume, const SimplificationTarget& target,
                                          const Monitor& monitor = {});
 

@@ -21,10 +21,10 @@ struct WeldedTriangles {
 /// Errors: none; at most TriangleMesh::kMaxFaces triangles (asserted). Cost: linear expected, no recursion.
 WeldedTriangles weld(std::span<const TriangleSoup::Triangle> triangles);
 
-/// The same for triangles over a list of points, which may be equal or unused.
+/// Welds triangles over a list of points, which may be equal or unused.
 WeldedTriangles weld(std::span<const Vec3> points, std::span<const TriangleMesh::Triangle> triangles);
 
-/// The same for corners with exact coordinates: equal means equal as rationals.
+/// Welds corners with exact coordinates: equal means equal as rationals.
 WeldedTriangles weld(std::span<const std::array<ExactPoint, 3>> triangles);
 
 }  // namespace algebra3d

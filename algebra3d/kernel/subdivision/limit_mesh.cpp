@@ -45,7 +45,7 @@ Vec3 catmull_clark_limit(const MeshView<4>& view, std::uint32_t v) {
   return {all.x / scale, all.y / scale, all.z / scale};
 }
 
-/// The same faces with other points: `limit(v)` for vertices that are not isolated.
+/// The mesh with its vertices moved to `limit(v)`, except isolated ones.
 template <typename Limit>
 Result<PolygonMesh> moved_vertices(const PolygonMesh& mesh, const Monitor& monitor, const Limit& limit) {
   using subdivision::block_count;

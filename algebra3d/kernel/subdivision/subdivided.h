@@ -35,12 +35,12 @@ struct SubdividedMesh {
   MeshAttributes attributes;
 };
 
-/// The same with attributes. Faces have the values of the face that they were made of, halves of edges those of the
-/// edge. The values of vertices and of corners are interpolated linearly: a vertex in an edge or face has the mean of
-/// those of its corners, and a vertex that moves keeps its values; so do corners, face by face, so that seams stay.
-/// Only the edges within faces have none. Doo-Sabin: a vertex has the mean of a corner, of the middles of the edges
-/// beside it, and of that of the face; faces for edges and vertices have the mean of the faces around, edges have none.
-/// The mean of texts is the text that all have. Cost: linear besides, on one processor.
+/// Subdivides a mesh with attributes. Faces have the values of the face that they were made of, halves of edges those
+/// of the edge. The values of vertices and of corners are interpolated linearly: a vertex in an edge or face has the
+/// mean of those of its corners, and a vertex that moves keeps its values; so do corners, face by face, so that seams
+/// stay. Only the edges within faces have none. Doo-Sabin: a vertex has the mean of a corner, of the middles of the
+/// edges beside it, and of that of the face; faces for edges and vertices have the mean of the faces around, edges have
+/// none. The mean of texts is the text that all have. Cost: linear besides, on one processor.
 Result<SubdividedMesh> subdivided(const PolygonMesh& mesh, const MeshAttributes& attributes, SubdivisionScheme scheme,
                                   std::size_t steps, const SubdivisionOptions& options = {},
                                   const Monitor& monitor = {});

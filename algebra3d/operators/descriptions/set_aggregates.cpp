@@ -92,7 +92,7 @@ class IntersectionOfPoints {
   std::optional<Points3d> common_;
 };
 
-/// The same overload, which reports how many undefined values it left out.
+/// The overload, made to report how many undefined values it left out.
 Overload counting_undefined(Overload overload) {
   overload.counts_undefined = true;
   return overload;

@@ -39,7 +39,7 @@ class FailedCalls {
 
 /// Notes the call in `context` if the error is internal and the context wants to know. Loads deferred arguments.
 void note_failed_call(const ResolvedCall& call, std::span<const Value> arguments, const Error& error, Context& context);
-/// The same for a call whose arguments are not at hand, with the reason as a clause.
+/// As above, for a call whose arguments are not at hand, with the reason as a clause.
 void note_failed_call(const ResolvedCall& call, std::string obstacle, const Error& error, Context& context);
 
 }  // namespace algebra3d

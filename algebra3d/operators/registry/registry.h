@@ -67,7 +67,8 @@ class Registry {
   /// Errors: those of the operator; internal for an exception that it throws. `context` takes the calls that end with
   /// the error internal (failed_calls.h).
   static Result<Value> call(const ResolvedCall& call, std::span<Value> arguments, Context& context);
-  /// The same for a table. No rows for undefined arguments that the overload does not accept.
+  /// Calls an operator that yields a table, as `call` does. No rows for undefined arguments that the overload does not
+  /// accept.
   static Result<RowSourcePtr> rows(const ResolvedCall& call, std::span<Value> arguments, Context& context);
 
   /// The operator name most similar to a misspelt one; empty if none is similar.

@@ -54,7 +54,7 @@ struct ImportedSolid {
 Result<ImportedSolid> import_solid(const std::filesystem::path& path, const mesh_formats::MeshFormat* format = nullptr,
                                    const RepairOptions& options = {}, const Monitor& monitor = {});
 
-/// The same for a mesh file that has been read, or could not be read.
+/// As above, for a mesh file that has been read, or could not be read.
 Result<ImportedSolid> import_solid(Result<MeshFile> read, const RepairOptions& options, const Monitor& monitor = {});
 
 /// The result of importing a mesh file as a surface: the surface or the error that says why there is none, and remarks.

@@ -43,7 +43,7 @@ class JsonTree {
 
   /// The value of a key in an object, the last one of several; nothing for other parts.
   std::optional<std::size_t> member(std::size_t part, std::string_view key) const;
-  /// The same, if it has this kind.
+  /// The value of a key, if it has this kind.
   std::optional<std::size_t> member(std::size_t part, std::string_view key, JsonKind kind) const;
   /// The content of a key or string, without quotes and escapes.
   std::string content(std::size_t part) const;

@@ -40,7 +40,7 @@ struct MeshFacets {
 Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const mesh_formats::MeshFormat* format,
                                 const std::atomic<bool>* cancel = nullptr);
 
-/// The same with the facets as they are in the file, and with the attributes of polygons.
+/// Reads a mesh file with the facets as they are in the file, and with the attributes of polygons.
 Result<MeshFacets> read_mesh_facets(const std::filesystem::path& path, const mesh_formats::MeshFormat* format,
                                     const std::atomic<bool>* cancel = nullptr);
 

@@ -85,7 +85,7 @@ class ByteReader {
   std::size_t count(std::size_t bytes_each);
   /// `count` values of ByteWriter::planes, each below 256^max_width.
   std::vector<std::uint64_t> planes(std::size_t count, int min_width, int max_width);
-  /// The same, to be read one after the other; no numbers after a failure.
+  /// Reads such values one after the other; no numbers after a failure.
   PlaneReader plane_reader(std::size_t count, int min_width, int max_width);
 
   std::size_t position() const { return position_; }
@@ -93,7 +93,7 @@ class ByteReader {
   bool ok() const { return expectation_.empty(); }
   /// Records the failure "expected EXPECTATION" before the current position, unless there was a failure already.
   void fail(std::string expectation) { fail_at(position_, std::move(expectation)); }
-  /// The same before another position.
+  /// Records such a failure before another position.
   void fail_at(std::size_t position, std::string expectation);
   void require(bool condition, const char* expectation) {
     if (!condition) fail(expectation);

@@ -222,8 +222,8 @@ std::size_t decompress_in_pieces(ZSTD_DCtx* context, const Buffer& buffer, std::
   return in.pos == in.size ? out.pos : buffer.size + 1;
 }
 
-/// The same in one piece if the body is small, or if its window is larger than ours are, which would take as much
-/// memory again.
+/// Decompresses in one piece if the body is small, or if its window is larger than ours are, which would take as much
+/// memory again; else piece by piece.
 std::size_t decompress_into(ZSTD_DCtx* context, const Buffer& buffer, std::string_view stored) {
   constexpr std::size_t kLarge = std::size_t{16} << 20U;
   constexpr int kLargestWindow = 22;  // its logarithm; that of kCompressionLevel is 21

@@ -14,8 +14,8 @@ enum class Origin : bool { own_store, elsewhere };
 /// each field. Deterministic. Requires a loaded value, which may be undefined.
 std::string encode(const Value& value);
 
-/// The same for a value that is to be stored, which must also be readable as a literal. Errors: limit_exceeded for
-/// numbers of more than kMaxNumberDigits digits.
+/// Encodes a value that is to be stored, which must also be readable as a literal. Errors: limit_exceeded for numbers
+/// of more than kMaxNumberDigits digits.
 Result<std::string> encode_to_store(const Value& value);
 
 /// Decodes the bytes of `encode`. Safe for any bytes. Errors: database_corrupt with the position and the expectation,

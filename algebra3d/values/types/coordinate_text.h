@@ -25,10 +25,11 @@ NestedList triple_to_nested(const RationalVec3& triple);
 
 /// Reads `(x y z)`: three coordinates of any size. Errors: invalid_value; `what` begins the message.
 Result<RationalVec3> triple_from_nested(const NestedList& list, std::string_view what);
-/// The same within the range of doubles. Cost: no rationals if all coordinates are ints or reals.
+/// Reads `(x y z)` with coordinates within the range of doubles. Cost: no rationals if all coordinates are ints or
+/// reals.
 Result<ExactPoint> point_from_nested(const NestedList& list, std::string_view what);
 
-/// The same for points of the plane, as `(x y)`; z is 0.
+/// Writes and reads points of the plane, as `(x y)`; z is 0.
 NestedList planar_point_to_nested(PointRef point);
 Result<ExactPoint> planar_point_from_nested(const NestedList& list, std::string_view what);
 

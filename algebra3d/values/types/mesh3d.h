@@ -23,7 +23,7 @@ class Mesh3d {
   explicit Mesh3d(PolygonMesh mesh);
   /// The attributes must have a value for each element (asserted).
   Mesh3d(PolygonMesh mesh, MeshAttributes attributes);
-  /// The same mesh, which is shared, with other attributes.
+  /// The mesh, which is shared, with other attributes.
   Mesh3d with_attributes(MeshAttributes attributes) const;
 
   const PolygonMesh& mesh() const { return content_->mesh; }

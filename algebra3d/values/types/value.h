@@ -180,7 +180,7 @@ class Value {
   }
   template <typename T>
   static Value of(Maybe<T> content) = delete;
-  /// The same for a class that several types have in common, of which `type` is one.
+  /// A defined value of `type`, one of several types with the same class.
   template <typename T>
   static Value of(const Type& type, T content) {
     Value value(type);

@@ -26,7 +26,7 @@ struct Definition {
 /// Checks that no derived object would depend on itself, directly or through others. Functions may call each other.
 /// Errors: wrong_usage with the names of the cycle.
 Status check_no_circle(const Definition& definition, Store& store, const algebra3d::Registry& registry);
-/// The same for an object of the database; one that is not defined by an expression passes.
+/// Checks an object of the database in this way; one that is not defined by an expression passes.
 Status check_no_circle(const std::string& name, Store& store, const algebra3d::Registry& registry);
 
 }  // namespace queries

@@ -34,7 +34,7 @@ void take_cells(std::string_view bytes, std::span<Cell> cells);
 std::uint64_t checksum_of(std::span<const Cell> cells);
 /// Checksum of the bytes of a stored value.
 std::uint64_t checksum_of(std::string_view bytes);
-/// The same with a seed.
+/// Checksum with a seed of the bytes of a stored value.
 std::uint64_t checksum_of(std::string_view bytes, std::uint64_t seed);
 
 /// Converts a checksum to SQLite's signed integers; all 64 bits are kept.

@@ -61,7 +61,8 @@ class IndexCache {
   void insert(std::int64_t table_number, std::int64_t tuple, std::span<const algebra3d::Box3> boxes);
   void erase(std::int64_t table_number, std::int64_t tuple, std::span<const algebra3d::Box3> boxes);
 
-  // The same for ordered trees, which need the values of the attributes that `ordered_attributes` lists.
+  // These do for ordered trees what those above do for spatial ones; they need the values of the attributes that
+  // `ordered_attributes` lists.
   std::shared_ptr<OrderedTree> find_ordered(std::int64_t table_number, std::size_t attribute) const;
   void add_ordered(std::int64_t table_number, std::size_t attribute, std::shared_ptr<OrderedTree> tree);
   std::vector<std::size_t> ordered_attributes(std::int64_t table_number) const;

@@ -48,7 +48,7 @@ RelationState relation_state(const CatalogueEntry& relation, std::size_t attribu
 algebra3d::Result<std::shared_ptr<IndexCache::Tree>> spatial_tree(const std::shared_ptr<Database>& database,
                                                                   const std::shared_ptr<const RelationLayout>& layout,
                                                                   std::size_t attribute);
-/// The same, where a stored tree is not used.
+/// The tree of an attribute, made of the rows even if a stored tree exists.
 algebra3d::Result<std::shared_ptr<IndexCache::Tree>> tree_of_rows(const std::shared_ptr<Database>& database,
                                                                   const std::shared_ptr<const RelationLayout>& layout,
                                                                   std::size_t attribute);

@@ -56,7 +56,7 @@ class BoxTable {
   Tree tree_;
 };
 
-/// The same for a join of a stream with itself: a tuple finds the earlier ones only.
+/// The table for a join of a stream with itself: a tuple finds the earlier ones only.
 class EarlierBoxTable {
  public:
   EarlierBoxTable(std::size_t key, WindowOfBox window, const Context& context)

@@ -36,8 +36,8 @@ using PairStreamPtr = std::shared_ptr<PairStream>;
 /// by part if it exceeds the work memory (block_join.h). Interruptible.
 PairStreamPtr box_pairs(JoinSide build, JoinSide probe, WindowOfBox window, const Context& context);
 
-/// The same for the pairs of different tuples of one stream, each once: the earlier tuple first, in the order of the
-/// later ones. The stream is read to its end. Errors: those of the stream.
+/// The pairs of different tuples of one stream that meet in this way, each once: the earlier tuple first, in the order
+/// of the later ones. The stream is read to its end. Errors: those of the stream.
 Result<PairStreamPtr> box_pairs_within(const JoinSide& side, WindowOfBox window, const Context& context);
 
 /// The tuples of pairs, concatenated.

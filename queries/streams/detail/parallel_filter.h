@@ -21,7 +21,7 @@ TupleStreamPtr block_filter(TupleStreamPtr stream, std::size_t largest_block, Bl
 /// Whether a tuple goes on. Called from several threads at once, each with a context of its own.
 using TupleCondition = std::function<Result<bool>(const Tuple& tuple, Context& context)>;
 
-/// The same for a condition that takes long: the tuples of a block are examined in parallel. Errors: those of the
+/// A filter for a condition that takes long: the tuples of a block are examined in parallel. Errors: those of the
 /// stream and of the first tuple whose condition fails. Interruptible between tuples.
 TupleStreamPtr parallel_filter(TupleStreamPtr stream, TupleCondition condition, Context& context);
 

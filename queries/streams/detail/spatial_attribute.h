@@ -17,7 +17,7 @@ algebra3d::Box3 window_of(const Value& value);
 
 /// Ids of the entries whose box meets the window, ascending, so that the result does not depend on the tree's history.
 std::vector<std::uint64_t> ids_in_window(const SpatialIndex::Tree& tree, const algebra3d::Box3& window);
-/// The same. Errors: those of SpatialIndex::tree.
+/// As above, for the tree of an index. Errors: those of SpatialIndex::tree.
 Result<std::vector<std::uint64_t>> ids_in_window(const SpatialIndex& index, const algebra3d::Box3& window);
 
 }  // namespace queries

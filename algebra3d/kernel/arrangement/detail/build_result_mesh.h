@@ -12,7 +12,7 @@ namespace algebra3d::arrangement {
 /// over as they are (result_mesh.h). Exact. Errors: internal as triangulate_regions. Cost: n log n in the sub-edges;
 /// linear in the faces taken over.
 Result<TriangleMesh> build_result_mesh(const Subdivision& subdivision, Selection selection);
-/// The same of a subdivision that is not needed any more: sub-edges are freed once the edges of regions are known, and
+/// As above, for a subdivision that is not needed any more: frees sub-edges once the edges of regions are known, and
 /// the rest before the mesh is linked.
 Result<TriangleMesh> build_result_mesh(Subdivision&& subdivision, Selection selection);
 

@@ -27,7 +27,7 @@ class FacetSlabs {
   /// True if all faces of a node of the large operand's hierarchy certainly miss the small operand. Rounded arithmetic
   /// with bounds. Cost: some nanoseconds per slab.
   bool miss(BoxHierarchy::Node node) const { return !slabs_.empty() && are_beyond(node); }
-  /// The same of a face of the large operand, which is remembered for some time.
+  /// True if a face of the large operand certainly misses the small operand; the answer is cached for some time.
   bool misses(std::uint32_t face) {
     if (slabs_.empty()) return false;
     Known& known = known_[face % known_.size()];

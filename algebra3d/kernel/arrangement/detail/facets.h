@@ -63,8 +63,8 @@ struct Facets {
 /// Stage 3: makes the facets of all faces that touch. Exact. Cost: linear in the faces of these facets and in the
 /// contacts.
 Facets make_facets(const Operands& operands, const PairContacts& contacts);
-/// The same with all faces in facets, whatever they touch. For CoplanarFacets (coplanar_facets.h), which is not
-/// an arrangement.
+/// Makes the facets of all faces, whether they touch or not. For CoplanarFacets (coplanar_facets.h), which is not an
+/// arrangement.
 Facets make_facets_of_all_faces(const Operands& operands);
 
 /// Every violated invariant, one sentence each: the faces of a facet are listed once, are of its operand, lie in its

@@ -20,8 +20,7 @@ class PlaneCoefficients {
   /// Computes the coefficients of many planes at once, each listed once, in parallel if they are very many; `get` then
   /// finds them.
   void compute(const Facets& facets, std::span<const PlaneId> planes);
-  /// The same as `get`, but what is not known yet is computed and not remembered. For stage 9, where the complex is
-  /// constant.
+  /// Like `get`, but computes unknown coefficients without caching them. For stage 9, where the complex is constant.
   IntegerPlane find_or_compute(const Facets& facets, PlaneId plane) const;
 
  private:

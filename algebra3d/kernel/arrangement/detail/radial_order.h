@@ -29,7 +29,7 @@ int turn_around_line(const Subdivision& subdivision, SubEdgeSide a, SubEdgeSide 
 inline WindingVector excess_after(const WindingJumps& jumps, SubEdgeSide half_plane) {
   return half_plane.side() == Side::left ? WindingVector() : jumps[half_plane];
 }
-/// The same for the cell before the half-plane.
+/// By how much the windings of the cell before the half-plane exceed its front winding.
 inline WindingVector excess_before(const WindingJumps& jumps, SubEdgeSide half_plane) {
   return half_plane.side() == Side::left ? jumps[half_plane] : WindingVector();
 }

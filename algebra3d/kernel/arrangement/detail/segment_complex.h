@@ -29,7 +29,7 @@ enum class FacetSides : std::uint8_t { both, left, right };
 constexpr bool includes(FacetSides sides, Side side) {
   return sides != (side == Side::left ? FacetSides::right : FacetSides::left);
 }
-/// The same sides for someone who walks the other way.
+/// The sides with left and right exchanged, as seen when walking the other way.
 constexpr FacetSides opposite(FacetSides sides) {
   constexpr std::array<FacetSides, 3> kOpposites{FacetSides::both, FacetSides::right, FacetSides::left};
   return kOpposites[static_cast<std::size_t>(sides)];

@@ -102,7 +102,7 @@ struct SubEdges {
   void for_each_space_edge(const Visit& visit) const {
     for_each_space_edge(ids(), visit);
   }
-  /// The same for each space edge whose first sub-edge is in a range.
+  /// Calls visit(sub_edges) for each space edge whose first sub-edge is in a range.
   template <typename Visit>
   void for_each_space_edge(IdRange<SubEdgeId> range, const Visit& visit) const {
     const auto end_of = [&](SubEdgeId last) {

@@ -29,7 +29,7 @@ CentreDistances::Estimate CentreDistances::rough(const PointRef& p) const {
   return {square, 0, 0x1p-49 * square + 8 * rounding * length + kUnderflowError};
 }
 
-// The same with pairs of doubles: a rounding is at most 2^-104 of the result.
+// Computes in pairs of doubles: a rounding is at most 2^-104 of the result.
 CentreDistances::Estimate CentreDistances::fine(const PointRef& p) const {
   if (!p.is_double()) return rough(p);
   double value = 0, rest = 0;

@@ -22,7 +22,7 @@ class Reach {
   void turn(const Vec3& direction);
   /// The largest product of a corner with the direction, but for roundings below 2^-48 of the largest coordinate.
   double of_face(std::uint32_t face) const;
-  /// The same for all faces of a node if it is above `floor`, else `floor`.
+  /// The largest product of the corners of all faces of a node if it is above `floor`, else `floor`.
   double of_node(BoxHierarchy::Node node, double floor);
   double of_all() { return of_node(set_.hierarchy->root(), -std::numeric_limits<double>::infinity()); }
   /// An upper bound, without a search.

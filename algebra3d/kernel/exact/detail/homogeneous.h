@@ -91,7 +91,7 @@ void dot(mpz_class& result, const HomogeneousView& a, const HomogeneousView& b);
 /// The four numbers orthogonal to three rows: the plane (a, b, c, -d) through three points, with the normal (q - p) x
 /// (r - p); or, dually, the common point of three planes, up to its sign.
 void join(HomogeneousPoint& result, const HomogeneousView& p, const HomogeneousView& q, const HomogeneousView& r);
-/// The same for points of doubles, with half the products.
+/// The plane through three points of doubles, with half the products.
 void join(HomogeneousPoint& result, const Vec3& p, const Vec3& q, const Vec3& r);
 
 /// Compares a / b with c / d, where b and d are positive.

@@ -38,7 +38,7 @@ class LengthEstimate {
     add_length(length_of(normal));
   }
 
-  /// The same for corners whose coordinates are known up to errors.
+  /// Adds a triangle whose coordinates are known up to errors.
   void add(const std::array<BoundedPair, 3>& a, const std::array<BoundedPair, 3>& b,
            const std::array<BoundedPair, 3>& c) {
     std::array<BoundedPair, 3> v, w;

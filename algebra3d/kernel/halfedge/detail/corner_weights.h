@@ -59,7 +59,7 @@ struct CornerWeightKernels {
   /// huge nor tiny. Exactness: normals, the bits of `face_normals`, within 2^-50 / s, angles within 2^-49 / s. Returns
   /// true if all faces are reliable.
   bool (*of_triangles)(const FaceBatch& faces, CornerWeights& weights);
-  /// The same for quadrilaterals, also bent and concave ones, where s is that of the angle between the diagonals, and
+  /// Weights of quadrilaterals, also bent and concave ones; here s is the sine of the angle between the diagonals, and
   /// angles are within 2^-49. A reflex corner, as seen from the tip of the normal, has an angle above pi.
   bool (*of_quadrilaterals)(const FaceBatch& faces, CornerWeights& weights);
   /// Adds the weights of faces with `degree` corners, 3 or 4, to their vertices, face after face.

@@ -126,7 +126,7 @@ DelaunayPart DelaunayBuilder::merge_all(std::vector<DelaunayPart>& parts) {
   return parts.front();
 }
 
-/// The same hull, with its first and last vertices by x instead of by y.
+/// The hull with its first and last vertices by x instead of by y.
 DelaunayPart DelaunayBuilder::from_left_to_right(HalfedgeId ccw_hull) const {
   HalfedgeId first = ccw_hull, last = ccw_hull;
   for (HalfedgeId h = result_.ccw(Subdivision::twin(ccw_hull)); h != ccw_hull; h = result_.ccw(Subdivision::twin(h))) {

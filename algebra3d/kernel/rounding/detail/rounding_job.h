@@ -91,14 +91,14 @@ class RoundingJob {
   /// A candidate's mesh divided where it crosses itself; of a solid the cells that are inside. Nothing if more pairs of
   /// triangles may touch. Errors: interrupted.
   virtual Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh, std::size_t max_pairs) const = 0;
-  /// The same with the usual limit.
+  /// As above, with the usual limit.
   Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const;
   /// Proves the candidate if it is nearer than the result so far; true if it is valid, and the result from now on.
   Result<bool> accept(const RoundingCandidate& candidate);
   /// How far the result so far is from what is given at most; infinite as long as there is none.
   double accepted_distance() const { return accepted_distance_; }
-  /// The same for the mesh with its vertices moved and its faces as they were. False also if two vertices come to one
-  /// place, or if a vertex comes to lie inside an edge or face.
+  /// Proves the mesh with its vertices moved and its faces as they were, as `accept` does. False also if two vertices
+  /// coincide, or if a vertex lies inside an edge or face.
   virtual Result<bool> accept_moved() = 0;
 
  protected:

@@ -10,7 +10,7 @@ namespace algebra3d {
 
 /// Climbs the rungs that a part of a solid is enough for, until the job accepts a candidate; false if it accepts none.
 Result<bool> round_part(RoundingJob& job);
-/// The same for all rungs and the whole.
+/// Climbs all rungs with the whole mesh.
 Result<bool> round_whole(RoundingJob& job);
 
 }  // namespace algebra3d

@@ -14,7 +14,7 @@ namespace algebra3d {
 /// Faces at which a mesh is not a valid surface: those that cross others, and degenerate ones; empty if it is one.
 /// Exact. Errors: interrupted. Cost: that of prove_surface.
 Result<std::vector<FaceId>> defects_of_surface(const TriangleMesh& mesh, const Monitor& monitor);
-/// The same for volumes, with faces of shells on the wrong side of others.
+/// Faces at which a mesh is not a valid volume: as for surfaces, and those of shells on the wrong side of others.
 Result<std::vector<FaceId>> defects_of_volume(const TriangleMesh& mesh, const Monitor& monitor);
 
 /// Locks the vertices of `before` that were merged into corners of `defects`, faces of `after`, and those around them:

@@ -20,11 +20,11 @@ void doo_sabin_corners(const std::vector<Vec3>& ring, std::vector<Vec3>& result)
 /// places on; 3/8, 0, -1/8, 0 for four and 5/12, -1/12, -1/12 for three neighbours. Source: [zorin1996].
 void interior_edge_points(const Vec3& vertex, const std::vector<Vec3>& ring, std::vector<Vec3>& result);
 
-/// The same at a boundary vertex with k = ring.size() - 1 triangles, for the ring's points 1 to k - 1; the first and
-/// the last are on the boundary, and their new points are not set. With t = pi / k, neighbour i has on its edge 1 -
-/// sin(t) sin(i t) / (k (1 - cos(t))) of the vertex, (sin(i t) sin(j t) + sin(2 i t) sin(2 j t) / 2) / k of neighbour
-/// j, and plus and minus (cos(i t) - sin(2 t) sin(2 i t) / (k (cos(t) - cos(2 t)))) / 4 of the first and the last.
-/// Source: [zorin2000], chapter 4.
+/// The new points on the edges of a boundary vertex with k = ring.size() - 1 triangles, for the ring's points 1 to k -
+/// 1; the first and the last are on the boundary, and their new points are not set. With t = pi / k, neighbour i has on
+/// its edge 1 - sin(t) sin(i t) / (k (1 - cos(t))) of the vertex, (sin(i t) sin(j t) + sin(2 i t) sin(2 j t) / 2) / k
+/// of neighbour j, and plus and minus (cos(i t) - sin(2 t) sin(2 i t) / (k (cos(t) - cos(2 t)))) / 4 of the first and
+/// the last. Source: [zorin2000], chapter 4.
 void boundary_edge_points(const Vec3& vertex, const std::vector<Vec3>& ring, std::vector<Vec3>& result);
 
 }  // namespace algebra3d::subdivision

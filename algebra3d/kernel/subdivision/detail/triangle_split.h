@@ -24,7 +24,8 @@ class TriangleSplit {
   }
   /// The half-edge from the edge vertex of h to the one before it, in the triangle at the origin of h.
   static std::uint32_t cut(std::uint32_t h) { return first_half(h) + 1; }
-  /// The same edge in the middle triangle, where half-edge 12f + 9 + i leaves the edge vertex of half-edge i.
+  /// The half-edge of that edge in the middle triangle, where half-edge 12f + 9 + i leaves the edge vertex of half-edge
+  /// i.
   static std::uint32_t middle(std::uint32_t h) { return 12 * (h / 3) + 9 + h % 3; }
 
   /// The outgoing half-edge of the vertex on the edge of h, which is the first of the edge.

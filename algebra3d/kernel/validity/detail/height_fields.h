@@ -28,7 +28,7 @@ class HeightFields {
   }
   /// True if all faces at the vertex are in one field, and all their edges at the vertex are inside it.
   bool is_inside(VertexId vertex) const { return are_inside_[vertex.index()] != 0; }
-  /// The same for all vertices, 0 or 1 each.
+  /// `is_inside` of all vertices, 0 or 1 each.
   const std::vector<std::uint8_t>& are_inside() const { return are_inside_; }
 
   /// All regions, proved or not.

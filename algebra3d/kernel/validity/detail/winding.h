@@ -28,13 +28,13 @@ struct ShellWindings {
 /// each of a few shells one vertical ray, for each of many one search for the face above its top (shell_tops.h).
 Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const HeightFields& fields,
                                           const BoxHierarchy& hierarchy, const std::atomic<bool>* cancel = nullptr);
-/// The same for the rounded image of a valid volume. `near`: a hierarchy over the faces of the preimage, whose boxes
+/// As above, for the rounded image of a valid volume. `near`: a hierarchy over the faces of the preimage, whose boxes
 /// meet if the faces are within reach. Cost: linear, and the pairs whose boxes meet; for shells joined by such a pair
 /// that of the other overloads.
 Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const HeightFields& fields,
                                           const Preimage& preimage, const BoxHierarchy& near,
                                           const std::atomic<bool>* cancel = nullptr);
-/// The same; finds the regions and builds the hierarchy.
+/// As above; also finds the regions and builds the hierarchy.
 Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace algebra3d

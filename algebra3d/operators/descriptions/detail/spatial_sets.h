@@ -61,7 +61,7 @@ template <typename Maker, typename First, typename... Seconds>
 void add_row(std::vector<Overload>& overloads) {
   (overloads.push_back(Maker::template make<First, Seconds>()), ...);
 }
-/// The same for all pairs of the kinds.
+/// Adds the overloads for all pairs of the kinds.
 template <typename Maker, typename... Kinds>
 void add_pairs(std::vector<Overload>& overloads) {
   (add_row<Maker, Kinds, Kinds...>(overloads), ...);
@@ -73,7 +73,7 @@ std::vector<Overload> pairs_in_space() {
   add_pairs<Maker, Box3, Point3d, Points3d, Surface3d, Volume3d>(overloads);
   return overloads;
 }
-/// The same, and for all pairs of kinds in the plane.
+/// The overloads for all pairs of kinds of sets in space and for all pairs of kinds in the plane.
 template <typename Maker>
 std::vector<Overload> all_pairs() {
   std::vector<Overload> overloads = pairs_in_space<Maker>();

@@ -52,7 +52,7 @@ void add_lines(DrawnShape& shape, const std::vector<std::array<Vec3, 2>>& lines)
   }
 }
 
-/// The same plane's normal with the length 1, and the point of the plane nearest to the origin.
+/// A plane by its normal of length 1 and its point nearest to the origin.
 struct RoundedPlane {
   Vec3 normal, foot;
 };
