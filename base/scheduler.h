@@ -27,7 +27,7 @@ void run_ranges(std::size_t count, std::size_t grain,
 }  // namespace scheduler_detail
 
 /// Calls both functions, in parallel if `is_worth_a_thread`, else in sequence. The first one runs on the calling
-/// thread, so it may tell progress. Neither may change data that the other uses.
+/// thread, so it may report progress. Neither may change data that the other uses.
 template <typename First, typename Second>
 void parallel_invoke(bool is_worth_a_thread, First&& first, Second&& second) {
   if (is_worth_a_thread) {

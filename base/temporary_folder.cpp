@@ -45,7 +45,7 @@ bool is_there(const fs::path& file, const Descriptor& opened) {
 
 // The lock file goes last but one, so that an interrupted removal can be taken up again.
 void remove_all_of(const fs::path& outer) {
-  std::error_code ignored;  // a destructor has nobody to tell
+  std::error_code ignored;  // a destructor cannot report errors
   fs::remove_all(outer / kContent, ignored);
   fs::remove(lock_file_of(outer), ignored);
   fs::remove(outer, ignored);

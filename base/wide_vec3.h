@@ -7,7 +7,7 @@
 
 namespace algebra3d {
 
-/// Three long doubles. With eleven bits more than doubles they tell how far a point is from a long edge to a small part
+/// Three long doubles. With eleven bits more than doubles they give how far a point is from a long edge to a small part
 /// of the spacing of doubles. For choices and for bounds, never for decisions on validity.
 struct WideVec3 {
   long double x = 0, y = 0, z = 0;

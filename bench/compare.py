@@ -189,7 +189,7 @@ def parse_arguments():
     parser.add_argument("--filter", default="", metavar="REGEX", help="benchmarks whose names contain it")
     parser.add_argument("--clock", choices=("cpu", "real"), default="cpu",
                         help="CPU time of the thread that measures (cpu), or time on the wall: for work on many threads")
-    parser.add_argument("--noise", type=float, default=0.02, help="difference that is none (0.02)")
+    parser.add_argument("--noise", type=float, default=0.02, help="largest difference that counts as noise (0.02)")
     parser.add_argument("--tuples", type=int, default=200_000, help="of the large relation of `relational` (200000)")
     parser.add_argument("--json", metavar="FILE", help="write the results there, too")
     options = parser.parse_args()

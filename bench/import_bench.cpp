@@ -4,7 +4,7 @@
 //   numbers). admesh looks for what is wrong with edges, assimp only joins vertices.
 // - faulty: 100 thousand and 1 million triangles with no defect, 10, 100 or 1000, at places that are spread evenly.
 //   CGAL repairs the soup, stitches, orients and closes holes, and says whether the result crosses itself; admesh does
-//   what its program does. The counters tell what they leave: only ours has to give a valid solid.
+//   what its program does. The counters show what they leave: only ours has to give a valid solid.
 // - weld: equal corners alone.
 // Compare lines of the same argument. The column CPU is that of all threads of the process.
 #include <cstdint>

@@ -18,7 +18,7 @@ using algebra3d::Status;
 
 namespace {
 
-/// Less than this is read: the zeros are facets without area, which are told, or a format error.
+/// Less than this is read: the zeros are facets without area, which are reported, or a format error.
 constexpr std::uint64_t kMostUnwritten = std::uint64_t{1} << 20;
 constexpr std::size_t kHeadBytes = 1024;
 

@@ -1,4 +1,4 @@
-#include <cstdlib>  // tells whether this is glibc
+#include <cstdlib>  // shows whether this is glibc
 
 #ifdef __GLIBC__
 #include <malloc.h>

@@ -15,7 +15,7 @@ namespace rtree {
 // header   kHeaderBytes:
 //            0  8  magic: 89 41 33 54 0D 0A 1A 0A ("A3T", then what a transfer of text would change)
 //            8  4  version of the image, kImageVersion
-//           12  4  the number 0x01020304: tells the byte order
+//           12  4  the number 0x01020304: shows the byte order
 //           16  4  bytes of a payload: 4 or 8
 //           20  4  slots of a node, 16
 //           24  8  number of entries
@@ -33,7 +33,7 @@ namespace rtree {
 //          and of the greatest coordinates (2 x 3 x 16 x 4)
 //
 // Numbers are in the byte order of the machine; an image of the other order is refused. What keys and remainders mean
-// is told in detail/key_frame.h. Unused slots have the least keys INT32_MAX and the greatest keys INT32_MIN, else
+// is explained in detail/key_frame.h. Unused slots have the least keys INT32_MAX and the greatest keys INT32_MIN, else
 // zeros. Nodes that no node names are free: all their slots are unused, and their first child or payload is the next
 // free one, or 0xffffffff. An image has no checksum. Version 1 did not link free nodes.
 

@@ -14,7 +14,7 @@ namespace {
 struct Cost {
   double overlap = 0;
   double growth = 0;
-  double margin_growth = 0;  // tells flat boxes apart, whose volumes are all 0
+  double margin_growth = 0;  // distinguishes flat boxes, whose volumes are all 0
   double volume = 0;
   std::size_t slot = 0;
 

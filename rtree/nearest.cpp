@@ -160,7 +160,7 @@ double BasicNearestCursor<Leaf>::distance_to(const Box3& box, double square) con
   return is_far_ ? far_code(box, distance) : distance;
 }
 
-// A distance may be beyond the largest double, and is to be told from others that are.
+// A distance may be beyond the largest double, and must be distinguished from others that are.
 template <typename Leaf>
 double BasicNearestCursor<Leaf>::far_code(const Box3& to, double distance) const {
   if (distance < 1) return near_code(distance);

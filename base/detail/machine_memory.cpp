@@ -29,7 +29,7 @@ std::size_t limit_of_group(const fs::path& root, fs::path group, const char* fil
 
 }  // namespace
 
-// Lines "0::/group" of version 2, and "5:memory,cpu:/group" of version 1. In a container the group may be told from
+// Lines "0::/group" of version 2, and "5:memory,cpu:/group" of version 1. In a container the group may be given from
 // outside; then its files are at the root.
 std::size_t control_group_limit(const fs::path& groups, const fs::path& root) {
   std::size_t least = SIZE_MAX;

@@ -21,8 +21,8 @@ namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// The numbers in the rest of a statement, which may be continued and may end in a comment; NaN for what is none.
-/// Returns how many words there are, at most `numbers.size()`.
+/// The numbers in the rest of a statement, which may be continued and may end in a comment; NaN for each that is not a
+/// number. Returns how many words there are, at most `numbers.size()`.
 std::size_t read_numbers(std::string_view rest, std::span<double> numbers) {
   std::string line;
   if (rest.find_first_of("\\#") != std::string_view::npos) {
@@ -51,7 +51,7 @@ ObjAttributes::Index from_first(ObjAttributes::Index index, std::size_t count) {
   return number > 0 ? number : std::numeric_limits<ObjAttributes::Index>::max();
 }
 
-/// Indices from 0, or kNone; empty if all are none.
+/// Indices from 0, or kNone; empty if all are kNone.
 std::vector<std::uint32_t> resolved(const std::vector<ObjAttributes::Index>& indices, std::size_t count,
                                     std::size_t& unknown_count) {
   std::vector<std::uint32_t> result(indices.size(), kNone);

@@ -31,7 +31,7 @@ class ObjAttributes {
   void drop_corners(std::size_t count);
 
   /// The attributes, with empty lists for those that the file has not. Indices of corners for which there is no element
-  /// are none; `unknown_count` is their number.
+  /// become kNone; `unknown_count` is their number.
   algebra3d::SoupAttributes finish(std::size_t& unknown_count) &&;
 
  private:

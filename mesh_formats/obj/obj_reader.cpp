@@ -80,8 +80,8 @@ class ObjReader : Reading {
     }
   }
 
-  // Goes over lines that are plain vertices and faces, as most are, up to one that is none; gives their number, at most
-  // kStatementsPerPoll. The cursor is not a member, so that the place stays in a register.
+  // Goes over lines that are plain vertices and faces, as most are, up to the first other one; gives their number, at
+  // most kStatementsPerPoll. The cursor is not a member, so that the place stays in a register.
   std::size_t take_plain_lines() {
     AsciiCursor cursor = cursor_;
     for (std::size_t count = 0; count < kStatementsPerPoll; ++count) {
@@ -138,7 +138,7 @@ class ObjReader : Reading {
     return is_blank(*cursor.position());
   }
 
-  // The two statements that most of the file is made of are told by their first two bytes.
+  // The two statements that most of the file is made of are recognised by their first two bytes.
   bool read_statement() {
     const char* const first = cursor_.position();
     if (end_ - first > 1 && is_blank(first[1])) [[likely]] {

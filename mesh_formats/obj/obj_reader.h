@@ -37,7 +37,7 @@ enum class ObjWanted {
 ///
 /// With ObjWanted::attributes, texture coordinates and normals are read, the others have no remark either: a `vt` may
 /// have one to three numbers, of which the first two count; a name of `g`, `o` and `usemtl` is the rest of the line.
-/// Indices of corners without an element are none, with a remark; malformed numbers are NaN.
+/// Indices of corners without an element become kNone, with a remark; malformed numbers are NaN.
 ///
 /// Faces and points are not welded, reordered or checked beyond finiteness. Exactness: coordinates are the doubles
 /// nearest to their digits. Errors: file_format, with byte and line, what was found and what was expected;

@@ -62,7 +62,7 @@ void append_corner(std::string& line, std::uint32_t point, std::uint32_t texture
   if (normal != kNone) append_number(line += '/', normal + 1);
 }
 
-/// Statements that tell the name of a kind where it changes.
+/// Statements that give the name of a kind where it changes.
 class NameStatements {
  public:
   NameStatements(std::string_view keyword, const SoupAttributes::FaceNames& names)
@@ -106,7 +106,7 @@ Status append_with_attributes(AtomicFile& file, const PolygonSoup& soup) {
 
 Status append_obj(AtomicFile& file, const PolygonSoup& soup, std::string_view name) {
   if (!name.empty()) ALGEBRA3D_RETURN_IF_ERROR(file.append(object_line(name)));
-  // A file without bytes is none for readers.
+  // Readers refuse a file without bytes.
   if (name.empty() && soup.points.empty()) ALGEBRA3D_RETURN_IF_ERROR(file.append("# no vertices\n"));
   std::string line;
   for (const Vec3& point : soup.points) {

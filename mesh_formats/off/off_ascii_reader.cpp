@@ -69,7 +69,7 @@ class OffAsciiReader : Reading {
   }
 
   bool read_counts() {
-    // Without a keyword, whatever file this is, its first word is what people should be told of.
+    // Without a keyword, whatever file this is, the message should show its first word.
     const bool has_keyword = header_.bytes > 0;
     if (!take_integer(vertex_count_))
       return fail_expected(has_keyword ? "the number of vertices" : "'OFF' or the number of vertices");
@@ -106,7 +106,7 @@ class OffAsciiReader : Reading {
     return true;
   }
 
-  // Takes vertices of three plain numbers that fill their line, as most are, up to one that is none, and at most
+  // Takes vertices of three plain numbers that fill their line, as most are, up to the first other one, and at most
   // kOffElementsPerPoll. The cursor is not a member, so that the place stays in a register.
   void take_plain_vertices() {
     if (header_.has_weights || header_.has_normals || header_.has_texture_coordinates) return;

@@ -23,7 +23,7 @@ bool ends_off_keyword(std::string_view rest) {
 }
 
 // Behind `OFF`: goes behind ` BINARY` and the end of the line. Binary numbers may begin with a byte that looks like a
-// line feed, so exactly one end is passed, and CR alone is none.
+// line feed, so exactly one line end is passed, and CR alone is not a line end.
 bool take_binary_line(std::string_view& rest) {
   std::string_view line = rest.substr(0, rest.find('\n'));
   if (line.size() == rest.size() || trimmed(line) != "BINARY") return false;

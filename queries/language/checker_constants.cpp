@@ -45,7 +45,7 @@ bool is_numeric_atom(const NestedList& atom) {
   return atom.is_int() || atom.is_real() || is_fraction;
 }
 
-// The first atom among numbers that is none; empty if there is no such one. Recursion follows the nesting, which the
+// The first atom among numbers that is not a number; empty if there is none. Recursion follows the nesting, which the
 // parser of lists bounds. NOLINTNEXTLINE(misc-no-recursion)
 Path odd_one_out(const NestedList& list) {
   if (!list.is_list()) return {};
@@ -62,7 +62,7 @@ Path odd_one_out(const NestedList& list) {
   return {};
 }
 
-// Where in a list that is not a value of the type the first wrong element stands, as far as that can be told: an atom
+// Where in a list that is not a value of the type the first wrong element stands, as far as that can be found: an atom
 // that is not a number among numbers, or else an element that is not a value alone either.
 Path wrong_element(const algebra3d::Type& type, const NestedList& list, const Context& surroundings) {
   if (Path odd = odd_one_out(list); !odd.empty()) return odd;

@@ -16,7 +16,7 @@
 namespace queries {
 namespace {
 
-/// The condition with its operands evaluated; nothing if that failed: the filter will tell.
+/// The condition with its operands evaluated; nothing if that failed: the filter will report it.
 std::optional<IndexQuestion> question_of(const IndexChoice& choice, const Frame* frame, Context& context) {
   // Notes are left to the filter, which evaluates its operands again.
   algebra3d::Diagnostics unheard;
@@ -143,7 +143,7 @@ Result<IndexFeedPlan> IndexFeedNode::plan(Context& context) const {
   if (found) return IndexFeedPlan{found->tuples.ids.size(), fmt::format("by the index {}", found->index)};
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t count, relation.count());
   return IndexFeedPlan{static_cast<std::uint64_t>(count),
-                       fmt::format("a scan: not {}, which would find too many tuples or cannot tell", text())};
+                       fmt::format("a scan: not {}, which would find too many tuples or cannot decide", text())};
 }
 
 std::string IndexFeedNode::text() const {

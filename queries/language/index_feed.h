@@ -25,8 +25,8 @@ struct IndexFeedPlan {
 
 /// The tuples of a relation that may fulfil a condition, found by an index: a node in place of `feed` before a filter,
 /// which still asks the whole condition of each. Of several indexes those are asked first that are likely to find few
-/// tuples, and the first is used that pays. All tuples come, as by `feed`, if none pays or can tell. The order is that
-/// of `feed`, and so is the state of the relation that is shown.
+/// tuples, and the first is used that pays. All tuples come, as by `feed`, if none pays or can decide. The order is
+/// that of `feed`, and so is the state of the relation that is shown.
 class IndexFeedNode final : public TypedNode {
  public:
   IndexFeedNode(TypeExpr stream, std::vector<IndexChoice> choices, TypedPtr relation, ObjectSource& objects,

@@ -75,7 +75,7 @@ bool ends_operand(const Token& token) {
   return token.kind != Token::Kind::special || token.text == ")" || token.text == "]" || token.text == "}";
 }
 
-// Whether the message tells of something that stands where nothing was expected.
+// Whether the message is about something that stands where nothing was expected.
 bool is_of_surplus(std::string_view message) {
   return message.starts_with("expected the end of the command") || message.starts_with("expected an operator") ||
          message.starts_with("unknown operator") || message.starts_with("expected '(' after the operator") ||

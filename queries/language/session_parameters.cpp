@@ -79,7 +79,7 @@ WrittenConstant written(const SessionParameter& parameter) {
   return {std::string(value.type().name()), may_be_literal(value) ? value.to_nested() : NestedList()};
 }
 
-// The type of a list that is a literal of the language; empty if it is none.
+// The type of a list that is a literal of the language; empty if it is not a literal.
 std::string_view literal_type(const NestedList& list) {
   return list.is_int()      ? "int"
          : list.is_real()   ? "real"

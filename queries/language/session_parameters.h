@@ -34,7 +34,7 @@ struct SessionParameters {
 algebra3d::Result<std::pair<std::string, SessionParameter>> parse_session_parameter(
     std::string_view text, const algebra3d::Registry& registry);
 
-/// The value of type `type_name` that a text writes (list_of_text). Errors: wrong_usage for a type that is none; those
+/// The value of type `type_name` that a text writes (list_of_text). Errors: wrong_usage if there is no such type; those
 /// of the text.
 algebra3d::Result<SessionParameter> session_parameter(std::string_view type_name, std::string_view value,
                                                       const algebra3d::Registry& registry);

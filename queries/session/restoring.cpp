@@ -32,7 +32,7 @@ Error told_of(const std::filesystem::path& file, const std::filesystem::path& in
   return error;
 }
 
-/// Whether an error of an expression tells of the machine or the database, so that others would meet it, too.
+/// Whether an error of an expression is about the machine or the database, so that others would meet it, too.
 bool ends_restoring(ErrorCode code) {
   switch (code) {
     case ErrorCode::interrupted:
@@ -82,7 +82,7 @@ class Session::Restorer {
   Status database();
   /// `(OBJECT name () type value ())`, under another name if one is given.
   Status object(const std::string& new_name);
-  /// The objects that could not be derived again, by name; the context has been told why.
+  /// The objects that could not be derived again, by name; the reasons are in the context.
   const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:

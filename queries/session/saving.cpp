@@ -28,7 +28,7 @@ std::string word_of_database(const std::filesystem::path& file) {
   return is_identifier(word) ? word : "_" + word;
 }
 
-/// The file being saved, with the error that is told of it.
+/// The file being saved, with the error that is reported for it.
 class ListFile {
  public:
   static Result<ListFile> create(const algebra3d::OutputPath& path) {

@@ -40,7 +40,7 @@ class Presenter {
   /// Whether the result of a query may be a stream, which `present` then pulls. If not, queries must end with `consume`
   /// or `count`.
   virtual bool takes_streams() const { return false; }
-  /// Whether a sequence or loop ends at a command without an error whose result tells of a failure
+  /// Whether a sequence or loop ends at a command without an error whose result reports a failure
   /// (`Session::failed_result`).
   virtual bool ends_at_failed_result() const { return false; }
   /// Whether `present` may be called again after it has failed, because nothing was shown.
@@ -94,7 +94,7 @@ class Session {
 
   /// Opens a database file, and creates it if it does not exist (unless read-only).
   Status open_file(const std::filesystem::path& file);
-  /// Whether `open_file` has created the database; its name may be mistyped, so the user is to be told.
+  /// Whether `open_file` has created the database; its name may be mistyped, so the user must be notified.
   bool has_made_database() const { return has_made_database_; }
   /// Runs one command. Reasons of undefined values and remarks go to `context.diagnostics`. Never throws: exhausted
   /// memory becomes error out_of_memory, or limit_exceeded at a memory limit. After an error the database is as before

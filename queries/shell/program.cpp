@@ -134,7 +134,7 @@ int run_statements(const Options& options, Session& session, StatementRunner& ru
   return run_interactive(session, runner, out) ? kOk : kInterrupted;
 }
 
-/// True, and told, if the session ends in the middle of a transaction.
+/// True, with a message, if the session ends in the middle of a transaction.
 bool is_transaction_lost(Session& session) {
   if (session.store() == nullptr || !session.store()->is_in_explicit_transaction()) return false;
   std::cerr << "error: the transaction was not committed; its changes are undone\n";
@@ -351,7 +351,7 @@ int run_arguments(int argc, char** argv) {
   app.footer(
       "New here? docs/tutorial.md leads to answers on your own files in a quarter of an hour.\n\n"
       "The interactive shell completes with Tab, keeps its history in ~/.local/state/algebra3d (or $XDG_STATE_HOME),\n"
-      "sends long results through $PAGER, and ends a statement with Ctrl-C; `help` there tells the rest.\n"
+      "sends long results through $PAGER, and ends a statement with Ctrl-C; `help` there lists the rest.\n"
       "Exit status: 0 all went well, 1 a command failed, 2 wrong usage, 130 interrupted.");
   app.set_version_flag("--version", std::string("algebra3d ") + algebra3d::kVersion);
   app.require_subcommand(0, 1);  // so that `help test` asks for help

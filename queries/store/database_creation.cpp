@@ -57,7 +57,7 @@ bool makes_database(const fs::path& file) {
   return status.type() == fs::file_type::regular && fs::file_size(file, error) == 0 && !error;
 }
 
-// What cannot be opened here is told where the database is opened.
+// A file that cannot be opened here is reported where the database is opened.
 Status check_not_open_elsewhere(const fs::path& name, std::string_view verb) {
   std::error_code error;
   const fs::path file = fs::canonical(name, error);

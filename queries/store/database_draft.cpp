@@ -141,7 +141,7 @@ enum class DraftState : std::uint8_t { none, owned, ownerless };
 // An ownerless one is finished under the lock that its owner had, so that nobody takes it for a leftover meanwhile.
 Result<DraftState> finish_ownerless(const fs::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);  // NOLINT(*-vararg)
-  if (descriptor < 0) return DraftState::none;                      // told where the database is opened
+  if (descriptor < 0) return DraftState::none;                      // reported where the database is opened
   auto state = DraftState::none;
   Status status;
   if (has_draft_mark(descriptor)) state = DraftFile::lock(descriptor) ? DraftState::ownerless : DraftState::owned;

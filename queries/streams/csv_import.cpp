@@ -42,7 +42,7 @@ class CsvTuples final : public TupleStream {
       if (!*has_record) return TuplePtr();
       const bool is_header = is_first_ && layout_.has_header;
       is_first_ = false;
-      // The only column of a file may be empty; in others an empty line is none.
+      // The only column of a file may be empty; in others an empty line is not a tuple.
       if (is_header || (record_.is_blank() && layout_.columns.size() > 1)) continue;
       return tuple();
     }

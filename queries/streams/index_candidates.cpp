@@ -81,7 +81,7 @@ bool fits(const IndexCandidates& candidates, const Value& value) {
 
 Result<std::optional<IndexCandidates>> index_candidates(const Datum& index, const TypeExpr& index_type,
                                                         const IndexQuestion& question, std::uint64_t tuple_count) {
-  // Then no tuple fulfils the condition, but why is told where it is asked.
+  // Then no tuple fulfils the condition, but the reason is reported where it is evaluated.
   if (!question.operand.is_defined() || (question.limit && !question.limit->is_defined())) return Candidates();
   if (is_spatial_use(question.use)) return spatial_candidates(question, *index.index(), tuple_count);
   return ordered_candidates(question, index_type.arguments()[1], *index.ordered_index());

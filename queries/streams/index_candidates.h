@@ -43,7 +43,7 @@ struct IndexCandidates {
 /// Whether the value of a tuple is one that the search in the index can have found; if not, the file is damaged.
 bool fits(const IndexCandidates& candidates, const Value& value);
 
-/// Asks an index object of type `index_type` on a relation of `tuple_count` tuples. Nothing if the index cannot tell.
+/// Asks an index object of type `index_type` on a relation of `tuple_count` tuples. Nothing if the index cannot decide.
 /// Errors: those of loading the operand.
 Result<std::optional<IndexCandidates>> index_candidates(const Datum& index, const TypeExpr& index_type,
                                                         const IndexQuestion& question, std::uint64_t tuple_count);

@@ -18,7 +18,7 @@ inline constexpr std::size_t kMostNearest = 64;
 /// Coordinates up to here have squares that do not overflow.
 inline constexpr double kNoSquareOverflow = 0x1p500;
 
-/// Few entries among which are the `k` nearest to the target, told by keys alone. Domain: the tree is not empty; its
+/// Few entries among which are the `k` nearest to the target, found by keys alone. Domain: the tree is not empty; its
 /// coordinates and those of the target are at most kNoSquareOverflow; k is from 1 to kMostNearest. Source:
 /// [roussopoulos1995], with the order of children by distance.
 template <typename Leaf>

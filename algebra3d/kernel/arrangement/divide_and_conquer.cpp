@@ -125,7 +125,7 @@ Result<TriangleMesh> DivideAndConquer::in_halves(std::span<PlacedSolid> solids) 
   if (!first.ok()) return first;
   if (!second.ok()) return second;
   const std::array<Operand, 2> halves{{{&*first}, {&*second}}};
-  // The last and largest arrangement tells how far it has come.
+  // The last and largest arrangement reports its own progress.
   return at_once(halves, solids.size() == solids_.size() ? monitor_ : monitor_.silent());
 }
 

@@ -16,7 +16,7 @@ namespace {
 using detail::CentredSolid;
 using detail::Rotation;
 
-/// False if the boxes tell that the diameters differ by more than the tolerance allows: a diameter is at most the
+/// False if the boxes show that the diameters differ by more than the tolerance allows: a diameter is at most the
 /// square root of 3 times the longest side of its box.
 bool may_have_one_diameter(const Box3& a, const Box3& b, double tolerance) {
   const double size_a = detail::largest(0.5 * a.max - 0.5 * a.min), size_b = detail::largest(0.5 * b.max - 0.5 * b.min);
@@ -44,7 +44,7 @@ double volume_near_boundary(const CentredSolid& solid, double tolerance) {
   return kMargin * tolerance * (2 * area + kPi * tolerance * (edges + 4.0 / 3 * tolerance * corners));
 }
 
-/// False if invariants tell that no motion can carry one onto the other.
+/// False if invariants show that no motion can carry one onto the other.
 bool may_be_congruent(const CentredSolid& a, const CentredSolid& b, double tolerance) {
   if (std::abs(a.radius() - b.radius()) > 2 * tolerance) return false;
   const double difference = volume_near_boundary(a, tolerance);

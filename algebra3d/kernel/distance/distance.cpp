@@ -42,7 +42,7 @@ class FarSide {
 };
 
 /// Chooses the nearest of the candidates. Those whose faces lie beyond the slab between the nearest points so far are
-/// not nearer, which takes two products to tell: so it is with parallel faces, which are all at one distance.
+/// not nearer, which two products decide: so it is with parallel faces, which are all at one distance.
 class ExactChoice {
  public:
   ExactChoice(const DistanceOperand& a, const DistanceOperand& b) : a_(*a.mesh), b_(*b.mesh) {}

@@ -79,7 +79,7 @@ int sign_of_dot(const std::array<Wide<2>, 3>& a, const std::array<Wide<2>, 3>& b
 }
 
 /// Sides as in Meeting, by integers below 2^57 times one power of two: with those of three points of the ray's triangle
-/// and three of the other. Nothing if the coordinates are no such integers.
+/// and three of the other. Nothing if the coordinates are not such integers.
 std::optional<std::array<int, 3>> sides_by_integers(const TriangleRef& of_ray, const TriangleRef& triangle) {
   std::array<double, 18> coordinates{};
   for (std::size_t i = 0; i < 6; ++i) {

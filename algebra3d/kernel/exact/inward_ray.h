@@ -52,7 +52,7 @@ class InwardRay {
   detail::BoundedPair length_;  // of the normal
 };
 
-/// The order of two places on a ray: -1, 0, or 1; nothing if pairs of doubles do not tell.
+/// The order of two places on a ray: -1, 0, or 1; nothing if pairs of doubles do not decide it.
 std::optional<int> order_on_ray(const InwardRay::Meeting& a, const InwardRay::Meeting& b);
 
 }  // namespace algebra3d

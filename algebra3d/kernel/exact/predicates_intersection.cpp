@@ -149,7 +149,7 @@ Apex find_apex(const Signs& heights) {
 
 // Source: [guigue2003], section 3. Each triangle meets the other's plane in an interval of the common line, from edge
 // (0, 1) to edge (0, 2) of s and from edge (0, 2) to edge (0, 1) of t, once the apexes are first and up. The sign of
-// the tetrahedron of two edges tells the order of the places where they meet the line.
+// the tetrahedron of two edges gives the order of the places where they meet the line.
 Contact intervals_on_common_line(const TriangleRef& s, const Signs& s_heights, const TriangleRef& t,
                                  const Signs& t_heights) {
   const Apex s_apex = find_apex(s_heights);
@@ -245,7 +245,7 @@ SidedContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t) {
   return contact_of_triangles(s, t, filtered_sides(s, t));
 }
 
-// Filters first: of two triangles that are apart one of the planes mostly tells it, where the other one may need an
+// Filters first: of two triangles that are apart one of the planes mostly shows it, where the other one may need an
 // exact answer.
 SidedContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t, const std::array<int, 3>& known_t_sides) {
   SidedContact contact{Contact::none, {}, known_t_sides};

@@ -69,7 +69,7 @@ UInt128 leading_bits(mpz_srcptr number, long bits, long count) {
   return first >> static_cast<unsigned>(128 - count);
 }
 
-/// Of positive numbers. From their first bits alone, where these tell.
+/// For positive numbers. Uses their first bits alone, where these suffice.
 Leading leading_of(mpz_srcptr numerator, mpz_srcptr denominator) {
   const auto numerator_bits = static_cast<long>(mpz_sizeinbase(numerator, 2));
   const auto denominator_bits = static_cast<long>(mpz_sizeinbase(denominator, 2));

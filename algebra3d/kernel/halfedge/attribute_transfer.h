@@ -28,7 +28,7 @@ class ValueBlends {
   std::uint32_t add_between(std::uint32_t first, std::uint32_t second, double share);
 
   std::size_t size() const { return starts_.size() - 1; }
-  /// The values, and those of the blends behind them. `values` must be canonical, and as many as were told.
+  /// The values, and those of the blends behind them. `values` must be canonical, and as many as were announced.
   AttributeValues appended_to(const AttributeValues& values) const;
 
  private:

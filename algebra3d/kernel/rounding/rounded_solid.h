@@ -56,13 +56,13 @@ std::string shells_text(const RoundedSolid& rounded);
 ///  7. 1 and 3 on grids of multiples of up to 2^20 spacings.
 ///  8. 6 on coarser lattices, as long as a thousand cells fit into the solid.
 ///  9. The cubes of a lattice that meet the solid replace it (cell_cover.h). This cannot fail.
-/// A simpler form of each result is proved first: without corners of facets with moved corners that lie on the
-/// surface or on an edge of it anyway, up to two spacings (vertex_removal.h); on a grid of multiples only if that is
-/// fine for the solid. There is no result only if a coordinate is out of range. It is empty only where 1 to 4 leave
-/// nothing within a reach of two spacings, and no cell of the grid is found within the solid. The monitor
-/// may end the call with the error interrupted, and is told the methods that are tried. Exactness: rounded; validity is
-/// exact. Deterministic. Errors: interrupted, limit_exceeded. Cost: for nearly all solids a scan, and snap rounding and
-/// a proof of the faces near vertices that move. Source: snap rounding after [hobby1999] and [halperin2002].
+/// A simpler form of each result is proved first: without corners of facets with moved corners that lie on the surface
+/// or on an edge of it anyway, up to two spacings (vertex_removal.h); on a grid of multiples only if that is fine for
+/// the solid. There is no result only if a coordinate is out of range. It is empty only where 1 to 4 leave nothing
+/// within a reach of two spacings, and no cell of the grid is found within the solid. The monitor may end the call with
+/// the error interrupted, and receives the methods that are tried. Exactness: rounded; validity is exact.
+/// Deterministic. Errors: interrupted, limit_exceeded. Cost: for nearly all solids a scan, and snap rounding and a
+/// proof of the faces near vertices that move. Source: snap rounding after [hobby1999] and [halperin2002].
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid, const Monitor& monitor = {});
 
 }  // namespace algebra3d

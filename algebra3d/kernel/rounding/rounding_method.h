@@ -18,7 +18,7 @@ enum class RoundingMethod : std::uint8_t {
   faces_of_cubes,        ///< squares between cubes in place of a surface; cannot fail
 };
 
-/// The method in words, as notes tell it: "features joined".
+/// The method in words, as in notes: "features joined".
 const char* name_of(RoundingMethod method);
 
 }  // namespace algebra3d

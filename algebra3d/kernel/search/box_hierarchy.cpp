@@ -108,7 +108,7 @@ void BoxHierarchy::choose_scale(const PointArray& points, double margin) {
   const Box3 bounds = wide_bounds(points, margin);
   frame_.origin = bounds.min;
   // Halved first, so that the extent of the largest doubles is finite. A power of two, so that few coordinates are
-  // rounded; 2^20 units are what the codes can tell apart.
+  // rounded; the codes resolve 2^20 units.
   double half_extent = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
     half_extent = std::max(half_extent, bounds.max[axis] / 2 - bounds.min[axis] / 2);

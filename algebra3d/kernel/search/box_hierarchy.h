@@ -125,17 +125,17 @@ class BoxHierarchy {
   template <typename Visit, typename Apart, typename Pause>
   void for_each_pair_with(const BoxHierarchy& other, Visit visit, Apart are_apart, Pause pause, Share share) const;
 
-  /// Calls visit(f, g) for pairs of a face of this hierarchy and a face of another one, near ones first where the boxes
-  /// tell. It returns a distance: pairs whose boxes are farther from each other are left out from then on, all at the
-  /// beginning that are farther apart than `reach`; a negative one ends the search. `are_apart` and `pause` as above.
-  /// No recursion. Cost: that of the pairs of nodes within the last distance, and of the way to the first pair.
+  /// Calls visit(f, g) for pairs of a face of this hierarchy and a face of another one, near ones first as far as the
+  /// boxes show it. It returns a distance: pairs whose boxes are farther from each other are left out from then on, all
+  /// at the beginning that are farther apart than `reach`; a negative one ends the search. `are_apart` and `pause` as
+  /// above. No recursion. Cost: that of the pairs of nodes within the last distance, and of the way to the first pair.
   template <typename Visit, typename Apart, typename Pause>
   void for_each_near_pair_with(const BoxHierarchy& other, double reach, Visit visit, Apart are_apart,
                                Pause pause) const;
 
-  /// Calls visit(f) for faces near a place (a box around a point), near ones first where the boxes tell. It returns a
-  /// distance, as above: faces whose boxes are farther from the place are left out from then on, all at the beginning
-  /// that are farther than `reach`.
+  /// Calls visit(f) for faces near a place (a box around a point), near ones first as far as the boxes show it. It
+  /// returns a distance, as above: faces whose boxes are farther from the place are left out from then on, all at the
+  /// beginning that are farther than `reach`.
   template <typename Visit>
   void for_each_near(const Box3& where, double reach, Visit visit) const {
     for_each_near(where, reach, no_gap, visit);

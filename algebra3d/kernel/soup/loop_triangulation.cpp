@@ -75,7 +75,7 @@ class LoopTriangulation {
     return cross(from - to, loop_.beyond[corner] - to);
   }
 
-  /// True if three corners with that normal lie on one line, as far as rounding can tell.
+  /// True if three corners with that normal lie on one line, as far as rounding shows it.
   bool is_flat(const Vec3& normal, std::size_t a, std::size_t b, std::size_t c) const {
     const Vec3 one = loop_.corners[b] - loop_.corners[a], other = loop_.corners[c] - loop_.corners[a];
     return dot(normal, normal) <= 1e-24 * dot(one, one) * dot(other, other);

@@ -36,7 +36,7 @@
 namespace algebra3d {
 namespace {
 
-/// False means that the triangle lies beside or below the ray upwards from the centre. Rounded coordinates tell:
+/// False means that the triangle lies beside or below the ray upwards from the centre. Rounded coordinates decide:
 /// rounding exchanges no two numbers.
 bool may_be_above(const TriangleRef& t, const Vec3& centre) {
   const auto are_less = [&](std::size_t axis) {

@@ -1,4 +1,4 @@
-// size, bbox, bbox3d, isEmpty, bboxDistance, bboxIntersects: what box and count alone can tell.
+// size, bbox, bbox3d, isEmpty, bboxDistance, bboxIntersects: answered by box and count alone.
 #include <optional>
 
 #include "algebra3d/operators/descriptions/all.h"

@@ -54,7 +54,7 @@ std::string shells_note(const RoundedSolid& rounded) {
   return "; " + shells_text(rounded);
 }
 
-/// The value of a rounding by the operator, of which a diagnostic tells.
+/// The value of a rounding by the operator; a diagnostic describes it.
 Volume3d reported(Context& context, RoundedSolid rounded, std::size_t vertex_count, const char* name) {
   const std::string note = rounding_note(rounded, vertex_count) + shells_note(rounded);
   context.diagnostics.report(fmt::format("{}: {}", name, note));

@@ -184,7 +184,7 @@ const std::string kSquareOfEight =
     "(3 4 7) (3 7 6) (4 5 8) (4 8 7))))";
 const std::string kDetail =
     "Edges are collapsed, those first that cost the least quadric error, until a number of triangles (an int), a "
-    R"(share of them ("ratio"), or a largest deviation (a real) is reached; a diagnostic tells what was. Topology )"
+    R"(share of them ("ratio"), or a largest deviation (a real) is reached; a diagnostic says which of them. Topology )"
     "stays: parts, handles and boundary loops; the boundary is kept as far as the error allows, and no face turns "
     "over. So more triangles may be left than demanded. The deviation is the Hausdorff distance of the boundaries "
     "before and after. It is measured, and holds but for 2^-43 of the largest coordinate. Coordinates of results "

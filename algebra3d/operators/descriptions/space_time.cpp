@@ -40,7 +40,7 @@ Result<Maybe<Volume3d>> solid_of_unit(const RegionUnit& unit, const TimeAxis& ax
   const MovingSlab slab{&unit.polygons(), axis.height(unit.interval().start), axis.height(unit.interval().end)};
   if (!std::isfinite(slab.to)) return Maybe<Volume3d>(Undefined{"its end is beyond the range of doubles"});
   if (!(slab.from < slab.to))
-    return Maybe<Volume3d>(Undefined{"its height is too small to tell its end from its start"});
+    return Maybe<Volume3d>(Undefined{"its height is too small to separate its end from its start"});
   ALGEBRA3D_ASSIGN_OR_RETURN(auto mesh, swept_solid(slab, monitor));
   if (!mesh) return Maybe<Volume3d>(Undefined{mesh.reason()});
   return Maybe<Volume3d>(Volume3d::trusted(*std::move(mesh)));

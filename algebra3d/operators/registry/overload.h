@@ -19,7 +19,7 @@ struct HeaderOf {
   GeometryHeader header;
 };
 
-/// A parameter whose geometry is loaded when it is asked for: perhaps box and count tell enough.
+/// A parameter whose geometry is loaded when it is asked for: box and count may be enough.
 template <typename T>
 class OnDemand {
  public:

@@ -35,7 +35,7 @@ std::optional<std::size_t> cost_of(const Overload& overload, std::span<const Typ
   return sum;
 }
 
-// So many argument lists are told in a message.
+// Maximum number of argument lists in a message.
 constexpr std::size_t kToldLists = 8;
 
 // The number of arguments that the overload would take, 0 if it takes another number of arguments.
@@ -47,7 +47,7 @@ std::size_t fitting_arguments(const Overload& overload, std::span<const TypeExpr
   return count;
 }
 
-// The argument lists of all overloads. If they are too many to be told, those come first that the arguments fit best.
+// The argument lists of all overloads. If they are too many to be listed, those come first that the arguments fit best.
 std::vector<std::string> expected_arguments(const Operator& op, std::span<const TypeExpr> arguments) {
   std::vector<const Overload*> overloads;
   for (const Overload& overload : op.overloads) overloads.push_back(&overload);

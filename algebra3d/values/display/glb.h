@@ -17,8 +17,8 @@ struct GlbNode {
 };
 
 /// A file in binary glTF 2.0 with a node for each shape; docs/http-api.md, "Shapes", describes it. An empty shape is a
-/// node without mesh. Normals use the extension KHR_mesh_quantization, search trees and numbers of elements are told in
-/// `extras`. Errors: limit_exceeded beyond 4 GB, which the format cannot have. Cost: a copy of the shapes.
+/// node without mesh. Normals use the extension KHR_mesh_quantization, search trees and numbers of elements are
+/// described in `extras`. Errors: limit_exceeded beyond 4 GB, which the format cannot have. Cost: a copy of the shapes.
 Result<std::string> glb_of(std::span<const GlbNode> nodes);
 
 /// About the bytes that a shape takes in a file.

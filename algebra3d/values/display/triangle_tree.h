@@ -10,7 +10,7 @@ namespace algebra3d {
 inline constexpr std::size_t kLeastTrianglesOfTree = 1000;
 
 /// Builds the bounding volume hierarchy of the triangles of a shape, unless these are fewer than kLeastTrianglesOfTree.
-/// Triangles that are not in spatial order are brought into it, and `face_ids` tells their numbers (not in a coarser
+/// Triangles that are not in spatial order are brought into it, and `face_ids` holds their numbers (not in a coarser
 /// level, whose triangles have none).
 ///
 /// The nodes have 32 bytes each, in the memory layout of three-mesh-bvh 0.9 (`version: 1` of its serialized form): six

@@ -10,7 +10,7 @@
 namespace algebra3d {
 namespace {
 
-/// A hit whose kind is to be found, and what its sections tell.
+/// A hit whose kind is to be found, and its sections.
 struct OpenHit {
   RayHit hit;
   std::size_t section_count = 0;

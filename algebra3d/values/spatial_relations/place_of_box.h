@@ -4,8 +4,8 @@
 
 namespace algebra3d {
 
-/// Where a box lies relative to a set, as far as the box hierarchy of the set tells. So it tells something of all sets
-/// in the box, without a look at them.
+/// Where a box lies relative to a set, as far as the box hierarchy of the set shows it. So it holds for all sets in the
+/// box, without a look at them.
 struct PlaceOfBox {
   /// A lower bound of the distance between the box and the boundary of the set, in coordinate units; infinite if it is
   /// certainly more than the reach that was asked for.
@@ -14,9 +14,9 @@ struct PlaceOfBox {
   bool is_inside = false;
 };
 
-/// The place of a box, which is not empty, relative to a surface or a solid; nothing is told (gap 0) relative to boxes
-/// and points. Exact in what it says. Cost: that of a window in the hierarchy as large as the box and `reach` around
-/// it, and for a solid whose boundary is apart that of place_in_solid.
+/// The place of a box, which is not empty, relative to a surface or a solid; unknown (gap 0) relative to boxes and
+/// points. Exact in what it says. Cost: that of a window in the hierarchy as large as the box and `reach` around it,
+/// and for a solid whose boundary is apart that of place_in_solid.
 PlaceOfBox place_of_box(const Box3& box, const SpatialSet& set, double reach);
 
 }  // namespace algebra3d

@@ -99,7 +99,7 @@ Status check_lengths(const Frame& frame) {
   return {};
 }
 
-/// The zero-padded name; empty if it is none.
+/// The zero-padded name; empty if it is not a name.
 std::string read_type(ByteReader& reader) {
   const std::string_view field = reader.raw(kTypeBytes);
   const std::string_view name = field.substr(0, field.find('\0'));

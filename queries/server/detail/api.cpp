@@ -28,7 +28,7 @@ std::vector<std::string_view> segments_of(std::string_view path) {
   return segments;
 }
 
-// Percent-encoded bytes as they are; what is no such code stays.
+// Decodes percent-encoded bytes; text that is not such a code stays.
 std::string decoded(std::string_view part) {
   std::string result;
   for (std::size_t i = 0; i < part.size(); ++i) {

@@ -25,7 +25,8 @@ using algebra3d::Context;
 using algebra3d::DrawnShape;
 using algebra3d::GlbNode;
 
-// The levels of detail that are kept: the first can be moved on slow machines, the last is hard to tell from the whole.
+// The levels of detail that are kept: the first can be moved on slow machines, the last is hard to distinguish from the
+// whole.
 constexpr std::array<std::size_t, 3> kLevels = {2'000'000, 200'000, 20'000};
 
 /// The number under which the whole shape is kept, and the least triangles of a value of which it is.
@@ -46,7 +47,7 @@ std::vector<std::size_t> counts_of(const Value& value) {
   return counts;
 }
 
-/// A level that is kept in the database. What keeps it from being read is no reason not to draw: then it is made.
+/// A level that is kept in the database. If it cannot be read it is made anew, so that the value is still drawn.
 std::optional<DrawnShape> stored_level(const Value& value, std::size_t count) {
   std::optional<DrawnShape> shape;
   const auto found = with_level(value, count, [&](std::string_view bytes) -> Status {

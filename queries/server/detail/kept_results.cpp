@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::chrono::minutes kLongestUnused(15);
 
-// The number in an id; 0 for a text that is none.
+// The number in an id; 0 for a text that is not an id.
 std::uint64_t number_of(const std::string& id) {
   std::uint64_t number = 0;
   if (id.size() < 2 || id.front() != 'r' || id[1] == '0') return 0;
@@ -23,7 +23,7 @@ std::uint64_t number_of(const std::string& id) {
   return error == std::errc() && end == id.data() + id.size() ? number : 0;
 }
 
-// Ids are beyond this number: it tells those of other runs of the server from what was never an id.
+// Ids are beyond this number: it distinguishes those of other runs of the server from numbers that were never an id.
 constexpr std::uint64_t kLeastNumber = std::uint64_t{1} << 40U;
 
 // Before the first id of this run: no other run is likely to have the same ids.

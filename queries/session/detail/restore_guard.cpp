@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// Of each kind in the error; the notes have all.
 constexpr std::size_t kMostNamed = 10;
 
-/// Without links, and absolute; empty if that cannot be told.
+/// Without links, and absolute; empty if that cannot be found out.
 fs::path real_path(const fs::path& file) {
   std::error_code error;
   const fs::path real = fs::weakly_canonical(fs::absolute(file, error), error);

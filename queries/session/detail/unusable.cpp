@@ -111,7 +111,7 @@ class Session::UnusableSearch {
   const algebra3d::Registry& registry_;
   Store& store_;
   const GoneNames& gone_;
-  Context& context_;  // nobody hears what it is told
+  Context& context_;  // its diagnostics are dropped
   Objects objects_;
   std::vector<ObjectInfo> infos_;
   std::set<std::string> hidden_;

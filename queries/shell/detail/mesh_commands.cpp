@@ -29,7 +29,7 @@ using algebra3d::MeshFileForm;
 using algebra3d::RepairOptions;
 using algebra3d::Result;
 
-/// The exit status that an error means; the error is told.
+/// The exit status for an error; reports the error.
 int fail_with(const MeshConsole& console, const Error& error) {
   constexpr int kWrongUsageOfMesh = 2;
   constexpr int kInterruptedMesh = 130;

@@ -41,7 +41,7 @@ class CheckedPages {
   }
 
   /// Between its beginning and its end a checkpoint copies pages from the log into the file as they are: a damaged one
-  /// is told where it is read.
+  /// is reported where it is read.
   bool is_in_checkpoint = false;
 
  private:

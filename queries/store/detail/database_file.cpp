@@ -188,7 +188,7 @@ std::optional<std::pair<dev_t, ino_t>> identity_of(const fs::path& file) {
 }
 
 // SQLite names the log after the file: under each name there would be another one, and statements in one would not be
-// seen through the other, neither by a writer nor by a reader. Where the other names are, nothing tells.
+// seen through the other, neither by a writer nor by a reader. Nothing shows where the other names are.
 Status check_names(const fs::path& file) {
   struct stat facts {};
   if (::stat(file.c_str(), &facts) != 0 || facts.st_nlink <= 1) return {};

@@ -219,7 +219,7 @@ void IntegrityCheck::check_trees(Walk& walk) {
   for (auto& [attribute, boxes] : walk.boxes) {
     std::ranges::sort(boxes, entry_before);
     const std::string& name = walk.layout->attributes()[attribute].name;
-    // What of it cannot be read is told of the stored one.
+    // What cannot be read of it is reported for the stored one.
     if (const auto open = database_->indexes().find(walk.entry.table_number, attribute))
       static_cast<void>(
           check_tree(boxes, *open, {.object = walk.entry.name, .attribute = name, .message = "the index in memory"}));

@@ -250,7 +250,7 @@ Status IntegrityCheck::check_indexes(SqliteConnection& model) {
   }
 }
 
-// Whether it has the values of the rows, SQLite's own check has told.
+// SQLite's own check has reported whether it has the values of the rows.
 Status IntegrityCheck::check_stored_orders() {
   for (const auto& [number, layout] : layouts_)
     for (std::size_t attribute = 0; attribute < layout->attributes().size(); ++attribute)
@@ -301,7 +301,7 @@ Status IntegrityCheck::check_stored_order(const RelationLayout& layout, std::siz
   return {};
 }
 
-// A table that is not there is told where it is read.
+// A missing table is reported where it is read.
 Status IntegrityCheck::check_columns_of(SqliteConnection& model, const std::string& table, const Finding& place) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<std::string> expected, column_names(model, table));
   const auto found = column_names(database_->connection(), table);

@@ -34,7 +34,7 @@ bool names_another_file(const fs::path& journal) {
 Status check_sidecar_files(const fs::path& database) {
   std::error_code error;
   const fs::path file = fs::canonical(database, error);
-  if (error) return {};  // told where the database is opened
+  if (error) return {};  // reported where the database is opened
   for (const std::string ending : algebra3d::kSidecarEndings) {
     const fs::path beside = file.string() + ending;
     const fs::file_status status = fs::symlink_status(beside, error);

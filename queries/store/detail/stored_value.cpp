@@ -6,7 +6,7 @@
 namespace queries {
 namespace {
 
-/// What tells one large value of a relation from another; a reference is its bytes.
+/// What distinguishes one large value of a relation from another; a reference is its bytes.
 struct Reference {
   TupleId tuple = 0;
   std::size_t attribute = 0;

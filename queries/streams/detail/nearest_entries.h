@@ -29,7 +29,7 @@ class NearestEntries {
   std::optional<rtree::NearestCursor<std::uint64_t>> cursor_;
 };
 
-/// Whether the box of a value is at the distance from another one that an index has told, as far as rounding tells.
+/// Whether the box of a value is at the distance from another one that an index has given, within rounding.
 bool has_box_at(const Value& value, const algebra3d::Box3& from, double distance);
 
 }  // namespace queries

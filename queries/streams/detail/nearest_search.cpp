@@ -96,7 +96,7 @@ class NearestSearch::Round {
       Search& search = searches_[i];
       const NearestProbe& probe = probes[search.probe];
       const std::size_t known = probe.nearest.size();
-      // More and more, since there is no telling how many boxes are near.
+      // More and more, since the number of near boxes is unknown.
       propose(search, probe, known < task_.limit ? task_.limit - known : extra_, std::min(reach, probe.bound));
     });
     std::erase_if(searches_, [](const Search& search) { return search.candidates.empty(); });
@@ -296,7 +296,7 @@ Status NearestSearch::take_distances(std::span<NearestProbe> probes, const Round
   return thin_out(probes);
 }
 
-/// Where many neighbours are equally far, as far as ranges tell, decides exactly which are kept, so that they do not
+/// Where many neighbours are equally far, as far as ranges show, decides exactly which are kept, so that they do not
 /// pile up.
 Status NearestSearch::thin_out(std::span<NearestProbe> probes) {
   const std::size_t most = 4 * task_.limit + 64;

@@ -20,7 +20,7 @@ namespace queries {
 /// A tuple near another one. `place` is its number in its stream, by which equal distances are ordered.
 struct NearTuple {
   algebra3d::DistanceRange distance;
-  std::optional<algebra3d::Rational> squared_distance;  ///< where the range does not tell the order
+  std::optional<algebra3d::Rational> squared_distance;  ///< where the range does not decide the order
   std::uint64_t place = 0;
   TuplePtr tuple;
 

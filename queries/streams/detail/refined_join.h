@@ -21,9 +21,9 @@ enum class PairVerdict : std::uint8_t {
 
 /// The condition of a join. Called from several threads at once.
 struct PairTest {
-  /// The verdict if boxes tell it, else nothing; so geometry is not loaded where it is not needed.
+  /// The verdict if boxes decide it, else nothing; so geometry is not loaded where it is not needed.
   std::function<std::optional<PairVerdict>(const algebra3d::Box3& a, const algebra3d::Box3& b)> by_boxes;
-  /// The verdict if a set and the box of the other one tell it, which is the first one if `is_box_of_first`.
+  /// The verdict if a set and the box of the other one decide it, which is the first one if `is_box_of_first`.
   std::function<std::optional<PairVerdict>(const algebra3d::Box3& box, bool is_box_of_first,
                                            const algebra3d::SpatialSet& other)>
       by_one_box;
@@ -40,7 +40,7 @@ struct PairKeys {
 
 /// The concatenated tuples of the pairs that belong to the join, in the order of the pairs. Pairs are read in blocks,
 /// the first of which are small, so that results come soon; a block is as large as the work memory and a limit allow.
-/// Each block is examined by SpatialPairs. `stages` of the stream tells how pairs were decided.
+/// Each block is examined by SpatialPairs. `stages` of the stream shows how pairs were decided.
 TupleStreamPtr refined_join(PairStreamPtr pairs, PairKeys keys, PairTest test, const Context& context);
 
 }  // namespace queries

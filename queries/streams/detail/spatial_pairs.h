@@ -30,7 +30,7 @@ struct ValuePair {
 ///
 /// Pairs are asked along a space-filling curve. The geometry of each value is loaded once for all pairs of a call; if
 /// it exceeds the work memory, there are several batches, and what the next one needs, too, stays loaded.
-/// Interruptible; tells its progress.
+/// Interruptible; reports its progress.
 class SpatialPairs {
  public:
   explicit SpatialPairs(const Context& context) : context_(context), account_(context.memory) {}

@@ -40,7 +40,7 @@ export function messageOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
 
-/** The error in the body of an answer; an answer that is none of this API gets a message that says so. */
+/** The error in the body of an answer; an answer that is not of this API gets a message that says so. */
 export function errorFromBody(status: number, body: string): ApiError {
   try {
     const parsed = JSON.parse(body) as Partial<ErrorBody>;

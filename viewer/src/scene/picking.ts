@@ -248,7 +248,7 @@ function triangleInfo(record: ShapeRecord, faces: Primitive, index: number): Pic
   const vertices = [0, 1, 2].map((corner) => faces.indices?.[3 * index + corner] ?? 3 * index + corner);
   const corners = vertices.map((vertex) => new Vector3().fromArray(faces.positions, 3 * vertex).add(origin));
   const triangle = new Triangle(corners[0], corners[1], corners[2]);
-  // Coarser levels have numbers of their own, which are none of the value.
+  // Coarser levels have numbers of their own, which are not those of the value.
   // The faces of a nested relation belong to several values.
   const exact = record.firstShape.kind !== "arel" && (record.finest?.shape.shown ?? 0) >= record.triangles;
   const idOf = (vertex: number): number | null => (exact ? (faces.vertexIds?.[vertex] ?? vertex) : null);

@@ -38,7 +38,7 @@ SharedCorners shared_corners(const PlaneTriangle& first, const Signs& first_sign
 }
 
 /// True if a line in which an edge of `triangle` is seen along an axis has all of `other` beyond it, as far as rounded
-/// numbers tell.
+/// numbers decide.
 bool separates(const TriangleRef& triangle, const TriangleRef& other, Projection projection) {
   const auto turn = [&](const PointRef& a, const PointRef& b, const PointRef& c) {
     return detail::filter_rounded_orient2d(projection, a.approx, b.approx, c.approx);

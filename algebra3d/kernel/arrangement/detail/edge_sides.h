@@ -19,8 +19,8 @@ struct InputEdgeEnds {
 /// nearly touch this is most of the work.
 class EdgeSides {
  public:
-  /// orient3d(edge.a, edge.b, other.a, other.b) as far as rounded numbers tell: -1, 0, 1 or detail::kUndecided. Ask
-  /// this first.
+  /// orient3d(edge.a, edge.b, other.a, other.b) as far as rounded numbers decide it: -1, 0, 1 or detail::kUndecided.
+  /// Ask this first.
   static int rounded_side(const InputEdgeEnds& edge, const InputEdgeEnds& other);
   /// The exact sign of that determinant. A cached sign serves for every order of the edges and of their ends; the
   /// result has the sign of the order given.

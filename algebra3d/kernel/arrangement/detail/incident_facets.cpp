@@ -48,7 +48,8 @@ class Middle {
     return result;
   }
 
-  /// True if it lies in a closed triangle of its plane. Exact. Ends on one side of an edge tell it without the middle.
+  /// True if it lies in a closed triangle of its plane. Exact. Ends on one side of an edge decide it without the
+  /// middle.
   bool lies_in(const TriangleInPlane& triangle) {
     bool is_known = true;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -18,7 +18,7 @@ struct Relation {
   WindingVector difference;
 };
 
-/// Relations of front windings, as some space edges tell them.
+/// Relations of front windings that follow from some space edges.
 struct Relations {
   std::vector<Relation> list;
   /// The first half-plane with a jump at each space edge that is on no uncut edge: places for seeds.
@@ -95,7 +95,7 @@ void RelationFinder::relate_round(IdRange<SubEdgeId> edge) {
   if (around_.empty()) return;
   found_.places.push_back(around_.front());
   sort_around_space_edge(subdivision_, around_);
-  // The cell between the last one and the first one tells nothing new.
+  // The cell between the last one and the first one adds nothing new.
   for (std::size_t i = 0; i + 1 < around_.size(); ++i) {
     const SubEdgeSide h = around_[i], next = around_[i + 1];
     // Both give the windings of the cell between the two: their front winding and the excess.

@@ -11,7 +11,7 @@ bool are_coplanar(const TriangleRef& first, const TriangleRef& second) {
       second, [&](const PointRef& corner) { return orient3d(first[0], first[1], first[2], corner) == 0; });
 }
 
-/// Whether the contact is right, as far as intersect_triangles tells, which knows nothing of it.
+/// Whether the contact is right according to intersect_triangles, which computes it independently.
 bool is_right(const TriangleContact& contact, const TriangleRef& first, const TriangleRef& second) {
   const Contact found = intersect_triangles(first, second);
   if (contact.is_coplanar != are_coplanar(first, second)) return false;

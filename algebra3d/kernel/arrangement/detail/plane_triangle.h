@@ -33,9 +33,9 @@ class PlaneTriangle {
     return {corners_[i], corners_[j], vertices_[i], vertices_[j]};
   }
 
-  /// The sides of the plane on which points lie, as far as rounded numbers tell. Cost: some nanoseconds.
+  /// The sides of the plane on which points lie, as far as rounded numbers decide them. Cost: some nanoseconds.
   Signs rounded_sides(const TriangleRef& points) const;
-  /// The side of a point of which rounded numbers do not tell it. Exact.
+  /// The side of a point for which rounded numbers do not decide it. Exact.
   int exact_side(const PointRef& point) const;
 
  private:

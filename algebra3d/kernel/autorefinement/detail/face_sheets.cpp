@@ -28,7 +28,8 @@ struct Patches {
   std::size_t count = 0;
 };
 
-/// Unless an edge is tangled, the winding numbers in front of all its faces are the same, as far as the edge tells.
+/// Unless an edge is tangled, the winding numbers in front of all its faces are the same, as far as the edge decides
+/// it.
 bool is_tangled(const TriangleMesh& mesh, std::span<const HalfedgeId> edge) {
   const auto has_area = [&](HalfedgeId h) {
     const TriangleRef corners = mesh.corners(TriangleMesh::face(h));

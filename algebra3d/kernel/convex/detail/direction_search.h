@@ -95,7 +95,7 @@ class DirectionSearch {
 
   DirectionRange range_;
   FoundDirection best_;
-  double least_dropped_ =  // bound of triangles that cannot hold anything better than the ratio tells
+  double least_dropped_ =  // bound of triangles that cannot hold anything better than the ratio allows
       std::numeric_limits<double>::infinity();
   std::priority_queue<Cell> cells_;
 };

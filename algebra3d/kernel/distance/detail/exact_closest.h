@@ -12,7 +12,7 @@ struct ExactClosest {
   Rational squared_distance;
 };
 
-/// The features whose insides hold the points that are nearest to each other, as far as rounded numbers tell; 0 if
+/// The features whose insides hold the points that are nearest to each other, as far as rounded numbers decide it; 0 if
 /// nothing is known.
 struct ClosestFeatures {
   Feature first = 0, second = 0;

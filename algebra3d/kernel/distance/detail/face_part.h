@@ -46,7 +46,7 @@ struct FacePart {
 };
 
 /// True if the line along an edge of one of two convex polygons, seen along `sight`, shows that they are farther apart
-/// than `reach`: boxes do not tell slanted needles apart. The length of `sight` does not matter.
+/// than `reach`: boxes do not separate slanted needles. The length of `sight` does not matter.
 template <typename Vector>
 bool are_apart_seen_along(const Vector& sight, std::span<const Vector> first, std::span<const Vector> second,
                           decltype(Vector::x) reach);

@@ -44,7 +44,7 @@ std::vector<Surd> moments_of_change(const std::array<Quadratic, n>& polynomials)
   return moments;
 }
 
-/// Two moving segments ab and cd, and what tells how they lie.
+/// Two moving segments ab and cd, and the determinants that decide how they lie.
 class SegmentPair {
  public:
   SegmentPair(const MovingSegment& ab, const MovingSegment& cd)

@@ -18,7 +18,7 @@ using HoleId = StrongId<struct HoleTag>;
 struct HoleLoop {
   std::vector<VertexId> vertices;
   Loop loop;        ///< the same corners as points, and per edge the corner of the triangle beyond it
-  FaceId triangle;  ///< any triangle at the loop: tells the connected component
+  FaceId triangle;  ///< any triangle at the loop: shows the connected component
 
   /// The box around the loop.
   Box3 box() const;

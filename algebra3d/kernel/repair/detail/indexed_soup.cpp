@@ -62,7 +62,7 @@ bool IndexedSoup::is_linked() const {
   return std::ranges::all_of(triangles.ids(), [&](FaceId f) { return mesh_->triangle(f) == triangles[f]; });
 }
 
-/// Which face each triangle was when they were linked last, or kNewFace, as far as that is easily told: triangles keep
+/// Which face each triangle was when they were linked last, or kNewFace, as far as that is easily found: triangles keep
 /// their order, though some go, change or are added at the end.
 std::vector<std::uint32_t> IndexedSoup::faces_before() const {
   constexpr std::size_t kFarthest = 16;

@@ -66,7 +66,7 @@ LostPatches report_lost_patches(const TriangleMesh& given, const TriangleMesh& s
   for (const FaceId face : faces(given)) {
     if (patches.find(face) != face || is_left[face]) continue;
     result.is_any = true;
-    // Open ones are interfaces, of which the area tells more.
+    // Open ones are interfaces, for which the area says more.
     if (is_open[face]) continue;
     report.add(RepairStep::inner_shells, given.corners(face)[0].approx);
     is_lost_shell[face] = true;

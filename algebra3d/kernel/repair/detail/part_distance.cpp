@@ -57,7 +57,7 @@ void measure_distance(const MeasureFrame& frame, const TriangleMesh& mesh, const
       reach = std::max(reach, length(box.max - box.min));
     }
   if (triangles.empty()) return;
-  // Near triangles of the mesh tell most distances; all of them are asked if something is farther away.
+  // Near triangles of the mesh give most distances; all of them are asked if something is farther away.
   const auto farthest_from = [&](double distance) {
     return SurfaceDistance(triangles_near(frame, mesh, parts, distance)).farthest(triangles);
   };

@@ -15,7 +15,7 @@ namespace algebra3d {
 /// The measurements of a repair.
 struct MeasuredRepair {
   RepairAmounts amounts;
-  /// Per cover: whether the boundary of the solid has a part of it, as six points of each of its triangles tell.
+  /// Per cover: whether the boundary of the solid has a part of it, judged by six points of each of its triangles.
   std::vector<bool> are_added;
 };
 

@@ -18,10 +18,10 @@ class ShellNesting {
  public:
   explicit ShellNesting(const IndexedSoup& soup) : soup_(soup), mesh_(soup.mesh()) {}
 
-  /// True if the others together hold all of the shell, as far as its sample triangles tell.
+  /// True if the others together hold all of the shell, judged by its sample triangles.
   bool is_within(const Shell& shell, std::span<const Shell> others) const;
-  /// The smallest of the others, which descend, that goes around all of the shell, as far as its sample triangles tell;
-  /// null if none does.
+  /// The smallest of the others, which descend, that goes around all of the shell, judged by its sample triangles; null
+  /// if none does.
   const Shell* enclosing_shell(const Shell& shell, std::span<const Shell> others) const;
 
  private:

@@ -62,7 +62,7 @@ Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVe
                                        const std::atomic<bool>* cancel);
 
 /// The rounding of a mesh while methods make candidates: what is given, and the nearest candidate that was proved so
-/// far. What differs between solids and surfaces is told by the classes that derive from this (solid_rounding.h,
+/// far. The differences between solids and surfaces are in the classes that derive from this (solid_rounding.h,
 /// surface_rounding.h).
 class RoundingJob {
  public:

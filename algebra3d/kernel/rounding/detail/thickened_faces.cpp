@@ -20,7 +20,7 @@ namespace {
 using Triangle = TriangleMesh::Triangle;
 
 /// The coordinate of the normal of a triangle that is largest: by exact integers, since the normal of a needle is hard
-/// to tell.
+/// to compute.
 struct Direction {
   std::size_t axis;
   bool is_positive;

@@ -32,7 +32,7 @@ class VertexFan {
   /// an error bound. Cost: linear; constant in most cases where the answer is true.
   bool bends(std::size_t target);
   /// The least height of these triangles; 0 if they do not represent the surface: if one is turned over or farther than
-  /// the tolerance from the vertex, or if the vertex is over none of them. Nothing if doubles cannot tell.
+  /// the tolerance from the vertex, or if the vertex is over none of them. Nothing if doubles cannot decide it.
   std::optional<double> least_height(std::size_t target) const;
 
  private:

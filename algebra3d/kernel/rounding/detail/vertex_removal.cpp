@@ -59,8 +59,8 @@ class VertexRemoval {
   bool follows_surface(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
   long double least_height(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
 
-  /// A neighbour, given by its place in the ring, with which the vertex may be merged as far as the triangles around it
-  /// tell, and the least height of those that replace them.
+  /// A neighbour, given by its place in the ring, with which the vertex may be merged, judged by the triangles around
+  /// it, and the least height of those that replace them.
   struct Target {
     double height;
     std::size_t place;
@@ -209,8 +209,8 @@ std::vector<Candidate> candidates(const VertexRemoval& removal, const std::vecto
 
 }  // namespace
 
-// Most vertices must stay. Which may go is told in parallel for all that something has changed near, and told again
-// only where a vertex that has gone since then was near.
+// Most vertices must stay. Which may go is decided in parallel for all near which something has changed, and decided
+// again only where a vertex that has gone since then was near.
 Result<bool> remove_superfluous_vertices(TriangleStars& stars, const std::vector<bool>& may_go, double tolerance,
                                          const Monitor& monitor, ThinTriangles thin) {
   VertexRemoval removal(stars, tolerance, thin);

@@ -58,7 +58,7 @@ class CollapseMesh {
 
   /// Whether the edge is a crease. Of two edges that become one, one is enough.
   bool is_crease(std::uint32_t h) const { return (faces_[face(h)].flags >> (4U + (h & 3U)) & 1U) != 0; }
-  /// Makes the half-edge one of a crease; its opposite is told by itself.
+  /// Makes the half-edge one of a crease; its opposite is marked by a call of its own.
   void set_crease(std::uint32_t h) { faces_[face(h)].flags |= 16U << (h & 3U); }
   void prefetch(std::uint32_t h) const { __builtin_prefetch(&faces_[face(h)]); }
 

@@ -10,7 +10,7 @@
 namespace algebra3d {
 namespace {
 
-/// True if the face lies on one side of the vertical plane through p along an axis. Rounded numbers tell, as rounding
+/// True if the face lies on one side of the vertical plane through p along an axis. Rounded numbers decide, as rounding
 /// is monotonic.
 bool is_beside(const TriangleMesh& mesh, FaceId face, const Vec3& p, std::size_t axis) {
   const std::vector<Vec3>& points = mesh.points().approx();

@@ -58,7 +58,7 @@ std::size_t GlbChunks::add_accessor(std::size_t view, ComponentType component, s
 }
 
 std::size_t GlbChunks::add_indices(std::span<const std::uint32_t> indices, std::size_t largest) {
-  // The largest number of a type is none: it restarts primitives.
+  // The largest number of a type cannot be an index: it restarts primitives.
   const bool is_narrow = largest < std::numeric_limits<std::uint16_t>::max();
   const std::size_t view = add_piece({std::as_bytes(indices), is_narrow}, BufferTarget::indices, 0);
   return add_accessor(view, is_narrow ? ComponentType::unsigned_short : ComponentType::unsigned_int, indices.size(),

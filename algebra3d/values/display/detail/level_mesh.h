@@ -23,8 +23,8 @@ DefectEdges defects_of(const HalfedgeMesh<Layout>& mesh);
 /// The edges after vertices were drawn together: each joins the new places of its ends.
 DefectEdges drawn_together(const DefectEdges& edges, const std::vector<std::uint32_t>& point_of);
 
-/// The shape of a level. `whole` is without arrays: it tells kind, box, origin and number of triangles of the value,
-/// and points of the level are relative to its origin. Points without a triangle are drawn, up to `max_points`. Errors:
+/// The shape of a level. `whole` has no arrays: it gives kind, box, origin and number of triangles of the value, and
+/// points of the level are relative to its origin. Points without a triangle are drawn, up to `max_points`. Errors:
 /// interrupted.
 Result<DrawnShape> shape_of_level(const DrawnShape& whole, const ClusteredTriangles& level, const DefectEdges& defects,
                                   std::size_t max_points, const Monitor& monitor);

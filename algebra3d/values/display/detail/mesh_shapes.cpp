@@ -106,7 +106,7 @@ void add_edges(const Mesh& mesh, const std::vector<std::uint32_t>& position_of_c
   shape.nonmanifold = joined(parts, &EdgeLines::nonmanifold);
 }
 
-/// A position for each normal of a corner; `vertex_ids` tells the vertices, also where they are the positions.
+/// A position for each normal of a corner; `vertex_ids` holds the vertices, also where they are the positions.
 template <typename Mesh>
 void add_positions(const Mesh& mesh, const CornerNormals& normals, DrawnShape& shape) {
   shape.vertex_ids.resize(normals.normals.size());

@@ -27,7 +27,7 @@ inline Result<DrawnShape> shape_in(const Box3& box) {
   return shape;
 }
 
-/// A shape whose points floats cannot tell apart, since its box is smaller than 2^-100 (8e-31), becomes one point in
+/// A shape whose points floats cannot distinguish, since its box is smaller than 2^-100 (8e-31), becomes one point in
 /// its middle.
 inline void draw_as_point_if_tiny(DrawnShape& shape) {
   constexpr double kLeast = 0x1p-100;  // so that differences have all digits of a float

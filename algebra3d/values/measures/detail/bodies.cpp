@@ -1,4 +1,4 @@
-// Why shells tell bodies.
+// Why shells determine bodies.
 //
 // A shell here is a set of faces that are linked with each other along the inside of the solid: at an edge with two
 // faces these, at any other edge each face and the next one behind which the inside goes on. So a shell is a connected

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// How the line of a ray meets a triangle, as far as rounded arithmetic tells, and between which places.
+/// How the line of a ray meets a triangle, as far as rounded arithmetic decides it, and between which places.
 struct RoundedMeeting {
   enum class Kind : std::uint8_t { missed, met, open } kind = Kind::open;
   double from = 0, to = 0;

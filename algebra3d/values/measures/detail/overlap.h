@@ -6,7 +6,7 @@
 
 namespace algebra3d {
 
-/// The common part of two solids of which neither is inside the other, as far as a clash is told by it.
+/// The common part of two solids of which neither is inside the other, as far as a clash needs it.
 struct Overlap {
   /// True if one of them divides a body of the other: what is left of the body without it is not connected.
   bool is_divided = false;

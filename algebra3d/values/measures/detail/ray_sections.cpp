@@ -107,7 +107,7 @@ bool clip(const Ray& ray, const std::array<RationalVec3, 3>& corners, Projection
   return !last || first <= *last;
 }
 
-/// The section of a triangle that is not degenerate; nothing if the ray misses it. `is_met` tells that the line of the
+/// The section of a triangle that is not degenerate; nothing if the ray misses it. `is_met` says that the line of the
 /// ray meets it or is coplanar with it.
 std::optional<RaySection> section_of_triangle(const Ray& ray, const TriangleRef& triangle, bool is_met) {
   const std::array<RationalVec3, 3> corners{triangle[0].rational(), triangle[1].rational(), triangle[2].rational()};

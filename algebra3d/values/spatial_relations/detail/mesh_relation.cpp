@@ -146,7 +146,7 @@ MeetingWitness MeshRelation::witness(const FacePairContact& pair) const {
 }
 
 /// Surfaces that touch in a point: their interiors meet unless it is on a boundary edge of one of them, perhaps one of
-/// another face. (If a solid is touched in a point, that tells nothing.)
+/// another face. (If a solid is touched in a point, nothing follows.)
 void MeshRelation::visit_point(const FacePairContact& pair) {
   if (sets_[0].is_solid || sets_[1].is_solid || findings_.do_interiors_meet()) return;
   const ExactPoint point = common_point(pair.corners[0], pair.corners[1], pair.contact);
@@ -281,7 +281,7 @@ void MeshRelation::locate_components(Role role) {
   }
 }
 
-/// A component that touches the solid in single points at most: it is where a point of it is that is none of these.
+/// A component that touches the solid in single points at most: it lies where any other point of it lies.
 void MeshRelation::locate(Role role, EdgeComponentId component) {
   const EdgeComponents& components = set(role).geometry->components();
   const TriangleRef corners = set(role).mesh().corners(components.first_face(component));

@@ -10,7 +10,7 @@ namespace algebra3d {
 /// answered.
 ///
 /// Where triangles have a segment in common, the half-planes of each set at the segment are compared with the faces of
-/// the other in radial order; that tells whether the set goes on outside of, inside of or on the other there. A part of
+/// the other in radial order; that shows whether the set goes on outside of, inside of or on the other there. A part of
 /// a set that the other one bounds has such a segment in its boundary. A component without any lies wholly inside or
 /// outside, but for single points: one point of it is located. So nothing is computed but signs
 /// (docs/spatial-relations.md).

@@ -159,7 +159,7 @@ StoredTriangles find_triangles(ByteReader& reader) {
   return triangles;
 }
 
-/// False if a corner or an edge is none of the mesh.
+/// False if a corner or an edge is not in the mesh.
 bool decode_triangles(StoredTriangles& stored, std::size_t point_count, Halfedges& halfedges) {
   Front front;
   bool within = true;
