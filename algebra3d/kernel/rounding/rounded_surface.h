@@ -18,7 +18,8 @@ struct RoundedSurface {
   std::optional<TriangleMesh> mesh;
   std::string reason = {};         ///< why there is none
   std::size_t moved_vertices = 0;  ///< of the given ones
-  /// In coordinate units: no point of the result is farther from the given surface. What vanished is not in it.
+  /// In coordinate units: no point of the result is farther from the given surface. Parts that vanished are not
+  /// counted.
   double largest_movement = 0;
   RoundingMethod method = RoundingMethod::none;  ///< that found the mesh
   /// How many vertices lie inside edges or faces of others: valid, but other programs may take them for crossings.
