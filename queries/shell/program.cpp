@@ -349,7 +349,8 @@ int run_arguments(int argc, char** argv) {
   ImportOptions import_options;
   CLI::App app{"algebra3d: solids and surfaces as values in a database, with exact geometry"};
   app.footer(
-      "New here? docs/tutorial.md leads to answers on your own files in a quarter of an hour.\n\n"
+      "New here? The tutorial leads to answers on your own files in a quarter of an hour: docs/tutorial.md in the\n"
+      "sources, /usr/share/doc/algebra3d/docs/tutorial.md in the package.\n\n"
       "The interactive shell completes with Tab, keeps its history in ~/.local/state/algebra3d (or $XDG_STATE_HOME),\n"
       "sends long results through $PAGER, and ends a statement with Ctrl-C; `help` there lists the rest.\n"
       "Exit status: 0 all went well, 1 a command failed, 2 wrong usage, 130 interrupted.");

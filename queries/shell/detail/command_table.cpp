@@ -99,7 +99,8 @@ std::string search_text(const std::string& word, const algebra3d::Registry& regi
 
 std::string shell_help(const algebra3d::Registry& registry) {
   return fmt::format(
-      "New here? docs/tutorial.md leads to answers on your own files in a quarter of an hour.\n\n"
+      "New here? The tutorial leads to answers on your own files in a quarter of an hour: docs/tutorial.md in the\n"
+      "sources, /usr/share/doc/algebra3d/docs/tutorial.md in the package.\n\n"
       "Commands (`help NAME` explains a command or an operator, `help WORD` finds one)\n{}\nThe "
       "prompt\n{}\n{}",
       command_lines(""), kPromptHelp, families_text(registry));

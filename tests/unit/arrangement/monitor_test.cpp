@@ -57,7 +57,7 @@ TEST(Monitor, hears_every_stage_and_growing_percents) {
     percent = now;
   }
   EXPECT_EQ(stages, (std::vector<std::string>{"finding what is near", "finding what touches", "finding crossings",
-                                              "telling inside from outside", kLastStage}));
+                                              "separating inside from outside", kLastStage}));
   EXPECT_GT(run.heard().size(), stages.size());
 }
 

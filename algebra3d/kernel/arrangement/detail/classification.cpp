@@ -9,7 +9,7 @@ namespace algebra3d::arrangement {
 
 Result<Classification> classify(const Subdivision& subdivision, const WindingJumps& jumps, Closure closure,
                                 const Monitor& monitor) {
-  monitor.tell("telling inside from outside");
+  monitor.tell("separating inside from outside");
   ALGEBRA3D_ASSIGN_OR_RETURN(LinkedWindings linked, link_windings(subdivision, jumps));
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the linking", [&] { return audit(subdivision, jumps, linked); }));
   ALGEBRA3D_ASSIGN_OR_RETURN(const SetWindings known, seed_windings(subdivision, jumps, linked, closure, monitor));
