@@ -36,8 +36,9 @@ class TriangleMesh : public HalfedgeMesh<TriangleLayout> {
   TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
                FacePlanes planes);
   /// As above, where the first vertices, those in `outgoing`, are *settled*: manifold, on no boundary, with all their
-  /// edges linked and with `outgoing` as of the result. Edges between two other vertices are linked anew, whatever is
-  /// in `opposites`. `order` as face_order. Cost: a scan of the origins, and that of linking the rest.
+  /// edges linked and the value in `outgoing` that they have in the result. Edges between two other vertices are linked
+  /// anew, whatever is in `opposites`. `order` as face_order. Cost: a scan of the origins, and that of linking the
+  /// rest.
   TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
                LargeVector<HalfedgeId> outgoing, FacePlanes planes, std::shared_ptr<const FaceOrder> order = nullptr);
 

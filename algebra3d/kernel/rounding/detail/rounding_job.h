@@ -75,11 +75,11 @@ class RoundingJob {
   const RoundedVertices& vertices() const { return vertices_; }
   const CoordinateGrid& grid() const { return grid_; }
   double size() const { return size_; }  ///< the largest coordinate of what is given
-  /// The spacing of the numbers of the grid there.
+  /// The spacing of the grid at that coordinate.
   double spacing() const { return spacing_; }
   const Monitor& monitor() const { return monitor_; }
   const std::atomic<bool>* cancel() const { return monitor_.cancel(); }
-  /// Tells what is done now, as "joining features"; the error interrupted if the host has cancelled the work.
+  /// Reports what is done now, as "joining features"; the error interrupted if the host has cancelled the work.
   Status begin(const std::string& what) const;
 
   /// True unless the rest of a solid is passed on as it is.

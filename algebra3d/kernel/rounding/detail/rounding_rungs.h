@@ -12,15 +12,16 @@
 
 namespace algebra3d {
 
-/// The rungs of the ladder above snap rounding. Each makes candidates until the job accepts one; false if it accepts
-/// none. All but join_features are for the whole. Errors: interrupted, limit_exceeded.
+/// The rungs of the ladder above snap rounding (rung, reach, turn: docs/architecture.md, "Words"). Each makes
+/// candidates until the job accepts one; false if it accepts none. All but join_features demand the whole mesh. Errors:
+/// interrupted, limit_exceeded.
 
 /// The rung that moves least: the candidate is divided at its crossings and new corners are rounded, a few times. Best
 /// where the grid is coarse for what is given; where long thin triangles cross, they multiply.
 Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate);
 
-/// The reaches within which features are joined, in spacings of the grid: the first one, and the widest one, for few
-/// crossings that are left and do not become fewer; and when they grow.
+/// The reaches within which features are joined, in spacings of the grid: the first one, and the widest one, which is
+/// used for the last few crossings if their number no longer falls.
 struct JoiningReach {
   double first, last;
   bool must_fall = false;  ///< crossings must become fewer from turn to turn, however few are left

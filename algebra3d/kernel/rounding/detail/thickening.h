@@ -12,7 +12,7 @@ struct ThickeningSteps {
   int first, last, step;
 };
 
-/// The rung for solids whose walls nearly coincide in many places, as rounded shells of a few spacings do that are
+/// The rung for solids whose walls nearly coincide in many places, such as rounded shells a few spacings thick that are
 /// subtracted from themselves. Whole shells with crowded vertices lose the corners that are within a cell of their
 /// surface (vertex_removal.h, thin triangles allowed), and are put on a lattice of cubes, which makes one of corners
 /// that are near each other; prisms are added over their faces (thickened_faces.h), so that no wall vanishes. What
