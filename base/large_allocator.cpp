@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kHugePage = std::size_t{1} << 21, kDefaultAlignment = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
 
-/// Only arrays of several huge pages, so that alignment costs little. What is beyond the last one is in small pages.
+/// Only arrays of several huge pages, so that alignment costs little. The rest behind the last one is in small pages.
 bool is_large(std::size_t bytes) {
   return bytes >= 2 * kHugePage;
 }

@@ -8,9 +8,9 @@
 
 namespace algebra3d {
 
-/// A new, empty folder for temporary files, which the destructor removes with all that is in it. What killed processes
-/// have left is removed by the next process that makes such a folder beside it: a living owner has a lock on a file
-/// beside the content, as with DraftFile.
+/// A new, empty folder for temporary files, which the destructor removes with all that is in it. Folders that killed
+/// processes have left are removed by the next process that makes such a folder beside them: a living owner has a lock
+/// on a file beside the content, as with DraftFile.
 class TemporaryFolder {
  public:
   /// Makes a folder below `parent`. Errors: io_error.

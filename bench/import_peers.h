@@ -8,11 +8,11 @@
 
 #include "base/triangle_soup.h"
 
-/// What other programs make of a mesh file. CGAL is always there; admesh and assimp are if CMake found them
+/// The results of other programs for a mesh file. CGAL is always there; admesh and assimp are if CMake found them
 /// (BENCH_WITH_ADMESH, BENCH_WITH_ASSIMP).
 namespace bench {
 
-/// What a peer says of its own result; what it does not look for counts as fine.
+/// A peer's report on its own result; defects that it does not look for count as absent.
 struct PeerMesh {
   std::size_t triangles = 0;
   std::size_t vertices = 0;

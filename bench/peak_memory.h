@@ -11,8 +11,8 @@
 
 namespace bench {
 
-/// The resident memory of this process above what it was at construction. Linux only, elsewhere always 0. What the
-/// allocator keeps unused is given back first, so that earlier work does not hide what is measured.
+/// The resident memory of this process above what it was at construction. Linux only, elsewhere always 0. The
+/// allocator's unused memory is given back first, so that earlier work does not hide the measured one.
 class PeakMemory {
  public:
   PeakMemory() {

@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t kMostUnwritten = std::uint64_t{1} << 20;
 constexpr std::size_t kHeadBytes = 1024;
 
-/// What the header of a binary STL file announces; nothing for any other file.
+/// The number of facets that the header of a binary STL file announces; nothing for any other file.
 std::optional<std::size_t> announced_in(std::string_view head) {
   if (head.size() < kBinaryPrefixBytes || off_header(head)) return std::nullopt;
   const auto format = detect_encoding(head, head.size(), "");

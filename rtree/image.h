@@ -32,8 +32,8 @@ namespace rtree {
 // leaves   leaf_bytes for each leaf: least and greatest keys as above, payloads (16 x 4 or 8), remainders of the least
 //          and of the greatest coordinates (2 x 3 x 16 x 4)
 //
-// Numbers are in the byte order of the machine; an image of the other order is refused. What keys and remainders mean
-// is explained in detail/key_frame.h. Unused slots have the least keys INT32_MAX and the greatest keys INT32_MIN, else
+// Numbers are in the byte order of the machine; an image of the other order is refused. Keys and remainders are
+// explained in detail/key_frame.h. Unused slots have the least keys INT32_MAX and the greatest keys INT32_MIN, else
 // zeros. Nodes that no node names are free: all their slots are unused, and their first child or payload is the next
 // free one, or 0xffffffff. An image has no checksum. Version 1 did not link free nodes.
 
@@ -64,8 +64,8 @@ struct ImageParts {
 struct NodeReader {
   std::size_t bytes = 0;          ///< of the whole array, as it is stored
   std::size_t nodes_at_once = 1;  ///< one call reads a multiple of so many, from a multiple of it on; fewer at the end
-  /// Fills `bytes` with what the array has from `begin` on. Called from any thread, by one at a time. What it throws
-  /// comes out of the call that needed the nodes, which may then be asked for again.
+  /// Fills `bytes` with what the array has from `begin` on. Called from any thread, by one at a time. Its exceptions
+  /// come out of the call that needed the nodes, which may then be asked for again.
   std::function<void(std::size_t begin, std::span<std::byte> bytes)> read;
 };
 

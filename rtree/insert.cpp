@@ -10,7 +10,7 @@
 namespace rtree {
 namespace {
 
-// What it costs to put a box into a slot, in the order in which costs are compared.
+// The cost of putting a box into a slot, in the order in which costs are compared.
 struct Cost {
   double overlap = 0;
   double growth = 0;
@@ -111,7 +111,7 @@ class LeafChoice {
  private:
   // More nodes than this are visited only where so many boxes overlap that the choice matters little.
   static constexpr std::size_t kMostVisited = 64;
-  // What halving a cube adds to its surface.
+  // The growth of the surface when a cube is halved.
   static constexpr double kSplitCost = 0.26;
 
   struct Step {

@@ -61,8 +61,8 @@ constexpr double kNoOverflow = 0x1p1020;
 // No distance between finite boxes leaves the range of doubles when it is multiplied by this.
 constexpr double kFarScale = 0x1p-4;
 
-// What stands for a distance below 1 where those from 1 on are scaled: the negative numbers, in the same order. No
-// digit is lost at either end.
+// Stands for a distance below 1 where those from 1 on are scaled: the negative numbers, in the same order. No digit is
+// lost at either end.
 double near_code(double distance) {
   return -std::bit_cast<double>(std::bit_cast<std::uint64_t>(1.0) - std::bit_cast<std::uint64_t>(distance));
 }
@@ -120,7 +120,7 @@ auto BasicNearestCursor<Leaf>::next() -> std::optional<Neighbor<Payload>> {
                      static_cast<std::uint32_t>(nearest.reference % kFanOut)}));
       continue;
     }
-    // What is nearest now is most likely expanded next.
+    // The nearest node now is most likely expanded next.
     if (!heap_.empty() && heap_.front().rank == kNode)
       prefetch(tree_.leaves[static_cast<NodeIndex>(heap_.front().reference)]);
     expand(static_cast<NodeIndex>(nearest.reference), nearest.rank - kNode);

@@ -42,7 +42,7 @@ class RTree {
 
   /// The whole state as bytes. Reads the nodes that were not read.
   ImageParts image() const;
-  /// What has to be written to an image that has the state of the last call: the header and the parts of the arrays
+  /// The changes to be written to an image that has the state of the last call: the header and the parts of the arrays
   /// that were changed by inserts and erases since, in whole nodes; all at the first call, and none after from_image.
   /// Where the arrays became shorter, what is beyond their end is to be dropped.
   ImageParts take_changes();

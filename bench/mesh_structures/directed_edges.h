@@ -4,7 +4,7 @@
 
 namespace bench::structures {
 
-// Records of directed edges; 3f, 3f + 1 and 3f + 2 are those of face f. What a record does not have is computed from
+// Records of directed edges; 3f, 3f + 1 and 3f + 2 are those of face f. Missing members of a record are computed from
 // the others, or from the number.
 
 struct FullEdge {

@@ -31,7 +31,7 @@ constexpr std::size_t kOffElementsPerPoll = 65536;
 constexpr std::size_t kMostSurplusOfVertex = 6;  // a colour of four, texture coordinates
 constexpr std::size_t kMostSurplusOfFace = 4;
 
-// The shortest lines: `0 0 0` and `3 0 0 0`, the last without an end. What is shorter is dropped or an error.
+// The shortest lines: `0 0 0` and `3 0 0 0`, the last without an end. Shorter lines are dropped or an error.
 constexpr std::size_t kLeastVertexBytes = 6;
 constexpr std::size_t kLeastFaceBytes = 8;
 constexpr std::size_t kLeastCornerBytes = 2;

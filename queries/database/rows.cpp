@@ -56,7 +56,7 @@ Rows::~Rows() {
   close();
 }
 
-// What was moved from has its columns, and no more rows.
+// The object that was moved from keeps its columns, and has no more rows.
 Rows::Rows(Rows&& other) noexcept
     : engine_(std::move(other.engine_)),
       handover_(std::move(other.handover_)),

@@ -81,7 +81,7 @@ std::string csv_text_of(const NestedList& list) {
   return list.print();
 }
 
-// What the file of a result is named after that is not an attribute.
+// The name for the file of a result that is not an attribute.
 constexpr const char* kResultName = "value";
 
 // Undefined in a row has a note beside it; as all of a result it would look like an answer.

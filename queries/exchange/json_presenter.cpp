@@ -55,7 +55,7 @@ Status JsonPresenter::present_relation(const TypeExpr& tuple, Relation& relation
   ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
   std::string json;
   Status status = write_tuples(tuple, *tuples, context, json);
-  // What was read before an error is shown: an array that is not closed is noticed, nothing at all might not be.
+  // Rows read before an error are shown: an array that is not closed is noticed, nothing at all might not be.
   out_ << json << (status ? "" : "\n");
   return status;
 }

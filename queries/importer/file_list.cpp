@@ -51,7 +51,7 @@ Result<fs::path> normal_path(const fs::path& path) {
   return absolute.lexically_normal();
 }
 
-/// What the pattern matches, in no particular order; empty if nothing.
+/// The files that the pattern matches, in no particular order.
 std::vector<fs::path> matches_of(const std::string& pattern) {
   glob_t found{};
   const std::unique_ptr<glob_t, decltype(&globfree)> owner(&found, &globfree);

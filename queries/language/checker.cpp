@@ -94,7 +94,7 @@ Status Checker::check_place_count(const Operator& op, const Application& applica
   const SyntaxPattern& pattern = registry_.syntax(op);
   const std::size_t given = application.arguments.size();
   if (given >= pattern.place_count() && (given == pattern.place_count() || pattern.is_open_ended)) return {};
-  // What stands before the operator is always there in a text.
+  // The operand before the operator is always there in a text.
   const std::size_t before = pattern.has_brackets && given >= pattern.operand_count ? pattern.operand_count : 0;
   if (before > 0 && given == before)
     return Error(ErrorCode::type_error, "{}: expected something in the brackets (syntax: {})", op.name, op.syntax)

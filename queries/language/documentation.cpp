@@ -44,7 +44,7 @@ std::string with_query(const std::string& query) {
   return query.starts_with("query ") ? query : "query " + query;
 }
 
-/// What holds for undefined arguments if the description says nothing else.
+/// The rule for undefined arguments if the description says nothing else.
 std::string undefined_rule(const Operator& op) {
   if (op.kind() == OperatorKind::aggregate) return "Undefined values are left out.";
   if (op.accepts_undefined()) return "Handles undefined arguments itself.";

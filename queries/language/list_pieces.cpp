@@ -22,7 +22,7 @@ constexpr std::string_view kCommentEnd = "!_";
 constexpr std::string_view kTagBegin = "<text>";
 constexpr std::string_view kTagEnd = "</text--->";
 
-// What closes a text in tags, a file atom or a comment that begins here; empty if none does.
+// The end mark of a text in tags, a file atom or a comment that begins here; empty if none does.
 std::string_view closing_of(std::string_view rest) {
   if (rest.starts_with(kTagBegin)) return kTagEnd;
   if (rest.starts_with(algebra3d::kFileAtomBegin)) return algebra3d::kFileAtomEnd;

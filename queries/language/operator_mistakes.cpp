@@ -1,4 +1,4 @@
-// What the parser says where something else than an operator, or an operator of another language, stands.
+// Messages of the parser where something other than an operator, or an operator of another language, is written.
 
 #include "queries/language/expression_parser.h"
 

@@ -25,7 +25,7 @@ bool is_digit(char c) {
 bool is_word(char c) {
   return is_letter(c) || is_digit(c);
 }
-// What a literal that is not closed has taken for its own, if that may be further commands.
+// The text that an unclosed literal has swallowed, if that may be further commands.
 std::string swallowed_text(std::string_view literal, const SourcePlace& place) {
   const auto line_count = std::ranges::count(literal, '\n');
   if (line_count == 0 && literal.find(';') == std::string_view::npos) return "";
@@ -307,7 +307,7 @@ void Scanner::rewind_to_next() {
   known_offset_ = position_;
   place_ = buffer_.front().place;
   buffer_.clear();
-  // What was not a token may well be part of a nested list.
+  // Text that is not a token may be part of a nested list.
   error_.reset();
 }
 

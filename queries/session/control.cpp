@@ -61,7 +61,7 @@ Status Session::run(const Sequence& command, Presenter& presenter, Context& cont
       first = std::move(status);
     else
       context.diagnostics.report("a further command of the sequence failed: " + status.error().message);
-    // What was to be one transaction must not become many.
+    // A single transaction must not become many.
     const auto* step = std::get_if<TransactionStep>(&each->content);
     const bool was_begin = step != nullptr && step->step == TransactionStep::Step::begin;
     if (was_begin && (store_ == nullptr || !store_->is_in_explicit_transaction())) break;

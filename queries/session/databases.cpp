@@ -84,7 +84,7 @@ Result<std::vector<Finding>> Session::findings(Presenter& presenter, Context& co
   const auto report = [&presenter](const CheckProgress& progress) { presenter.advance(how_far(progress)); };
   if (damaged_) {
     auto found = Store::check_damaged(damaged_->file, registry_, context, report);
-    // What kept the file from being opened is a finding, also if the check has found a way round it.
+    // The reason why the file could not be opened is a finding, also if the check has found a way round it.
     if (found && found->empty()) found->push_back({.message = "the catalogue: " + damaged_->error.message});
     return found;
   }

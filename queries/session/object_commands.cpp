@@ -24,7 +24,8 @@ Error cannot_be_stored(std::string_view command, const TypeExpr& type) {
   return {ErrorCode::not_evaluable, "{}: a value of type {} cannot be stored{}", command, type.text(), hint};
 }
 
-// What a function object keeps. Another one's name stands for what that one keeps, so that it may be deleted.
+// The text that a function object keeps. The name of another function object stands for that object's text, so that it
+// may be deleted.
 Result<std::string> function_text(const Expression& value, Store& store, const algebra3d::Registry& registry) {
   if (const auto* use = std::get_if<NameUse>(&value.node)) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto named, store.find(use->name));

@@ -64,9 +64,9 @@ void ask_for_files(const NestedList& list, const Context& context) {
 
 }  // namespace
 
-/// Reads objects out of a saved list into the store. Lives for one statement. What it evaluates changes nothing else,
-/// and reads the files that the guard allows; after a refusal it goes on, so that the guard knows all files, and the
-/// result is to be dropped.
+/// Reads objects out of a saved list into the store. Lives for one statement. Its evaluations change nothing else, and
+/// read the files that the guard allows; after a refusal it goes on, so that the guard knows all files, and the result
+/// is to be dropped.
 class Session::Restorer {
  public:
   Restorer(const algebra3d::Registry& registry, Store& store, ListPieces& pieces, RestoreGuard& guard,
@@ -191,7 +191,7 @@ Status Session::Restorer::object(const std::string& new_name) {
   return dependent_objects();
 }
 
-// What stands between the parentheses of an object, and the closing one.
+// The content between the parentheses of an object, and the closing one.
 Status Session::Restorer::object_content(std::string name) {
   const SourcePlace place = pieces_.place();
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::string head, symbol("OBJECT or DERIVED"));

@@ -27,7 +27,7 @@ using algebra3d::Status;
 using algebra3d::TriangleSoup;
 using algebra3d::Vec3;
 
-/// What is known of a file before anything is made of it.
+/// The facts about a file before anything is made of it.
 struct FileFacts {
   std::string form;  // "STL, binary, 684 bytes"
   std::size_t triangle_count = 0;

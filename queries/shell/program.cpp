@@ -335,7 +335,7 @@ const CLI::App* add_test_command(CLI::App& app, Options& options) {
   return test;
 }
 
-// What was asked for and could not be written is a failure: a full disk, a closed device.
+// Output that could not be written is a failure: a full disk, a closed device.
 int status_after_output(int status) {
   std::cout.flush();
   if (std::cout) return status;

@@ -3,7 +3,7 @@
 namespace queries {
 
 /// Has the memory of SQLite counted as the process's (base/memory_limit.h), not as that of the user whose statement
-/// runs: most of it is the page cache, which stays. What would exceed a limit is refused: out of memory, which SQLite
+/// runs: most of it is the page cache, which stays. A request beyond a limit is refused: out of memory, which SQLite
 /// bears. To be called once, before any database is opened; a matter of the program. Does nothing if SQLite is in use
 /// already.
 void count_sqlite_memory();

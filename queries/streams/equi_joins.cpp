@@ -21,7 +21,7 @@ Result<BoundOperator> map_hashjoin(const char* op, std::span<const ArgumentType>
       }};
 }
 
-/// What makes one merge join differ from another.
+/// The differences between merge joins.
 struct MergeVariant {
   const char* name;
   bool sorts;

@@ -1,4 +1,4 @@
-// What the query language adds to the descriptions of operators over values, which speak of no host.
+// The notes that the query language adds to the descriptions of operators over values, which do not mention a host.
 #include "queries/streams/all.h"
 
 namespace queries {

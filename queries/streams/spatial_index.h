@@ -52,7 +52,7 @@ class SpatialIndex : public IndexObject {
   SpatialIndex(std::string relation, std::string attribute, Source source)
       : IndexObject(std::move(relation), std::move(attribute)), source_(std::move(source)) {}
 
-  /// The tree. What reads its nodes is to be called through `reading_tree` or `ask`. Errors: those of making it.
+  /// The tree. Its nodes must be read through `reading_tree` or `ask`. Errors: those of making it.
   Result<TreePtr> tree() const { return source_.tree(); }
   /// The tree to ask instead, after this error. Errors: `failure` itself if it is another than damage.
   Result<TreePtr> tree_after(const Error& failure) const {

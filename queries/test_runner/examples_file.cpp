@@ -39,7 +39,7 @@ std::optional<Entry> entry_of(std::string_view line, int number) {
   return Entry{std::string(key), std::string(trimmed(line.substr(colon + 1))), number};
 }
 
-/// What stands between one `Operator` and the next.
+/// The lines between one `Operator` and the next.
 struct Block {
   std::string name;
   std::string alias;  ///< the name, unless another one was given
@@ -160,7 +160,7 @@ class ExamplesReader {
     return {};
   }
 
-  /// What the example yields; false if it must not be run.
+  /// Adds the result of the example; false if it must not be run.
   Result<bool> add_result(const Block& block, const std::string& result) {
     const int line = block.find("Result")->line;
     const Entry* remark = block.find("Remark");

@@ -97,7 +97,7 @@ class BasicNearestCursor {
   std::optional<Neighbor<Payload>> next();
 
  private:
-  // What a candidate is; a node of level L has the rank kNode + L.
+  // The kind of a candidate; a node of level L has the rank kNode + L.
   static constexpr std::uint32_t kExact = 0;  ///< an entry; the reference is its payload
   static constexpr std::uint32_t kEntry = 1;  ///< an entry at the distance of its keys; the reference names its slot
   static constexpr std::uint32_t kNode = 2;

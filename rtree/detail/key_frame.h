@@ -110,7 +110,7 @@ struct AxisFrame {
     return static_cast<std::int32_t>((position >> shift) - base);
   }
   std::int32_t key(std::int64_t position) const { return key_in_range(std::clamp(position, first(), last())); }
-  /// What the key leaves out of a position in the range.
+  /// The part of a position in the range that the key leaves out.
   std::uint32_t remainder(std::int64_t position) const { return static_cast<std::uint32_t>(position & remainders()); }
   /// The least and the greatest position with this key; `remainder` is between 0 and remainders().
   std::int64_t position(std::int32_t key, std::int64_t remainder) const { return ((key + base) << shift) + remainder; }

@@ -96,7 +96,7 @@ struct Node : KeyBoxes {
 };
 using InnerNode = Node<NodeIndex>;
 
-/// What the keys of a leaf leave out of its boxes; with them, these are exact.
+/// The parts of the boxes of a leaf that its keys leave out; with them, the boxes are exact.
 struct Remainders {
   std::uint32_t min[3][kFanOut];
   std::uint32_t max[3][kFanOut];

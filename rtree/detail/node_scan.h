@@ -6,12 +6,12 @@
 
 namespace rtree {
 
-/// What a box that is asked for is compared with: the keys, and the coordinates for distances.
+/// The target of a search: the keys to compare with, and the coordinates for distances.
 struct Target {
   Box3 box;
   OrderedBox exact;
   KeyBox keys;
-  /// What has a key from here on is above the box on this axis. The first key is above what is before the frame.
+  /// Keys from here on are above the box on this axis. The first key is above everything before the frame.
   std::int32_t first_above[3];
 
   Target(const Box3& asked, const KeyFrame& frame) : box(asked), exact(OrderedBox::of(asked)), keys(frame.keys(exact)) {

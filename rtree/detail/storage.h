@@ -69,7 +69,7 @@ struct TreeView {
   }
 };
 
-/// What a slot holds: the box of an entry with its payload, or that of a child with its index.
+/// The content of a slot: the box of an entry with its payload, or that of a child with its index.
 template <typename Payload>
 struct SlotContent {
   OrderedBox box;

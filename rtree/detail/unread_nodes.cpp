@@ -126,7 +126,7 @@ void UnreadNodes<Leaf>::reach_inner(NodeIndex node, std::uint32_t level) {
   inner_.set_reached(node, level);
 }
 
-// From the top, since nodes are named by those above them. What nobody names has to be free.
+// From the top, since nodes are named by those above them. Nodes that nobody names must be free.
 template <typename Leaf>
 void UnreadNodes<Leaf>::need_all() {
   const std::lock_guard lock(reading_);

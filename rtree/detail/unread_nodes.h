@@ -58,9 +58,9 @@ class UnreadArray {
   std::size_t read_blocks_ = 0;
 };
 
-/// The nodes of an image that are read when they are first reached, each from its parent. What a node has is followed
-/// only after it was found sound, and each node may be named once: so no bytes, however hostile, lead outside of the
-/// arrays or around in circles. Concurrent calls of `need` and `need_all` are safe. Errors: these throw what the
+/// The nodes of an image that are read when they are first reached, each from its parent. The content of a node is
+/// followed only after it was found sound, and each node may be named once: so no bytes, however hostile, lead outside
+/// of the arrays or around in circles. Concurrent calls of `need` and `need_all` are safe. Errors: these throw what the
 /// readers throw, and DamagedImage.
 template <typename Leaf>
 class UnreadNodes {

@@ -12,7 +12,7 @@ namespace algebra3d {
 /// (Closure).
 struct Operand {
   const TriangleMesh* mesh = nullptr;  ///< a valid volume or surface, as Closure says
-  /// Index into WindingVector, 0 or 1. Operands that the rule need not tell apart are one group. Surfaces ignore it.
+  /// Index into WindingVector, 0 or 1. Operands that the rule treats alike are one group. Surfaces ignore it.
   std::uint32_t group = 0;
   /// Boxes of all faces of the mesh; null: made where needed.
   const BoxHierarchy* hierarchy = nullptr;

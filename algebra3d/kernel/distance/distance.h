@@ -11,7 +11,7 @@
 
 namespace algebra3d {
 
-// Distances of sets that are given by triangles: surfaces, and boundaries of solids. What lies inside a solid does not
+// Distances of sets that are given by triangles: surfaces, and boundaries of solids. The inside of a solid does not
 // count here. A face of a mesh that repeats a corner stands for a segment or a point.
 
 /// A set of triangles with the hierarchy over all of them. Refers to both.

@@ -60,7 +60,7 @@ struct RowFilter {
     return {value, entry.high_tail * c.halves.rest - missing};
   }
 
-  /// What the entries' own errors make of the image, rounded upward by the callers' factors.
+  /// The error of the image that the entries' own errors cause, rounded upward by the callers' factors.
   double entry_error() const {
     const auto& [a, b, c, d] = row.entries;
     return a.error * std::abs(point.x.value) + b.error * std::abs(point.y.value) + c.error * std::abs(point.z.value) +

@@ -115,7 +115,7 @@ inline int filter_rounded_side(const std::array<double, 4>& plane, const Vec3& p
   const double x = a * p.x, y = b * p.y, z = c * p.z;
   const double height = x + y + z + d;
   // Besides the errors of the operands three products and sums by 2^-53 each: less than nine times 2^-53 of all terms
-  // together. What underflow takes is less than 2^-1000.
+  // together. Underflow loses less than 2^-1000.
   const double error = 0x1.4p-50 * (std::abs(x) + std::abs(y) + std::abs(z) + std::abs(d)) + kUnderflowError;
   if (height > error) return 1;
   if (height < -error) return -1;

@@ -80,7 +80,7 @@ TriangleRef counterclockwise(const TriangleRef& triangle, Projection plane) {
   return {triangle[0], triangle[2], triangle[1]};
 }
 
-// What two triangles have in common if the line of some edge of the first keeps them apart (it may touch the second);
+// The intersection of two triangles if the line of some edge of the first separates them (it may touch the second);
 // `area` if no edge does, which is then the answer only if no edge of the second does either.
 Contact contact_across_edges(const TriangleRef& triangle, const TriangleRef& other, Projection plane) {
   for (std::size_t edge = 0; edge < 3; ++edge) {

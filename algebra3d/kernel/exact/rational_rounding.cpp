@@ -77,7 +77,7 @@ Leading leading_of(mpz_srcptr numerator, mpz_srcptr denominator) {
   const UInt128 divisor_bits = leading_bits(denominator, denominator_bits, kDivisorBits);
   assert(divisor_bits != 0);
   const UInt128 first = leading_bits(numerator, numerator_bits, kDividendBits) / divisor_bits;
-  // What was cut off makes less than 2 of at least 2^62, up or down.
+  // The bits cut off change this by less than 2 of at least 2^62, up or down.
   const auto quotient = static_cast<std::uint64_t>(first);
   if ((quotient - 2) >> kUnsureBits == (quotient + 2) >> kUnsureBits && quotient < UINT64_MAX - 2)
     return {quotient >> kUnsureBits, false,

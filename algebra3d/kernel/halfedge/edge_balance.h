@@ -10,7 +10,8 @@
 namespace algebra3d {
 
 /// Counts of how many more half-edges run along edges one way than the other. Edges are those between the same two
-/// places, of any mesh. What is closed together with one mesh is so with another one if their balances are the same.
+/// places, of any mesh. Triangles that are closed together with one mesh are closed together with another one of the
+/// same balance.
 class EdgeBalance {
  public:
   /// Counts a half-edge `count` times: -1 takes it away. Cost: logarithmic.

@@ -33,9 +33,9 @@ class PlacedFace {
   std::uint64_t code_;  // one number, which is sorted fast
 };
 
-/// Some faces of a mesh, each once, by ascending places along the curve of a frame. What a set operation takes over
-/// from an operand has the places that it had there, if the frame is still the same; so most of a hierarchy's order is
-/// known before it is made.
+/// Some faces of a mesh, each once, by ascending places along the curve of a frame. Faces that a set operation takes
+/// over from an operand keep their places if the frame is still the same; so most of a hierarchy's order is known
+/// before it is made.
 struct FaceOrder {
   BoxFrame frame;
   std::vector<PlacedFace> faces;

@@ -14,9 +14,9 @@
 #include "base/interruption_scope.h"
 
 // The proof. Every two segments are looked at over the whole time: none vanishes, those of one cycle never meet,
-// neighbours never lie on each other, those of different cycles neither cross nor overlap. What is left then is how the
-// cycles lie to each other, and that is looked at in the middle of the time, since it cannot change: where two curves
-// change from touching to crossing, they cross in two segments, or they overlap, at that time or right after it.
+// neighbours never lie on each other, those of different cycles neither cross nor overlap. It remains to find how the
+// cycles lie to each other; this is tested in the middle of the time, since it cannot change: where two curves change
+// from touching to crossing, they cross in two segments, or they overlap, at that time or right after it.
 
 namespace algebra3d {
 namespace {
@@ -58,7 +58,7 @@ class MovingCheck {
     return std::nullopt;
   }
 
-  /// What is wrong with a segment, or with a segment and the next one.
+  /// The defect of a segment, or of a segment and the next one.
   std::optional<std::string> defect_alone() const {
     for (std::uint32_t i = 0; i < segments_.size(); ++i)
       if (const auto moment = vanishing(segments_[i]))

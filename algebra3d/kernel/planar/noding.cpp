@@ -56,7 +56,7 @@ class Noder {
   std::vector<DirectedEdge> result() const;
 
  private:
-  /// What lies on an edge of the triangulation; its number and one is the mark of the two half-edges.
+  /// The load of an edge of the triangulation; its number and one is the mark of the two half-edges.
   struct Load {
     HalfedgeId halfedge;
     std::int64_t count;  // in the direction of the half-edge

@@ -11,7 +11,7 @@
 
 namespace algebra3d {
 
-/// What was found in a triangle soup, before any repair. (What a repair changed is in RepairReport; docs/import.md,
+/// The findings in a triangle soup, before any repair. (The changes of a repair are in RepairReport; docs/import.md,
 /// "The report".)
 struct SoupReport {
   /// The defects after welding. The faces in its examples are triangles of the soup, numbered from 0.

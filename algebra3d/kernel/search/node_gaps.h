@@ -10,9 +10,10 @@
 
 namespace algebra3d {
 
-/// Tells nodes of two hierarchies apart whose boxes meet, or are near each other: each face of one of them is compared
-/// with the box around the other. Boxes along the axes say little of long triangles that lie aslant; a small set within
-/// such a box would be compared with the triangle face by face. For one search by one thread; refers to its operands.
+/// Decides whether nodes of two hierarchies are apart although their boxes meet, or are near each other: each face of
+/// one of them is compared with the box around the other. Boxes along the axes say little of long triangles that lie
+/// aslant; a small set within such a box would be compared with the triangle face by face. For one search by one
+/// thread; refers to its operands.
 ///
 /// Its work is bounded by that of the search: each pair of faces that is visited pays for some comparisons, except the
 /// first few of each pair of leaves. So a search that boxes guide well does not pay for it.

@@ -152,7 +152,7 @@ LoopPart part_between(const LoopPart& whole, std::size_t first, std::size_t last
   LoopPart part;
   for (std::size_t i = first; i <= last; ++i) {
     part.loop.corners.push_back(whole.loop.corners[i % n]);
-    // What lies beyond the line is not known.
+    // The corner beyond the line is not known.
     part.loop.beyond.push_back(i < last ? whole.loop.beyond[i % n] : whole.loop.corners[i % n]);
     part.numbers.push_back(whole.numbers[i % n]);
   }

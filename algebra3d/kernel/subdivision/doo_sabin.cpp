@@ -91,8 +91,8 @@ class DooSabin {
   }
 
   /// The face of an edge runs against the faces beside it: in the face of h from its target to its origin, then across
-  /// to the other face, back there, and across again. What runs across at an interior end is linked to the vertex's
-  /// face.
+  /// to the other face, back there, and across again. Half-edges that run across at an interior end are linked to the
+  /// vertex's face.
   void write_edge_faces(RefinedMesh& refined) {
     edges_.for_each(stage_, [&](std::uint32_t h, std::uint32_t e) {
       const std::uint32_t o = view_.opposite(h), start = edge_face(e);

@@ -113,7 +113,7 @@ std::string_view rounding_text(CoordinateRange coordinates) {
          "as the same doubles";
 }
 
-/// What becomes of the coordinates: one sentence for all forms, or a clause for each.
+/// How coordinates are written: one sentence for all forms, or a clause for each.
 std::string coordinates_text(const MeshFormat& format) {
   std::string text;
   for (const mesh_formats::FileForm& form : format.forms)

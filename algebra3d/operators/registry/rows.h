@@ -53,7 +53,7 @@ struct CellOf<std::optional<T>> {
 
 }  // namespace detail
 
-/// What the C++ function of a table operator returns (`table<...>` in overload.h): rows of cells of these types, made
+/// The result of the C++ function of a table operator (`table<...>` in overload.h): rows of cells of these types, made
 /// on demand. A cell of type std::optional may be undefined. The function object must own the data of the rows, since
 /// the arguments of the call do not live as long.
 template <typename... T>

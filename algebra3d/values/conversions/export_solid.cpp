@@ -51,7 +51,7 @@ ExportedSolid refuse(Context& context, ErrorCode code, const std::string& reason
 /// Writes the rounded solid to the path.
 using MeshWriter = std::function<Status(const OutputPath& path, const TriangleMesh& mesh)>;
 
-/// What a file can hold: the numbers and their name.
+/// The numbers that a file can hold, and their name.
 struct FileNumbers {
   CoordinateGrid grid;
   const char* name;
@@ -74,7 +74,7 @@ double diagonal_of(const TriangleMesh& mesh) {
   return box.is_empty() ? 0 : length(box.max - box.min);
 }
 
-/// What rounding did to the shape, if anybody would see it; else empty.
+/// The visible changes of the shape by rounding; empty if there are none.
 Result<std::string> visible_change(const Context& context, const TriangleMesh& solid, const RoundedSolid& rounded) {
   if (rounded.moved_vertices == 0) return std::string();
   ALGEBRA3D_ASSIGN_OR_RETURN(const double before, nearest_volume(solid, context.monitor()));

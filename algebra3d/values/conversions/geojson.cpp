@@ -166,7 +166,7 @@ Result<Polygons> GeoReader::polygons_of_feature(std::size_t part) {
   return polygons_of_geometry(*geometry);
 }
 
-/// What was read, proved. Errors: interrupted.
+/// The region of the polygons that were read, proved. Errors: interrupted.
 Result<Maybe<Region>> proved(const Result<Polygons>& polygons, const Monitor& monitor) {
   if (!polygons) return Maybe<Region>(Undefined{polygons.error().message});
   return Region::prove(*polygons, monitor);

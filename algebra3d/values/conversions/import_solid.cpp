@@ -13,7 +13,7 @@
 namespace algebra3d {
 namespace {
 
-/// What is the file's fault is an outcome; what is the statement's stays an error.
+/// A fault of the file is an outcome; a fault of the statement stays an error.
 bool is_fault_of_file(const Error& error) {
   return error.code != ErrorCode::interrupted && error.code != ErrorCode::out_of_memory;
 }
@@ -33,7 +33,7 @@ Result<ImportedSurface> refused_surface_or_failed(Error error) {
   return result;
 }
 
-/// Tells of a wrong count, and refuses the solid for it if repair is not wanted: what is missing may belong to it.
+/// Reports a wrong count, and refuses the solid for it if repair is not wanted: the missing triangles may belong to it.
 void judge_count(ImportedSolid& result, bool is_strict) {
   if (!result.wrong_count) return;
   const std::string text = result.wrong_count->text();

@@ -36,7 +36,7 @@ std::size_t number_end(std::string_view text, std::size_t begin) {
   return end == std::string_view::npos ? text.size() : end;
 }
 
-// What the parser says, without its name and place, and with no more than the beginning of what it read last.
+// The parser's message without its name and place, and with only the beginning of the text that it read last.
 std::string reason_of(std::string message) {
   if (const std::size_t at = message.find("syntax error"); at != std::string::npos) message.erase(0, at);
   if (const std::size_t at = message.find("] "); message.starts_with('[') && at != std::string::npos)

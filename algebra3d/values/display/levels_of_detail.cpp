@@ -83,7 +83,7 @@ class LevelMaker {
   ClusteredTriangles level_;
 };
 
-/// Tells how much of the work is done before a step of it, in percent of the time that ten million triangles take.
+/// Reports how much of the work is done before a step of it, in percent of the time that ten million triangles take.
 class Progress {
  public:
   explicit Progress(const Monitor& monitor) : monitor_(monitor) {}

@@ -12,7 +12,7 @@
 
 namespace algebra3d {
 
-/// How two solids clash. What each kind means: docs/measures.md.
+/// How two solids clash. The kinds are explained in docs/measures.md.
 enum class ClashKind : std::uint8_t { duplication, envelopment, piercing, protrusion, touching, clearance };
 /// Its name in results: "duplication".
 std::string_view name_of(ClashKind kind);

@@ -12,8 +12,7 @@
 namespace algebra3d {
 
 // Distances of two sets in space: the smallest of the distances of a point of one and a point of the other, so 0 if
-// they meet. What lies inside a solid belongs to it. How it is computed: docs/spatial-relations.md. Errors:
-// interrupted.
+// they meet. The inside of a solid belongs to it. How it is computed: docs/spatial-relations.md. Errors: interrupted.
 
 /// A point of each of two sets, nearest to each other, and the square of their distance.
 struct NearestPoints {

@@ -12,8 +12,8 @@ namespace algebra3d {
 
 // The topological relations of two sets in space. All sets are closed. A point is its own interior; the interior of a
 // box that is a rectangle or a segment is that within its plane or line; that of a surface is the surface without its
-// boundary edges; that of a solid is open. What is not interior is boundary. The empty set is inside every set and
-// meets none.
+// boundary edges; that of a solid is open. All other points are boundary. The empty set is inside every set and meets
+// none.
 //
 // How it is decided: docs/spatial-relations.md. All decisions are exact, also for exact coordinates. Cost: that of
 // walking two box hierarchies where the sets are near each other, plus a ray through one hierarchy for each component

@@ -239,7 +239,7 @@ std::size_t decompress_into(ZSTD_DCtx* context, const Buffer& buffer, std::strin
 
 Result<Buffer> decompress(std::string_view stored, std::uint64_t body_bytes) {
   if (body_bytes > std::numeric_limits<std::size_t>::max() / 2) return corrupt(80, "a length within memory");
-  // What the first frame says of itself is checked before anything is allocated.
+  // The size that the first frame announces is checked before anything is allocated.
   const auto announced = ZSTD_getFrameContentSize(stored.data(), stored.size());
   if (announced != body_bytes) return corrupt(kCodecHeaderBytes, fmt::format("a frame of {} bytes", body_bytes));
   ALGEBRA3D_RETURN_IF_ERROR(require_memory(body_bytes, "stored value"));

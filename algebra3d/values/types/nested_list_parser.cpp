@@ -91,7 +91,7 @@ constexpr std::string_view kTextBegin = "<text>";
 constexpr std::string_view kTextEnd = "</text--->";
 constexpr auto kNowhere = std::string_view::npos;
 
-// Reads one list without recursion. What is complete so far lies on one stack, the elements of the outermost open list
+// Reads one list without recursion. The complete elements lie on one stack, the elements of the outermost open list
 // lowest; a closing parenthesis moves the elements above its opening one into a list of exactly the right size.
 class Parser {
  public:
@@ -128,7 +128,7 @@ class Parser {
     return error_at(position, ErrorCode::invalid_value, fmt::format("expected {}, found {}", what, found_at(position)));
   }
 
-  // What stands at `position`, for people: the end, or the token there if it can be shown.
+  // A description of the text at `position`: the end, or the token there if it can be shown.
   std::string found_at(std::size_t position) const {
     if (position == source_.size()) return "the end of the text";
     const auto first = source_[position];

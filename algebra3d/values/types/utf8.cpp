@@ -8,8 +8,8 @@ namespace algebra3d {
 
 namespace {
 
-// What a first byte says: the length of its sequence and the range of the second byte, which is where overlong forms
-// (E0, F0), surrogates (ED) and values beyond U+10FFFF (F4) are shut out. Length 0: no first byte.
+// The meaning of a first byte: the length of its sequence and the range of the second byte, which is where overlong
+// forms (E0, F0), surrogates (ED) and values beyond U+10FFFF (F4) are shut out. Length 0: no first byte.
 struct Lead {
   std::size_t length = 0;
   unsigned char second_min = 0x80;

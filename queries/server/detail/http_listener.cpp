@@ -45,8 +45,8 @@ constexpr std::size_t kMostWaiting = 1024;
 // A client for whom a thread has waited for so long gives way when other requests wait.
 constexpr std::chrono::seconds kPatience(1);
 
-/// A body of announced length that the library reads piece by piece. What is not read of it, because it is too large or
-/// the request is refused, the Acceptor drains.
+/// A body of announced length that the library reads piece by piece. The Acceptor drains the unread rest, if the body
+/// is too large or the request is refused.
 class ListenerBody final : public Body {
  public:
   ListenerBody(const httplib::ContentReader& reader, std::uint64_t size, const ConnectionStream& stream)

@@ -60,7 +60,7 @@ void KeptResults::drop_oldest() {
   if (!results_.empty()) drop(oldest());
 }
 
-// The thread of a result gives its memory back, soon after it was told to.
+// The thread of a result gives its memory back, soon after it was asked to.
 void KeptResults::make_room() {
   constexpr std::chrono::milliseconds kStep(5), kLongest(500);
   const auto is_short = [] { return algebra3d::ProcessMemory::used() > algebra3d::ProcessMemory::limit() / 2; };

@@ -112,7 +112,7 @@ Reply<SessionParameters> parameters_of(const Json& given, const algebra3d::Regis
 
 }  // namespace
 
-// What a request asks of a result and does not find is not there.
+// A part of a result that a request names and that does not exist is `not_found`.
 Refusal refusal_of_cell(const algebra3d::Error& error) {
   if (error.code == ErrorCode::unknown_name || error.code == ErrorCode::invalid_value)
     return Refusal::not_found(error.message);

@@ -17,8 +17,8 @@ struct HeadLimits {
 };
 
 /// The head of a request, put together from pieces as they arrive, and checked line by line, so that the first wrong
-/// line is known before the rest is there. What it lets through the HTTP library understands as it is meant: RFC 9112
-/// is read strictly where clients and servers differ (ends of lines, blanks before colons, folded lines), as smuggled
+/// line is known before the rest is there. The HTTP library understands every accepted head as it is meant: RFC 9112 is
+/// read strictly where clients and servers differ (ends of lines, blanks before colons, folded lines), as smuggled
 /// requests live from such differences.
 class RequestHead {
  public:
@@ -26,7 +26,7 @@ class RequestHead {
 
   explicit RequestHead(const HeadLimits& limits = {}) : limits_(limits) {}
 
-  /// Takes the next bytes; not to be called when the head is complete or refused. What follows the head is kept.
+  /// Takes the next bytes; not to be called when the head is complete or refused. Bytes behind the head are kept.
   State add(std::string_view piece);
   /// True if nothing but empty lines has come.
   bool is_empty() const { return head_.empty() && rest_.empty(); }

@@ -31,7 +31,7 @@ class ResultTable {
   /// depend on the size of a value; those of the store and of temporary files; interrupted.
   Result<ResultTable> loaded_copy(const algebra3d::Context& context, algebra3d::WorkMemory& memory,
                                   std::size_t most_bytes);
-  /// What was made of its cells, to be asked for again.
+  /// Data made of its cells, kept for later requests.
   LevelCache& levels() { return levels_; }
 
  private:

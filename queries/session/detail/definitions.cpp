@@ -16,7 +16,7 @@ const std::string& kept_text(const ObjectInfo& info) {
   return info.function_text.empty() ? info.derived_text : info.function_text;
 }
 
-// What cannot be read, since an operator is a later version's, uses nothing that is known.
+// A definition that cannot be read, because an operator is of a later version, has no known uses.
 std::optional<Definition> definition_of(const ObjectInfo& info, const algebra3d::Registry& registry) {
   if (kept_text(info).empty()) return std::nullopt;
   const auto expression = kept_expression(info, registry);

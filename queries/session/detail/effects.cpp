@@ -1,5 +1,5 @@
-// What expressions change when they are evaluated, found without evaluating them. The checker is no help: it evaluates
-// names of files, and looks into a function only when that is called.
+// The changes that expressions make when they are evaluated, found without evaluating them. The checker cannot be used:
+// it evaluates names of files, and looks into a function only when that is called.
 #include "queries/session/detail/effects.h"
 
 #include <deque>

@@ -1,4 +1,4 @@
-// What a saved file reads beside itself, when it is restored.
+// The files that a saved file reads beside itself, when it is restored.
 #include "queries/session/detail/restore_guard.h"
 
 #include <algorithm>

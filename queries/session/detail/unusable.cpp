@@ -91,7 +91,7 @@ class Session::UnusableSearch {
     return {};
   }
 
-  // What would change something is left out by `restore`; a function fails where it is called.
+  // Objects whose expression would change something are left out by `restore`; a function fails where it is called.
   Status check_changes(const ObjectInfo& info, const Expression& expression) {
     if (info.type.is_function()) return check_operator_name(info.name, expression, store_, registry_);
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto change, find_change(expression, store_, registry_));

@@ -41,7 +41,7 @@ bool fits(std::string_view pattern, std::string_view word) {
   return is_placeholder(pattern) ? word != "database" && word != "type" : pattern == word;
 }
 
-// What stands at the end of the text.
+// The words at the end of the text.
 struct Surroundings {
   std::size_t command_begin = 0;
   char quote = '\0';  // of the literal that is open there

@@ -55,7 +55,7 @@ class Prompt {
   std::string typed_;  // of the command that is not complete
 };
 
-// What a word means may depend on the lines before.
+// The meaning of a word may depend on the lines before.
 Completion Prompt::complete_line(Session& session, std::string_view line, std::size_t cursor) const {
   const std::string before = typed_.empty() ? "" : typed_ + "\n";
   Completion completion = complete(before + std::string(line), before.size() + cursor, session_names(session));

@@ -150,7 +150,7 @@ LineEditor::LineEditor(Completer completer) : completer_(std::move(completer)) {
   // Of narrow names libedit makes copies that it never frees.
   el_wset(editor, EL_ADDFN, L"complete-word", L"Complete the word before the cursor", &Callbacks::complete);
   el_set(editor, EL_BIND, "^I", "complete-word", nullptr);
-  // What people are used to elsewhere and libedit leaves unbound.
+  // Keys that people are used to elsewhere and libedit leaves unbound.
   el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
   el_set(editor, EL_BIND, "^S", "em-inc-search-next", nullptr);
   el_set(editor, EL_BIND, "\\e[1~", "ed-move-to-beg", nullptr);

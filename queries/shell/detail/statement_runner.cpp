@@ -182,7 +182,7 @@ RunResult StatementRunner::run_script(std::istream& script, const std::string& n
   return result;
 }
 
-// What has failed stays failed, whatever follows, unless the user interrupts.
+// A failure stays a failure, whatever follows, unless the user interrupts.
 RunResult StatementRunner::run_lines(std::istream& script, CommandReader& reader) {
   bool has_failed = false;
   for (std::string line; read_line(script, line);) {

@@ -19,7 +19,7 @@ struct PageFault {
   friend auto operator<=>(const PageFault&, const PageFault&) = default;
 };
 
-/// What one connection knows of the checksums of its database, and the pages that failed them.
+/// The checksums of a database as one connection knows them, and the pages that failed them.
 class CheckedPages {
  public:
   bool has_sums() const { return has_sums_; }

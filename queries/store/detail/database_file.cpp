@@ -105,7 +105,7 @@ Status check_missing(const fs::path& file, OpenMode mode) {
   return {};
 }
 
-/// What is to be done with the file.
+/// What the file is found to be.
 enum class Found : std::uint8_t { nothing, empty, database };
 
 Result<Found> inspect(const fs::path& file, OpenMode mode) {
@@ -252,7 +252,7 @@ Result<std::unique_ptr<SqliteConnection>> open_database_file(const fs::path& fil
   const auto before = identity_of(file);
   if (!before) return deleted_meanwhile(file);
   auto connection = connect(file, mode, options);
-  // What goes wrong on a file that somebody deletes has this one reason, whatever it looks like.
+  // All failures on a file that somebody deletes have this one reason, whatever they look like.
   if (!connection && identity_of(file) != before) return deleted_meanwhile(file);
   return connection;
 }

@@ -148,7 +148,7 @@ Status Database::commit() {
   return {};
 }
 
-// A statement that only reads has made an index that is missing or damaged. What goes wrong here is tried again after
+// A statement that only reads has made an index that is missing or damaged. After a failure this is tried again after
 // another statement: the answers come from memory meanwhile.
 Result<bool> Database::empty_log(int milliseconds) {
   if (is_read_only_ || connection_->in_transaction()) return false;
@@ -235,8 +235,7 @@ void Database::rollback() {
   end_statement();
 }
 
-// After some failures SQLite undoes all of the transaction. What comes after such a statement must not run as if
-// nothing had happened.
+// After some failures SQLite undoes all of the transaction. Later statements must not run as if nothing had happened.
 void Database::rollback_within_transaction() {
   if (!is_in_statement_) return;
   if (connection_->in_transaction() && !(connection_->execute(kUndoStatement) && connection_->execute(kEndStatement)))

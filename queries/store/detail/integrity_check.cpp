@@ -84,7 +84,7 @@ Status IntegrityCheck::advance(const std::string& object) {
   return {};
 }
 
-// What is in memory was proved when it was read, which may be long ago.
+// The catalogue in memory was proved when it was read, which may be long ago.
 Status IntegrityCheck::check_catalogue() {
   for (const std::string& damage : database_->catalogue().damage())
     add({.message = std::string(kCatalogueFinding) + damage});

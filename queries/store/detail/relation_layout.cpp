@@ -23,7 +23,8 @@ using algebra3d::TypeOf;
 constexpr std::size_t kMaxColumns = 1900;
 constexpr std::size_t kNameKept = 40;
 
-/// What of a name may stand in SQL as it is: names of ours are letters, digits and `_`, but a file may hold any.
+/// The characters of a name that may stand in SQL as they are: names of ours are letters, digits and `_`, but a file
+/// may hold any.
 std::string plain(const std::string& name) {
   std::string result;
   for (const char c : name.substr(0, kNameKept)) {

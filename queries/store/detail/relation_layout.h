@@ -44,7 +44,7 @@ inline constexpr std::size_t kSizeAfterBox = 6;
 inline constexpr std::size_t kSumAfterBox = 7;
 
 /// The columns of a relation's table: tuple id, checksum of the row, numbers, boxes, texts, small and then large
-/// encoded values. What filters read comes before the large values. Immutable.
+/// encoded values. Columns that filters read come before the large values. Immutable.
 class RelationLayout {
  public:
   /// Errors: type_error for an attribute that cannot be stored, limit_exceeded for too many of them.

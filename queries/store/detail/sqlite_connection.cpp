@@ -53,7 +53,7 @@ int flags_of(SqliteConnection::Access access) {
   return kCommon | SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
 }
 
-// What a damaged or hostile file could make SQLite do beyond reading tables is switched off.
+// Switches off everything that a damaged or hostile file could make SQLite do beyond reading tables.
 void harden(sqlite3* handle) {
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);

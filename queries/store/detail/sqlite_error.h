@@ -16,12 +16,12 @@ algebra3d::Error sqlite_error(sqlite3* connection, int code, std::string_view fi
 
 /// The error for a page with a wrong checksum, with what the user can do.
 algebra3d::Error page_fault_error(std::string_view file, const PageFault& fault);
-/// Its end.
+/// The end of that message.
 inline constexpr std::string_view kPageFaultRemedy =
     "; bytes of the file were changed, or another program has written to it; use a saved copy, or see by check "
     "database "
     "what is not damaged";
-/// What it says of the page.
+/// The part of that message about the page.
 std::string page_fault_text(const PageFault& fault);
 
 /// Text of a damaged file for messages: characters other than printable ASCII become question marks.

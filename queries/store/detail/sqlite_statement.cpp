@@ -29,7 +29,7 @@ int bind_cell(sqlite3_stmt* statement, int parameter, const Cell& cell) {
   return sqlite3_bind_null(statement, parameter);
 }
 
-/// What a protected value of SQLite holds. Bytes of texts are taken as blobs: as they are stored.
+/// The content of a protected value of SQLite. Bytes of texts are taken as blobs: as they are stored.
 Cell cell_of(sqlite3_value* value) {
   const auto bytes = [&] {
     const void* const start = sqlite3_value_blob(value);
@@ -50,7 +50,7 @@ Cell cell_of(sqlite3_value* value) {
   }
 }
 
-/// Tells a bound taker from other pointers.
+/// Distinguishes a bound taker from other pointers.
 constexpr const char* kTakerType = "queries::RowSink";
 
 /// For messages. To SQLite the end of a transaction is not a change.
@@ -65,7 +65,7 @@ std::string_view doing(sqlite3_stmt* statement) {
 /// The function as SQLite calls it: no exception may pass through its frames.
 class SqliteRowFunction {
  public:
-  /// What was caught on this thread; null: nothing.
+  /// The exception caught on this thread; null if there is none.
   static std::exception_ptr& caught() {
     thread_local std::exception_ptr exception;
     return exception;

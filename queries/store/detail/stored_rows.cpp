@@ -264,7 +264,7 @@ void RowWriter::add_header(const AttributeColumns& columns, const GeometryHeader
   }
 }
 
-// What does not fit into the row goes beside it; its place in the row then holds the number of bytes.
+// Bytes that do not fit into the row are stored beside it; its place in the row then holds the number of bytes.
 void RowWriter::place_bytes(std::size_t attribute, std::string_view bytes) {
   const AttributeColumns& columns = layout_.attributes()[attribute];
   if (columns.form == AttributeForm::large && inline_bytes_ + bytes.size() > database_.options().inline_bytes) {

@@ -103,7 +103,7 @@ rtree::NodeReader reader_of(const std::shared_ptr<Database>& database, std::int6
   return {array_bytes, array.nodes_on_page(), read};
 }
 
-/// Writes the pages of an array that `parts` changes, and erases those behind its end. What a page has besides is what
+/// Writes the pages of an array that `parts` changes, and erases those behind its end. The rest of a page stays as it
 /// is stored.
 Status write_array(SqliteConnection& connection, std::int64_t owner, const PagedArray& array, std::size_t array_bytes,
                    const std::vector<rtree::ImagePart>& parts) {

@@ -74,7 +74,7 @@ class MergeJoin final : public TupleStream {
     return is_outer_ ? left_.is_at_end() && right_.is_at_end() : left_.is_at_end() || right_.is_at_end();
   }
 
-  // What comes after the last possible match still has to be sorted: else a match may have been missed.
+  // Tuples after the last possible match must still be sorted: else a match may have been missed.
   Result<TuplePtr> read_to_the_end() {
     while (!left_.is_at_end()) ALGEBRA3D_RETURN_IF_ERROR(left_.advance(context_));
     while (!right_.is_at_end()) ALGEBRA3D_RETURN_IF_ERROR(right_.advance(context_));

@@ -17,7 +17,7 @@ struct Position {
   std::uint32_t index;
 };
 
-/// What one tuple takes besides itself while it is sorted.
+/// The memory for one tuple besides itself while it is sorted.
 constexpr std::size_t kBytesToSort = sizeof(Position);
 
 /// Tuples that are sorted in memory.

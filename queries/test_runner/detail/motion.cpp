@@ -14,7 +14,7 @@ using algebra3d::Registry;
 using algebra3d::Vec3;
 using Coordinates = algebra3d::Type::Coordinates;
 
-/// What the numbers of a value of the type are; none if there is no such type.
+/// The kind of the numbers of a value of the type; `none` if there is no such type.
 Coordinates coordinates_of(const Registry& types, const TypeExpr& type) {
   const algebra3d::Type* const found = type.arguments().empty() ? types.find_type(type.name()) : nullptr;
   return found == nullptr ? Coordinates::none : found->coordinates();

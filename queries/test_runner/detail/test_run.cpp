@@ -47,7 +47,7 @@ bool is_known_algebra(std::string name) {
   return std::ranges::find(kAlgebras, name) != kAlgebras.end();
 }
 
-// What stands behind `query` or `querynt`; nothing for other commands.
+// The expression behind `query` or `querynt`; nothing for other commands.
 std::optional<std::string> queried_expression(std::string_view command) {
   std::size_t end = 0;
   while (end < command.size() && (std::isalnum(static_cast<unsigned char>(command[end])) != 0)) ++end;

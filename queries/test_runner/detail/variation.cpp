@@ -10,8 +10,9 @@
 //     back, and their result forth;
 //   - results, which are moved back by their type before they are compared.
 //
-// Nothing is rounded on the way, since coordinates may be fractions; bounds of a rect3 may not. What an operator
-// rounds itself, it rounds elsewhere: where a file's numbers show that, the case says `#variation`.
+// Nothing is rounded on the way, since coordinates may be fractions; bounds of a rect3 may not. An operator that rounds
+// numbers itself rounds them differently in another place: where a file's numbers show that, the case says
+// `#variation`.
 #include "queries/test_runner/detail/variation.h"
 
 #include <algorithm>

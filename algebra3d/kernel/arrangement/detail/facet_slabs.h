@@ -12,7 +12,7 @@
 namespace algebra3d::arrangement {
 
 /// Slabs around a small operand, each between two planes parallel to one of its facets: a discrete orientation polytope
-/// whose directions are those of the facets. Tells faces of a large operand, and nodes of its hierarchy, that miss the
+/// whose directions are those of the facets. Finds faces of a large operand, and nodes of its hierarchy, that miss the
 /// small one. The box along the axes around a rod that lies aslant is hundreds of times as large as the rod; its slabs
 /// are the rod itself.
 ///

@@ -57,7 +57,7 @@ void RelationFinder::add(IdRange<SubEdgeId> edge) {
 }
 
 /// No other operand is at an uncut edge, so the windings in front of all faces along each of its sub-edges are the
-/// same. What is between the faces is not looked at, for not all of them are in sub-facets.
+/// same. The space between the faces is not looked at, since not all of them are in sub-facets.
 void RelationFinder::relate_at(const UncutEdge& uncut, IdRange<SubEdgeId> edge) {
   const FrontWindingId patch = relate_patches_at(uncut);
   for (const SubEdgeId s : edge) relate_in_front_of_faces(s, patch);

@@ -129,8 +129,8 @@ bool PseudoNodeFinder::is_straight(NodeId before, NodeId node, NodeId after) con
 }
 
 /// True if the boundaries of all regions that come along one arm leave along the other, and each region is half a disc
-/// at the node, on its side of the line: then none of them needs the node as a corner. What else is there, of the same
-/// regions too, touches the straight edge in a point.
+/// at the node, on its side of the line: then none of them needs the node as a corner. Anything else there, also of the
+/// same regions, touches the straight edge in a point.
 bool PseudoNodeFinder::continue_each_other(EdgeEnds one, EdgeEnds other, EdgeEnds all) const {
   if (one.size() != other.size()) return false;
   return std::ranges::all_of(one, [&](const EdgeEnd& end) {

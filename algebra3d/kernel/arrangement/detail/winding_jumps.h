@@ -11,8 +11,8 @@
 namespace algebra3d::arrangement {
 
 /// Winding jumps: by how much the windings of the cell behind the plane (Plane, facets.h) exceed those of the cell in
-/// front of it, at the sub-facet on each side of each sub-edge. What facets of one group contribute in opposite
-/// directions cancels out.
+/// front of it, at the sub-facet on each side of each sub-edge. Opposite contributions of facets of one group cancel
+/// out.
 using WindingJumps = CompactWindings<SubEdgeSide>;
 
 /// The beginning of stage 8: the winding jumps of all sides, from the incident facets. Cost: linear.

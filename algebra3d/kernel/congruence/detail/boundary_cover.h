@@ -16,7 +16,8 @@ namespace algebra3d::detail {
 /// does; that of the pairs of triangles near each other for the others; ends at the first point found farther away.
 ///
 /// The points of a triangle that are within the tolerance of another one form a convex set. So a convex piece is near
-/// if its corners are near one triangle. What is not, is divided at the edges of the triangles of the other boundary.
+/// if its corners are near one triangle. Other triangles are divided at the edges of the triangles of the other
+/// boundary.
 Result<bool> is_boundary_near(const CentredSolid& solid, const Rotation& rotation, const CentredSolid& other,
                               const FaceLookup& faces_of_other, double tolerance, const Monitor& monitor);
 

@@ -20,7 +20,7 @@ CentreDistances::CentreDistances(const RationalVec3& centre) : centre_(centre), 
 }
 
 // A difference has an error of at most three roundings of itself, and of one of the coordinates if these are rounded;
-// its square, of twice that. What underflow takes is less than 2^-1000.
+// its square, of twice that. Underflow loses less than 2^-1000.
 CentreDistances::Estimate CentreDistances::rough(const PointRef& p) const {
   const Vec3 d = (p.approx - high_) - low_;
   const double square = dot(d, d);

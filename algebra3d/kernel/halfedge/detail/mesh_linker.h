@@ -68,8 +68,8 @@ inline std::vector<std::uint32_t> open_corners(std::span<const std::uint32_t> or
 
 }  // namespace mesh_linker
 
-/// Fills a mesh whose points and origins stand: opposites that are unlinked, outgoing half-edges, side tables. What is
-/// known of settled vertices (see the constructors) stays as it is.
+/// Fills a mesh whose points and origins stand: opposites that are unlinked, outgoing half-edges, side tables. The
+/// known parts of settled vertices (see the constructors) stay as they are.
 template <typename Layout>
 struct MeshLinker {
   using Mesh = HalfedgeMesh<Layout>;

@@ -72,7 +72,7 @@ std::optional<Band> BandCloser::best_band(LoopId first, LoopId second) const {
     if (loops_[first].component == loops_[second].component) return std::nullopt;
     best = std::move(flipped);
   }
-  // What is folded back lies upon the surface between the loops, as between those of a ring.
+  // A band that is folded back lies upon the surface between the loops, as between those of a ring.
   if (best.bend < kFoldedBack) return std::nullopt;
   if (best.area < kMuchLess * (loops_[first].area + loops_[second].area)) return best;
   return std::nullopt;

@@ -31,7 +31,7 @@ double reach_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   return x * y * z / (2 * doubled_area) * longest;
 }
 
-/// What covers a hole; no triangles if the hole is too large.
+/// The cover of a hole; no triangles if the hole is too large.
 struct CoveredHole {
   HoleLoop hole;
   std::vector<TriangleMesh::Triangle> cover;

@@ -10,7 +10,7 @@ namespace {
 
 using SeamId = StrongId<struct SeamTag>;
 
-/// What one patch adds to the balance of an edge.
+/// The contribution of one patch to the balance of an edge.
 struct PatchShare {
   ManifoldPatchId patch;
   int balance;

@@ -50,7 +50,7 @@ Agreement RepairSearch::agreement(const RepairAttempt& attempt) {
   return estimate_->compare(attempt.solid());
 }
 
-/// What is preferred for its cost costs less than this part of the other one.
+/// An attempt is preferred for its cost if it costs less than this part of the other one.
 bool is_cheaper(const RepairAttempt& a, const RepairAttempt& b) {
   constexpr double kMuchCheaper = 0.95;
   return a.cost() < kMuchCheaper * b.cost();

@@ -14,7 +14,7 @@ class CostBuckets {
  public:
   static constexpr std::size_t kPerOctave = 64, kCount = 96 * kPerOctave;
 
-  /// The bucket of a cost; costs from 2^-80 to 2^16 are told apart.
+  /// The bucket of a cost; costs from 2^-80 to 2^16 are distinguished.
   static std::size_t bucket_of(double cost) {
     constexpr std::uint64_t kFirst = (std::uint64_t{1023} - 80) * kPerOctave;
     const std::uint64_t place = std::bit_cast<std::uint64_t>(std::max(cost, 0.0)) >> 46U;

@@ -7,7 +7,7 @@
 
 namespace algebra3d {
 
-/// What is proved of a mesh before pairs of faces are tested. Refers to `known`.
+/// The parts of a proof that are known before pairs of faces are tested. Refers to `known`.
 struct ProvedParts {
   /// `known_faces` as in ProofOptions.
   ProvedParts(const TriangleMesh& mesh, const FaceSet& known_faces)

@@ -10,7 +10,7 @@
 
 namespace algebra3d {
 
-/// The result of `work`, a Result or a Status of the operator. What it throws becomes the error internal, so that the
+/// The result of `work`, a Result or a Status of the operator. An exception becomes the error internal, so that the
 /// call can be reported with its arguments; exhausted memory is left to the host.
 template <typename Work>
 std::invoke_result_t<const Work&> guarded(const Operator& op, const Work& work) {

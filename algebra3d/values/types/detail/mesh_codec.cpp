@@ -68,7 +68,7 @@ class RecentEdges {
 
 constexpr std::array<std::uint32_t, 3> kNext{1, 2, 0};  // corner of a triangle
 
-/// What encoder and decoder know of the triangles so far; both make the same steps.
+/// The triangles so far, as encoder and decoder know them; both make the same steps.
 class Front {
  public:
   static constexpr std::uint8_t kNoSharedEdge = 0;
