@@ -46,7 +46,7 @@ CLI::App* add_serve_command(CLI::App& app, ServerOptions& options) {
       ->type_name("DIR");
   serve->footer(
       "Open the printed address in a browser. Programs find the HTTP API at /api/openapi.json (docs/http-api.md).\n"
-      "Statements read files in the working folder only, but for hidden ones, and write new files there: no file is\n"
+      "Statements read files in the working folder only, except hidden ones, and write new files there: no file is\n"
       "replaced. Ctrl-C ends the server; the database stays intact.\n"
       "Exit status: 0 ended by Ctrl-C or SIGTERM, 1 the database could not be opened or the port is taken, 2 wrong "
       "usage.");

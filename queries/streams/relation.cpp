@@ -16,7 +16,7 @@ Error not_stored() {
 
 Error index_disagrees(std::string_view relation, std::string_view attribute, std::int64_t tuple, bool has_row) {
   return {ErrorCode::database_corrupt,
-          "{}: the index of '{}' has the tuple {}, {}; see by check database what is damaged",
+          "{}: the index of '{}' has the tuple {}, {}; run check database to see what is damaged",
           relation,
           attribute,
           tuple,

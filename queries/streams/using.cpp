@@ -95,7 +95,7 @@ void register_using(algebra3d::Registry& registry) {
   registry.add({
       .name = "use",
       .syntax = "_ use[fun(STREAMELEM)]",
-      .doc = "The stream of what the function gives for each element.",
+      .doc = "The stream of the results of a function for each element.",
       .detail =
           "`.` is the element, or `.A` an attribute of a tuple. The streams of a function that gives streams follow "
           "each other.",
@@ -118,9 +118,8 @@ void register_using(algebra3d::Registry& registry) {
       .name = "printstream",
       .syntax = "_ printstream",
       .doc = "The same stream; every element is shown as a note while it passes.",
-      .detail =
-          "For looking into a query. The notes stand on standard error, cut when they are long, and no more of them "
-          "than the notes of a statement have room for.",
+      .detail = "For looking into a query. The notes go to standard error; long ones are cut, and their number is "
+                "limited like that of all notes of a statement.",
       .is_pure = false,
       .stream = stream_operator(map_printstream),
       .signatures = {"(stream(tuple)) -> stream(tuple)", "(stream(DATA)) -> stream(DATA)"},

@@ -46,7 +46,7 @@ constexpr const char* kMeaningOfCongruence =
     "After the motion no point of either boundary is farther than the tolerance, in coordinate units, from the other "
     "boundary; so the triangles do not matter. The motion is searched among those that map the centres of mass to each "
     "other, and the principal axes, or where principal moments are equal or nearly so, vertices to vertices; all "
-    "symmetric cases are tried, also mirrored ones. What is found is checked on the whole of both boundaries, with "
+    "symmetric cases are tried, also mirrored ones. The motion found is checked on the whole of both boundaries, with "
     "doubles: a tolerance below 2^-36 of the size of the solids or 2^-48 of their coordinates is raised to that. So "
     "moved and rounded copies are found; of solids that are alike only within a coarse tolerance the motion may be "
     "missed.";

@@ -90,8 +90,8 @@ void register_clash(Registry& registry) {
              "FirstTriangle: int, SecondTriangle: int); no row if they do not meet and are at least a clearance apart.",
       .detail =
           "Kind is the first that holds of: duplication, they are equal; envelopment, one is inside the other; "
-          "piercing, they overlap, and what is left of a body of one without the other is not connected; protrusion, "
-          "they overlap; touching, they meet, but their interiors do not; clearance, their distance is less than the "
+          "piercing, they overlap, and one divides a body of the other; protrusion, they overlap; "
+          "touching, they meet, but their interiors do not; clearance, their distance is less than the "
           "clearance. Kinds are decided exactly. Depth, of the second to the fourth kind, is the largest distance of a "
           "boundary point of one that lies inside the other from the other's boundary: no shift of one solid by less "
           "ends the clash. It may be too small by a billionth of it and 2^-44 of the largest coordinate. Point is the "

@@ -83,7 +83,7 @@ const std::string kFarCube = "(createCube (makePoint3D 5 6 0) (makePoint3D 6 7 1
 const std::string kEmptySolid = "(volume3d ())";
 
 constexpr const char* kMeaningOfDistance =
-    "All sets are closed; what lies inside a solid or box belongs to it, so sets that meet have the distance 0.";
+    "All sets are closed; the inside of a solid or box belongs to it, so sets that meet have the distance 0.";
 
 }  // namespace
 

@@ -86,9 +86,9 @@ void register_trigonometry(Registry& registry) {
     for (const NumberFunction& row : names) add_function(registry, row, function);
   };
   constexpr const char* kArcSine =
-      "From -pi/2 to pi/2. Undefined for a number beyond -1 and 1. `arcsin` and `asin` are the same operator.";
+      "From -pi/2 to pi/2. Undefined for a number below -1 or above 1. `arcsin` and `asin` are the same operator.";
   constexpr const char* kArcCosine =
-      "From 0 to pi. Undefined for a number beyond -1 and 1. `arccos` and `acos` are the same operator.";
+      "From 0 to pi. Undefined for a number below -1 or above 1. `arccos` and `acos` are the same operator.";
   constexpr const char* kArcTangent = "From -pi/2 to pi/2. `arctan` and `atan` are the same operator.";
   constexpr const char* kSineDoc = "The angle in radians with this sine.";
   constexpr const char* kCosineDoc = "The angle in radians with this cosine.";

@@ -51,8 +51,7 @@ Maybe<Mesh3d> remove_face(const Mesh3d& mesh, std::int64_t face) {
 const std::string kFourPoints = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ()))";
 
 constexpr const char* kKept =
-    "Vertices and faces are numbered from 0. Attributes are kept; those of what is new are "
-    "undefined.";
+    "Vertices and faces are numbered from 0. Attributes are kept; those of new elements are undefined.";
 
 void register_adding(Registry& registry) {
   registry.add({

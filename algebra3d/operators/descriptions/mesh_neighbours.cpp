@@ -111,7 +111,7 @@ const std::string kEdgeColumns =
     "bool, FaceCount: int).";
 const std::string kFaceColumns = " (Id: int, Degree: int, Area: real, Normal: vector3d, Centroid: point3d).";
 const std::string kOnce =
-    " Each once, also where edges are not manifold. No rows, with a note, if there is no element of this number.";
+    " Each once, also where edges are not manifold. No rows, with a note, if there is no element with this number.";
 
 /// The parts in which the descriptions of the relations differ.
 struct Relation {

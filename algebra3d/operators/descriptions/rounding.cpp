@@ -36,7 +36,7 @@ template <typename Rounded>
 std::string rounding_note(const Rounded& rounded, std::size_t vertex_count) {
   if (rounded.mesh->is_empty()) return nothing_left(rounded);
   std::string text =
-      fmt::format("{} of {} vertices moved, and what is left of the boundary by at most {}; method: {}",
+      fmt::format("{} of {} vertices moved, and the remaining boundary by at most {}; method: {}",
                   rounded.moved_vertices, vertex_count, real_text(rounded.largest_movement), name_of(rounded.method));
   if (rounded.method == RoundingMethod::coarser_grid)
     text += fmt::format(", where features up to {} apart became one", real_text(rounded.reach));

@@ -304,9 +304,9 @@ void register_details(Registry& registry) {
       .doc = "How two sets lie to each other, in one row (Relation: string, SharedDimension: int, BoundaryDimension: "
              "int).",
       .detail = std::string("Relation is the first that holds of: disjoint; touches; equal, inside and contains, of "
-                            "sets whose interiors meet; overlaps. SharedDimension is that of what the sets have in "
-                            "common: -1 if nothing, 0 for points, 1 for lines, 2 for faces, 3 for space; "
-                            "BoundaryDimension that of what their boundaries have in common. So two solids that touch "
+                            "sets whose interiors meet; overlaps. SharedDimension is that of the intersection of the "
+                            "sets: -1 if nothing, 0 for points, 1 for lines, 2 for faces, 3 for space; "
+                            "BoundaryDimension that of the intersection of their boundaries. So two solids that touch "
                             "in a face have 2 and 2, those that touch in an edge 1 and 1. ") +
                 kMeaningOfSets,
       .exactness = Exactness::exact,

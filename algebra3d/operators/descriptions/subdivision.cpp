@@ -145,9 +145,8 @@ void register_subdivision(Registry& registry) {
           "doo-sabin makes no faces there. Vertices keep their numbers, also isolated ones, which stay where they "
           "are; then come those on edges, then those of faces. With doo-sabin each vertex is a corner of a face of "
           "the mesh, so isolated ones are left out. Attributes are kept: new faces and halves of edges have those of "
-          "what they "
-          "were; those of vertices, and of corners within each face, are interpolated linearly, and texts are kept "
-          "where they agree. Undefined for a negative number of steps. " +
+          "the face or edge that they come from; those of vertices, and of corners within each face, are interpolated "
+          "linearly, and texts are kept where they agree. Undefined for a negative number of steps. " +
           kRefused + " A result with too many faces is refused before work begins.",
       .exactness = Exactness::bounded,
       .frame_use = FrameUse::coordinates,
@@ -192,7 +191,7 @@ void register_subdivision(Registry& registry) {
       .syntax = "limitPosition(_ ...)",
       .doc = "The mesh with each vertex where it is when the mesh is subdivided without end, as a mesh3d.",
       .detail =
-          R"(Faces and their numbers are those of the mesh, and so is what was attached to them. Schemes: )"
+          R"(Faces and their numbers are those of the mesh. Attributes are kept. Schemes: )"
           R"("catmull-clark", and "loop" for triangles; a third argument chooses the weights of loop, "loop" (the )"
           R"(default) or "warren". The limits are those )"
           "of the schemes' limit masks, with errors as in subdivide; boundary vertices are on cubic B-splines. So "

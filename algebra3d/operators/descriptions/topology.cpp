@@ -103,7 +103,7 @@ void register_predicates(Registry& registry) {
       .name = "isClosed",
       .syntax = "isClosed(_)",
       .doc = "True if no edge of a surface, solid or mesh has one face only.",
-      .detail = "Solids are closed, and what is empty.",
+      .detail = "Solids and empty values are closed.",
       .exactness = Exactness::exact,
       .overloads =
           detail::mesh_overloads<&is_value_closed<Surface3d>, &is_value_closed<Volume3d>, &is_value_closed<Mesh3d>>(),
@@ -168,8 +168,8 @@ void register_numbers_of_topology(Registry& registry) {
       .name = "eulerCharacteristic",
       .syntax = "eulerCharacteristic(_)",
       .doc = "The number of vertices minus that of edges plus that of faces of a surface, solid or mesh.",
-      .detail = "Vertices of no face do not count. What parts share is counted once, so that two cubes with a common "
-                "corner have 3.",
+      .detail = "Vertices of no face do not count. Elements that parts share are counted once, so that two cubes with "
+                "a common corner have 3.",
       .exactness = Exactness::exact,
       .overloads =
           detail::mesh_overloads<&euler_characteristic_of_value<Surface3d>, &euler_characteristic_of_value<Volume3d>,

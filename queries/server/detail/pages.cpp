@@ -13,7 +13,7 @@ constexpr std::string_view kWithoutViewer =
     "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>algebra3d</title>"
     "<body style=\"font-family: sans-serif; max-width: 40em; margin: 4em auto\">"
     "<h1>algebra3d</h1><p>The server runs, but this program was built without the viewer: Node.js, npm or the packages "
-    "of the viewer could not be had then. The HTTP API is at "
+    "of the viewer were not available then. The HTTP API is at "
     "<a href=\"/api/openapi.json\">/api/openapi.json</a>. Delete <code>build/release/viewer.stamp</code> and start "
     "<code>scripts/run serve</code>, which installs them and builds again.</p></body></html>\n";
 

@@ -36,7 +36,7 @@ int status_of(ErrorCode code) {
 std::string_view remedy_of(const algebra3d::ErrorDescription& description) {
   switch (description.code) {
     case ErrorCode::database_missing:
-      return "Put the file back, or restart the server with `--db` and the file that it shall serve.";
+      return "Put the file back, or restart the server with `--db` and the file that it should serve.";
     case ErrorCode::database_read_only:
       return "Restart the server without `--read-only`, or check the permissions of the file and its folder.";
     default:

@@ -74,8 +74,8 @@ Status check_operator_name(const std::string& name, const Expression& function, 
   if (!change) return {};
   return Error{
       ErrorCode::wrong_usage,
-      "the function '{}' has the name of an operator and {}, which nobody expects who calls the operator; give "
-      "it another name",
+      "the function '{}' has the name of an operator and {}, which callers of the operator do not expect; give it "
+      "another name",
       name, change->text()};
 }
 

@@ -18,9 +18,8 @@ algebra3d::Error sqlite_error(sqlite3* connection, int code, std::string_view fi
 algebra3d::Error page_fault_error(std::string_view file, const PageFault& fault);
 /// The end of that message.
 inline constexpr std::string_view kPageFaultRemedy =
-    "; bytes of the file were changed, or another program has written to it; use a saved copy, or see by check "
-    "database "
-    "what is not damaged";
+    "; bytes of the file were changed, or another program has written to it; use a saved copy, or run check database "
+    "to see what is not damaged";
 /// The part of that message about the page.
 std::string page_fault_text(const PageFault& fault);
 

@@ -56,7 +56,7 @@ TEST(Monitor, hears_every_stage_and_growing_percents) {
     EXPECT_LE(now, 100) << text;
     percent = now;
   }
-  EXPECT_EQ(stages, (std::vector<std::string>{"finding what is near", "finding what touches", "finding crossings",
+  EXPECT_EQ(stages, (std::vector<std::string>{"finding near triangles", "finding contacts", "finding crossings",
                                               "separating inside from outside", kLastStage}));
   EXPECT_GT(run.heard().size(), stages.size());
 }

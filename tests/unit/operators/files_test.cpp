@@ -165,7 +165,7 @@ TEST_F(Files, export_divides_triangles_that_cross_when_rounded_to_floats) {
   const Answer answer = export_to("part.stl", call("createSphere", point(1e9, 0, 0), 100.0, 50).single());
   EXPECT_EQ(answer.text(), "TRUE");
   ASSERT_EQ(answer.diagnostics.size(), 1U);
-  EXPECT_NE(answer.diagnostics[0].find("rounded to floats, which moves what is left of the boundary by at most "),
+  EXPECT_NE(answer.diagnostics[0].find("rounded to floats, which moves the remaining boundary by at most "),
             std::string::npos)
       << answer.diagnostics[0];
   EXPECT_TRUE(import("part.stl").is_defined());
@@ -178,7 +178,7 @@ TEST_F(Files, export_says_so_if_rounding_is_seen) {
   EXPECT_EQ(answer.text(), "TRUE");
   ASSERT_EQ(answer.diagnostics.size(), 1U);
   EXPECT_TRUE(answer.diagnostics[0].starts_with(
-      "exportSTL: rounded to floats, which moves what is left of the boundary by at most 0.4"))
+      "exportSTL: rounded to floats, which moves the remaining boundary by at most 0.4"))
       << answer.diagnostics[0];
   EXPECT_NE(answer.diagnostics[0].find(" and makes the volume 0.0"), std::string::npos) << answer.diagnostics[0];
   EXPECT_NE(answer.diagnostics[0].find(" instead of 0.00"), std::string::npos) << answer.diagnostics[0];

@@ -161,8 +161,8 @@ TEST_F(ForeignData, restore_tells_of_functions_that_write) {
 // Nobody who asks for a volume expects a file to be written.
 TEST_F(ForeignData, a_function_with_the_name_of_an_operator_changes_nothing) {
   const std::string refusal =
-      "the function 'volume' has the name of an operator and writes a file (exportSTL), which nobody expects who calls "
-      "the operator; give it another name";
+      "the function 'volume' has the name of an operator and writes a file (exportSTL), which callers of "
+      "the operator do not expect; give it another name";
   const std::string list =
       R"((OBJECT volume () (map volume3d real) (fun (s volume3d) (ifthenelse (exportSTL s "" 'victim' FALSE) 1.0 2.0)) ()))";
   EXPECT_EQ(restore(list), "");

@@ -25,8 +25,7 @@ class PageChecksums : public StoreTest {
   std::string wrong_page(std::uint32_t number) const {
     return fmt::format(
         "{}: page {} is not what algebra3d has written: its checksum is wrong; bytes of the file were changed, or "
-        "another "
-        "program has written to it; use a saved copy, or see by check database what is not damaged",
+        "another program has written to it; use a saved copy, or run check database to see what is not damaged",
         path().string(), number);
   }
   Error scan_error() {

@@ -134,7 +134,7 @@ void CandidateFinder::pair_faces() {
 }  // namespace
 
 Result<Candidates> find_candidates(const Operands& operands, const Monitor& monitor, std::size_t max_pairs) {
-  monitor.tell("finding what is near");
+  monitor.tell("finding near triangles");
   Candidates result{CandidateFinder(operands, monitor, max_pairs).run()};
   ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
   if (result.pairs.size() > max_pairs)

@@ -118,7 +118,7 @@ Result<PairContacts> find_pair_contacts(const Operands& operands, const Candidat
                                         const Monitor& monitor) {
   const PairSpan pairs = candidates.pairs;
   PairContacts result{{}, planes_for(pairs, operands)};
-  const Stage stage(monitor, "finding what touches", pairs.size());
+  const Stage stage(monitor, "finding contacts", pairs.size());
   result.contacts =
       parallel_collect(pairs.size(), pairs_per_task(pairs.size()), [&](std::size_t begin, std::size_t end) {
         return contacts_of(pairs.subspan(begin, end - begin), operands, result.planes, stage);
