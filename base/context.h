@@ -30,7 +30,7 @@ struct Context {
   const Monitor::Report* report = nullptr;
   /// Takes the calls of operators that end with the error internal; null: nobody wants to repeat them.
   FailedCalls* failed_calls = nullptr;
-  /// Asked before a file is read; null: what the folder allows may be read.
+  /// Asked before a file is read; null: all files that the folder allows may be read.
   ReadGuard* reads = nullptr;
   /// Why what is evaluated must change nothing, neither files nor stored relations, as a clause for messages ("it is
   /// evaluated again at every restore"); empty: it may. The text outlives the context.

@@ -19,12 +19,12 @@ bool is_below(const fs::path& folder, const fs::path& file) {
   return in_folder == folder.end();
 }
 
-// Names with `..` are refused even where they would come back: what they pass through is nobody's business.
+// Names with `..` are refused even where they would come back: the folders that they pass through must not be probed.
 bool leads_out(const fs::path& name) {
   return name.is_absolute() || std::ranges::any_of(name, [](const fs::path& part) { return part == ".."; });
 }
 
-// A link whose target does not exist: what is written there would make the target.
+// A link whose target does not exist: writing there would create the target.
 bool is_dangling_link(const fs::path& file) {
   std::error_code ignored;
   return fs::is_symlink(fs::symlink_status(file, ignored)) && !fs::exists(file, ignored);

@@ -64,8 +64,8 @@ struct ImageParts {
 struct NodeReader {
   std::size_t bytes = 0;          ///< of the whole array, as it is stored
   std::size_t nodes_at_once = 1;  ///< one call reads a multiple of so many, from a multiple of it on; fewer at the end
-  /// Fills `bytes` with what the array has from `begin` on. Called from any thread, by one at a time. Its exceptions
-  /// come out of the call that needed the nodes, which may then be asked for again.
+  /// Fills `bytes` with the content of the array from `begin` on. Called from any thread, by one at a time. Its
+  /// exceptions come out of the call that needed the nodes, which may then be asked for again.
   std::function<void(std::size_t begin, std::span<std::byte> bytes)> read;
 };
 

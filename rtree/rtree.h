@@ -44,7 +44,7 @@ class RTree {
   ImageParts image() const;
   /// The changes to be written to an image that has the state of the last call: the header and the parts of the arrays
   /// that were changed by inserts and erases since, in whole nodes; all at the first call, and none after from_image.
-  /// Where the arrays became shorter, what is beyond their end is to be dropped.
+  /// Where the arrays became shorter, the bytes beyond their end must be dropped.
   ImageParts take_changes();
   /// The tree of an image, whose nodes are read when they are first needed, and looked at then: all other members may
   /// throw what a reader throws, or DamagedImage. Whatever the bytes are, the tree can be used and changed without
@@ -77,7 +77,7 @@ class RTree {
   TreeView<ExactLeaf<Payload>> view() const { return storage_.view(); }
 
   Storage<ExactLeaf<Payload>> storage_;
-  bool is_stored_ = false;  // an image has all but what storage_ lists as changed
+  bool is_stored_ = false;  // an image has all nodes but those that storage_ lists as changed
 };
 
 /// An R-tree over boxes that stay where they are, each named by its index: half the memory of RTree, and not to be

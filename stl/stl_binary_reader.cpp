@@ -114,7 +114,7 @@ class BinaryReader {
     return std::string(header);
   }
 
-  // The hot loop: no branches per facet; what is wrong with a block is searched for afterwards.
+  // The hot loop: no branches per facet; the defect of a block is searched for afterwards.
   Status read_block(std::size_t first, std::size_t count) {
     read_.soup.triangles.resize(first + count);
     read_.soup.normals.resize(first + count);

@@ -39,7 +39,7 @@ struct OffAgreement {
   std::size_t words = 0;
 };
 
-/// The words of a binary file behind its header; what is left of the last one counts as none.
+/// The words of a binary file behind its header; an incomplete last word does not count.
 class OffWords {
  public:
   OffWords(std::string_view bytes, bool is_big_endian) : bytes_(bytes), is_big_endian_(is_big_endian) {}

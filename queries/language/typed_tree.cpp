@@ -160,7 +160,7 @@ class ValueCallNode final : public ValueNode {
 };
 
 /// `and` or `or` whose second operand is always defined, so that it does not matter where the first one decides: it is
-/// not evaluated then, and what it would note is not noted.
+/// not evaluated then, and gives no notes.
 class ShortCircuitNode final : public ValueNode {
  public:
   ShortCircuitNode(bool decisive, TypedPtr first, TypedPtr second, SourcePlace place)

@@ -121,8 +121,8 @@ Result<TypedPtr> Session::checked_definition(const Expression& value, bool is_de
   return node;
 }
 
-// Functions and derived objects keep the nested-list form of what was written: it is read back whatever notation the
-// command was in.
+// Functions and derived objects keep the nested-list form of their text: it is read back whatever notation the command
+// was in.
 Status Session::define(const std::string& final_name, const Expression& value, bool is_derived, Context& context,
                        const std::string& interim) {
   const std::string& name = interim.empty() ? final_name : interim;

@@ -1,4 +1,4 @@
-// Databases that are being made, and what is left of them when their maker is killed.
+// Databases that are being made, and their remains when their maker is killed.
 #include "queries/store/database_draft.h"
 
 #include <array>

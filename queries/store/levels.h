@@ -14,7 +14,7 @@
 /// changed or removed. It is never needed: whatever keeps it from being read or kept, it can be made again.
 ///
 /// The functions take deferred values of a store, also after the end of their statement. They use connections of their
-/// own: neither a transaction that is held for reading nor one of another writer is in the way, and what is kept is
+/// own: neither a transaction that is held for reading nor one of another writer is in the way, and kept levels are
 /// seen at once. May be called by any thread.
 namespace queries {
 
@@ -29,7 +29,7 @@ algebra3d::Result<std::optional<std::string>> level_of(const algebra3d::Value& v
 algebra3d::Result<bool> with_level(const algebra3d::Value& value, std::uint64_t number,
                                    const std::function<algebra3d::Status(std::string_view bytes)>& visit);
 
-/// Keeps bytes as the level `number` of a value, in place of what was kept. False if they cannot be kept: the store is
+/// Keeps bytes as the level `number` of a value, in place of earlier ones. False if they cannot be kept: the store is
 /// read-only, the value is not in the file any more (or not yet: its transaction is running), another process writes
 /// for seconds, or the bytes are more than a row of SQLite holds (10^9). Errors: disk_full, io_error.
 algebra3d::Result<bool> keep_level(const algebra3d::Value& value, std::uint64_t number, std::string_view bytes);

@@ -43,7 +43,7 @@ enum class OpenMode : std::uint8_t {
   read_write,  ///< error database_missing if it is not
   open_or_create,
   read_only,
-  read_damaged,  ///< as read_only; reads what it can of a damaged file
+  read_damaged,  ///< as read_only; reads the undamaged parts of a damaged file
   draft,         ///< as read_write, for a database that this process creates under an interim name
 };
 

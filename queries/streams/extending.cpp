@@ -62,7 +62,7 @@ Result<BoundOperator> map_replace(std::span<const ArgumentType> arguments) {
       }};
 }
 
-/// Counts to the largest int; what comes after it is undefined.
+/// Counts to the largest int; later numbers are undefined.
 class Counter {
  public:
   /// Without a start every number is undefined.

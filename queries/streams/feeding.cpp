@@ -48,7 +48,7 @@ Result<BoundOperator> map_feed(std::span<const ArgumentType> arguments) {
                        }};
 }
 
-// consume and tconsume are two names of one operator: what is consumed lives as long as the statement, or is stored.
+// consume and tconsume are two names of one operator: a consumed relation lives as long as the statement, or is stored.
 Result<BoundOperator> map_consume(const char* op, std::span<const ArgumentType> arguments) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, MappingCheck(op, arguments).stream(0));
   return BoundOperator{TypeExpr::rel(tuple), [tuple](std::vector<Datum> given, Context& context) -> Result<Datum> {

@@ -31,7 +31,7 @@ struct FoldFunction {
   }
 };
 
-/// Folds values pairwise, so that every value takes part in no more than log n applications: what matters when the
+/// Folds values pairwise, so that every value takes part in no more than log n applications, which matters when the
 /// results grow, as unions of solids do. Neighbours are combined only, the earlier one first.
 class BalancedFold {
  public:

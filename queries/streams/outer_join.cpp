@@ -41,7 +41,7 @@ class OuterJoin final : public TupleStream {
   }
 
  private:
-  // At the end of the left stream the right one is read once more, for what is left.
+  // At the end of the left stream the right one is read once more, for tuples without a partner.
   Status begin_next_left() {
     ALGEBRA3D_ASSIGN_OR_RETURN(current_, left_->next());
     is_matched_ = false;

@@ -26,8 +26,8 @@ class Relation {
   /// A stream of the tuples with these ids, which are ascending, in the relation, and come from an index of it. It
   /// shows the relation as `scan` does. The relation outlives it. Errors: database_corrupt for an id without a row.
   virtual Result<TupleStreamPtr> select(std::vector<TupleId> ids);
-  /// True if what `fetch` gives of this tuple now can be read until the statement ends, also the values that it defers,
-  /// whatever becomes of the tuple.
+  /// True if the tuple that `fetch` returns now can be read until the statement ends, with its deferred values, even if
+  /// the stored tuple is changed or deleted.
   virtual bool keeps(TupleId /*id*/) const { return false; }
   /// Name of a stored relation; empty for a relation in memory.
   virtual std::string name() const { return {}; }

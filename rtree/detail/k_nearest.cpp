@@ -79,7 +79,7 @@ class Search {
     set_least(group_count_++);
   }
 
-  // Inner nodes come before leaves at twice their distance: so that what is in these is on its way in time.
+  // Inner nodes come before leaves at twice their distance: so that the content of these is fetched in time.
   void set_least(std::uint32_t index) {
     Group& group = groups_[index];
     group.least = scans_.least(group.children, group.slots);
@@ -150,7 +150,7 @@ class Search {
   }
 
   // The bound comes from the largest of the k nearest squares seen. These are of keys: exact distances may be larger by
-  // the resolution, and squares of exact distances by what this adds.
+  // the resolution, and squares of exact distances accordingly.
   void lower_bound() {
     const double square = nearest_.squares[k_ - 1];
     if (square < square_of_slack_ / 4) {

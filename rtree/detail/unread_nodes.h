@@ -15,7 +15,7 @@ namespace rtree {
 
 using algebra3d::LargeVector;
 
-/// An array of nodes of an image, read by the block, and what is known of each node.
+/// An array of nodes of an image, read by the block, and the state of each node.
 template <typename Node>
 class UnreadArray {
  public:

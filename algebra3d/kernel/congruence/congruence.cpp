@@ -23,7 +23,7 @@ bool may_have_one_diameter(const Box3& a, const Box3& b, double tolerance) {
   return std::max(size_a, size_b) / 2 <= std::min(size_a, size_b) + tolerance;
 }
 
-/// The tolerance in a unit, raised to what the rounded check needs.
+/// The tolerance in a unit, raised to the smallest one that the rounded check can decide.
 double effective_tolerance(const CentredSolid& a, const CentredSolid& b, double tolerance, double unit) {
   const double size = std::max(a.radius(), b.radius());
   const double coordinates = std::max(detail::largest(a.centre()), detail::largest(b.centre())) / unit + size;

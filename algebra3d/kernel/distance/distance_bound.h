@@ -8,7 +8,7 @@
 
 namespace algebra3d {
 
-/// A face of one set of triangles, and what is known of its distance from another one.
+/// A face of one set of triangles, and the known bounds of its distance from another one.
 struct BoundedFace {
   FaceId face;
   double at_most;  ///< no point of it is farther

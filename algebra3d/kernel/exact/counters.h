@@ -15,7 +15,8 @@ struct ExactCounters {
 
 /// The sum over all threads, ended ones included. Concurrent calls may be missing. Cost: one lock.
 ExactCounters exact_counters();
-/// The predicate calls of the calling thread so far: the difference of two readings is the cost of what it did between.
+/// The predicate calls of the calling thread so far: the difference of two readings is the cost of the work between
+/// them.
 std::uint64_t exact_calls_of_this_thread();
 /// Sets the counts of all threads to zero. A concurrent call may restore its thread's old count.
 void reset_exact_counters();

@@ -23,9 +23,8 @@ Result<Rational> exact_volume(const PointArray& points, IndexTriangles triangles
                               const std::atomic<bool>* cancel = nullptr);
 
 /// `exact_volume`, rounded to nearest, with the same errors. Cost: linear; as `exact_volume` for doubles, and where
-/// corners are not doubles less than a microsecond per triangle, since coordinates that are cut off and a bound of what
-/// that changes nearly always decide. If they do not, that of `exact_volume` (counted in
-/// `exact_counters().filter_failures`).
+/// corners are not doubles less than a microsecond per triangle, since coordinates that are cut off and a bound of the
+/// change nearly always decide. If they do not, that of `exact_volume` (counted in `exact_counters().filter_failures`).
 Result<double> nearest_volume(const PointArray& points, IndexTriangles triangles,
                               const std::atomic<bool>* cancel = nullptr);
 

@@ -19,7 +19,7 @@ using detail::BitRange;
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Bits behind the binary point in the sums below. With integer coordinates a triangle that is not degenerate has a
-/// normal of length 1 at least, so that what is cut off is at most 2^-128 of it.
+/// normal of length 1 at least, so that the bits cut off are at most 2^-128 of it.
 constexpr mp_bitcnt_t kFractionBits = 128;
 
 /// Sum of the lengths of the triangles' normals, which are twice the areas, with all coordinates as integers.

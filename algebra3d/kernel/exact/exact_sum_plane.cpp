@@ -110,8 +110,8 @@ Rational exact_doubled_area(const PointArray& points, std::size_t begin, std::si
   return doubled_area_with<LongDeterminants>(points, begin, end, exponent);
 }
 
-// Scaled so that the largest coordinate is about 1. Nothing overflows then, and what underflows is too small to count:
-// where a coordinate is about 1, two different ones near it differ by 2^-54 at least.
+// Scaled so that the largest coordinate is about 1. Nothing overflows then, and numbers that underflow are too small to
+// count: where a coordinate is about 1, two different ones near it differ by 2^-54 at least.
 double nearest_length(const PointArray& points, std::size_t begin, std::size_t end) {
   double largest = 0;
   for (std::size_t i = begin; i < end; ++i)

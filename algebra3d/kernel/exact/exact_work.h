@@ -8,7 +8,7 @@ namespace algebra3d {
 /// The work of exact predicates on long numbers, of more than a thousand bits, that the calling thread has done so far,
 /// in products of two limbs (words of 64 bits), each one or two nanoseconds. Models have no such numbers; points where
 /// triangles meet whose coordinates are of all sizes do. An estimate by lengths only, so the same calls give the same
-/// work. The difference of two readings is the work of what the thread did between.
+/// work. The difference of two readings is the work of the thread between them.
 std::uint64_t exact_work_of_this_thread();
 
 /// A limit of the exact work of all threads that share it.

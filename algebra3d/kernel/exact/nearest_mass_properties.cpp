@@ -25,7 +25,7 @@ Bounds operator*(const Bounds& a, const Bounds& b) {
   return {lower, upper};
 }
 
-/// A number near the middle of bounds whose denominator is a short power of two, so that what is computed from it stays
+/// A number near the middle of bounds whose denominator is a short power of two, so that numbers computed from it stay
 /// short; and how far the true number is from it at most.
 struct ShortNumber {
   Rational value, error;

@@ -21,9 +21,9 @@ struct NearestMassProperties {
 
 /// `mass_properties` and the principal axes of the tensor. Exactness: numbers are the exact ones, rounded to nearest,
 /// and infinite beyond the range of doubles; axes as those of `principal_axes`. Errors: interrupted. Cost: linear;
-/// where corners are not doubles about that of `nearest_volume`, since coordinates that are cut off and a bound of what
-/// that changes nearly always decide. If they do not (an entry that is exactly 0, moments that are exactly equal), that
-/// of `mass_properties` (counted in `exact_counters().filter_failures`).
+/// where corners are not doubles about that of `nearest_volume`, since coordinates that are cut off and a bound of the
+/// change nearly always decide. If they do not (an entry that is exactly 0, moments that are exactly equal), that of
+/// `mass_properties` (counted in `exact_counters().filter_failures`).
 Result<NearestMassProperties> nearest_mass_properties(const PointArray& points, IndexTriangles triangles,
                                                       const std::atomic<bool>* cancel = nullptr);
 

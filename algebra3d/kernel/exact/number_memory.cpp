@@ -11,7 +11,7 @@
 namespace algebra3d {
 namespace {
 
-/// Tries once more with what the reserve was. Other allocations are refused until there is a reserve again, so the
+/// Tries once more with the memory of the reserve. Other allocations are refused until there is a reserve again, so the
 /// numbers of a computation have it to themselves until it makes anything else.
 template <typename Allocate>
 void* with_reserve(const Allocate& allocate) {

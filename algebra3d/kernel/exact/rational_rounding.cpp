@@ -36,7 +36,7 @@ RoundedQuotient round_leading(const Leading& leading, Rounding rounding) {
                                              : RoundedQuotient{std::numeric_limits<double>::infinity(), -1};
   }
   const long dropped_bits = last_bit + leading.scale;  // at least 2
-  // At 64 and beyond, all bits are dropped, and what is left is less than half of the lowest bit.
+  // At 64 and beyond, all bits are dropped, and the rest is less than half of the lowest bit.
   const std::uint64_t kept = dropped_bits > 63 ? 0 : leading.quotient >> dropped_bits;
   const std::uint64_t dropped = dropped_bits > 63 ? 1 : leading.quotient - (kept << dropped_bits);
   const std::uint64_t half = dropped_bits > 63 ? 2 : std::uint64_t{1} << (dropped_bits - 1);

@@ -48,7 +48,7 @@ void RealSum::add(const RealSum& other) {
 
 void RealSum::carry() {
   for (std::size_t i = 0; i + 1 < kDigits; ++i) {
-    const std::int64_t above = digits_[i] >> kDigitBits;  // rounded down, so that what stays is not negative
+    const std::int64_t above = digits_[i] >> kDigitBits;  // rounded down, so that the rest is not negative
     digits_[i] -= above * (std::int64_t{1} << kDigitBits);
     digits_[i + 1] += above;
   }

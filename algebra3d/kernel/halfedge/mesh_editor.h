@@ -32,10 +32,11 @@ class MeshEditor {
   /// were isolated stay. Cost: linear.
   PolygonMesh mesh() const;
   /// The attributes of `result`, the mesh as it is now, from those of `source`, the mesh that this object was made
-  /// from. Elements that stay keep theirs. New ones have those of what they were part of: both parts of an edge or face
-  /// those of the whole; a vertex in an edge, and its corners, the mean of the ends by its place in the edge; a vertex
-  /// that was split off and its corners those of the vertex. New edges have none. Of two edges that become one, the one
-  /// at the vertex that stays counts. Corners of vertices that were merged: see taken_over_merged. Cost: linear.
+  /// from. Elements that stay keep theirs. New ones have those of the element that they were part of: both parts of an
+  /// edge or face those of the whole; a vertex in an edge, and its corners, the mean of the ends by its place in the
+  /// edge; a vertex that was split off and its corners those of the vertex. New edges have none. Of two edges that
+  /// become one, the one at the vertex that stays counts. Corners of vertices that were merged: see taken_over_merged.
+  /// Cost: linear.
   MeshAttributes attributes(const MeshAttributes& given, const PolygonMesh& source, const PolygonMesh& result) const;
 
   std::size_t vertex_count() const { return points_.size() - free_vertices_.size(); }

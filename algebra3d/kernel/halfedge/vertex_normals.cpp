@@ -219,7 +219,7 @@ class BlockSums {
   const HalfedgeMesh<Layout>& mesh_;
   const detail::CornerWeightKernels& kernels_;
   std::size_t first_, count_;
-  std::vector<WeightedSum> sums_;  // the last one takes what belongs to other vertices
+  std::vector<WeightedSum> sums_;  // the last one takes the shares of other vertices
   List triangles_{3}, quadrilaterals_{4};
   CornerWeights weights_;
 };

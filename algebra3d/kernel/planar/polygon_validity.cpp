@@ -174,7 +174,7 @@ class ConflictText {
   std::string text(const planar::ClaimConflict& conflict) const;
 
  private:
-  /// Whether a point belongs to a face, or what about the face is wrong there.
+  /// Whether a point belongs to a face, or the defect of the face there.
   struct Membership {
     bool is_inside = false;
     Defect defect;

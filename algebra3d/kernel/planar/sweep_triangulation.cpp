@@ -99,8 +99,8 @@ class Sweep {
   Active active_;  // from below to above
 };
 
-/// 1 for a vertex above the edge, -1 below it. One that lies inside of it is on the outer side: what ends there touches
-/// the region of the edge from outside.
+/// 1 for a vertex above the edge, -1 below it. One that lies inside of it is on the outer side: chains that end there
+/// touch the region of the edge from outside.
 int Sweep::side(SweepEdgeId edge, SweepVertexId vertex) const {
   const SweepEdge& e = edges_[edge];
   if (const int found = turn(e.earlier, e.later, vertex); found != 0) return found;

@@ -18,7 +18,7 @@ namespace algebra3d {
 struct SolidFromSoup {
   std::optional<TriangleMesh> mesh;    ///< proved to be a valid volume3d
   SoupReport report;                   ///< of the triangles as given
-  std::optional<RepairReport> repair;  ///< what was changed; nothing if the file was a solid, or strict
+  std::optional<RepairReport> repair;  ///< the changes; nothing if the file was a solid, or strict
   std::string reason;                  ///< why the repair gave no solid; empty if it gave one or there was no repair
   std::optional<Amount> volume;        ///< of the solid
   std::optional<Amount> area_seen;     ///< of the triangles as given, as in RepairAmounts; nothing if there is no solid

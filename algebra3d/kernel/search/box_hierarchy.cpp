@@ -33,7 +33,7 @@ Box3 wide_box_of(const PointRef& point, double margin) {
     // smallest normal double covers both: a subnormal constant takes the processor a hundred cycles.
     const double width =
         margin + margin * 0x1p-50 + 0x1p-51 * std::abs(point.approx[axis]) + std::numeric_limits<double>::min();
-    // Never infinite; so the ends of the range of doubles stand for what may lie beyond them.
+    // Never infinite; so the ends of the range of doubles stand for values beyond them.
     constexpr double kLargest = std::numeric_limits<double>::max();
     box.min[axis] = std::max(box.min[axis] - width, -kLargest);
     box.max[axis] = std::min(box.max[axis] + width, kLargest);

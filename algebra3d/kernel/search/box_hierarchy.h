@@ -266,7 +266,7 @@ class BoxHierarchy {
   void push_near_children(const Node& node, const Box& where, double limit, Gap gap,
                           std::vector<NearNode>& stack) const;
   static double no_gap(Node) { return 0; }
-  /// A lower bound of the squared distance of what the boxes stand for, in this frame.
+  /// A lower bound of the squared distance of the faces in the boxes, in this frame.
   static double squared_gap(const Box& own, const Box& other);
   /// The square of a length in coordinate units, in this frame, rounded up.
   double squared_in_frame(double length) const;

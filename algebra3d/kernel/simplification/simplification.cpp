@@ -83,8 +83,8 @@ class ValidSearch {
     }
   }
 
-  /// Where walls are thin, locks spread, and more triangles may be left than with a larger number to begin with. So
-  /// numbers between what the limits give and what locks left are halved, four to a factor of two, without locks.
+  /// Where walls are thin, locks spread, and more triangles may be left than with a larger number to begin with. So the
+  /// numbers between the result of the limits and that of the locks are halved, four to a factor of two, without locks.
   Status try_weaker_limits() {
     constexpr double kStepsToHalf = 4;
     const auto all = static_cast<double>(mesh_.face_count());

@@ -66,7 +66,7 @@ struct CodedFace {
 
 constexpr unsigned kDigitBits = 11;
 constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
-constexpr unsigned kSortedBits = 33;  // of the codes, by digits: the highest; what is left concerns few faces
+constexpr unsigned kSortedBits = 33;  // of the codes, by digits: the highest; the rest concerns few faces
 
 /// Sorts runs of equal highest bits.
 void sort_runs(LargeVector<CodedFace>& coded) {

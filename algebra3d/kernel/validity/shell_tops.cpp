@@ -44,7 +44,7 @@ bool spans_height(const TriangleRef& triangle, const PointRef& p) {
   return !std::ranges::all_of(triangle, is_lower) && !std::ranges::all_of(triangle, is_higher);
 }
 
-/// An estimate of a sum of determinants, and what it may be off by.
+/// An estimate of a sum of determinants, and a bound of its error.
 struct EstimatedSum {
   double value = 0, error = 0, size = 0;
   std::uint32_t count = 0;

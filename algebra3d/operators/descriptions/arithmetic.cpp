@@ -1,4 +1,4 @@
-// + - * / div mod on int and real, and what of them there is for texts and times.
+// + - * / div mod on int and real, and those of them that exist for texts and times.
 #include <cmath>
 #include <cstdint>
 #include <limits>

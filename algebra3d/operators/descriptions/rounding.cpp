@@ -31,7 +31,7 @@ std::string nothing_left(const RoundedSurface& /*rounded*/) {
   return "nothing is left: all of its triangles are thinner than the grid";
 }
 
-/// The text of the note on a rounding: how far it moved what, by which method, and what vanished.
+/// The text of the note on a rounding: the vertices moved, the distance, the method, and the shells that vanished.
 template <typename Rounded>
 std::string rounding_note(const Rounded& rounded, std::size_t vertex_count) {
   if (rounded.mesh->is_empty()) return nothing_left(rounded);

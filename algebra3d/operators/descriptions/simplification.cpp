@@ -86,7 +86,7 @@ Volume3d value_of(const Volume3d& /*before*/, Simplification result) {
 Surface3d value_of(const Surface3d& /*before*/, Simplification result) {
   return Surface3d::trusted(std::move(result.mesh));
 }
-/// With the attributes of what is left.
+/// With the attributes of the remaining elements.
 Mesh3d value_of(const Mesh3d& before, Simplification result) {
   const PolygonMesh& old = before.mesh();
   PolygonMesh mesh(result.mesh.points(), PolygonLayout::of_degree(3), result.mesh.origins());

@@ -71,7 +71,7 @@ std::vector<std::string> parameter_types(const Operator& op) {
   return names;
 }
 
-// Converts the arguments to what the overload takes. False if an undefined one decides the result.
+// Converts the arguments to the types that the overload takes. False if an undefined one decides the result.
 bool prepare(const Overload& overload, std::span<Value> arguments) {
   for (std::size_t place = 0; place < arguments.size(); ++place) {
     Value& argument = arguments[place];

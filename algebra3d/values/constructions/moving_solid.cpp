@@ -43,7 +43,8 @@ class SlabSurface {
   std::vector<Triangle> triangles_;
 };
 
-/// At the end of a slab corners may fall together and segments lie on each other: what they bound is covered.
+/// At the end of a slab corners may fall together and segments lie on each other: the faces that they bound are
+/// covered.
 Status SlabSurface::add_cover(const Polygons& polygons, bool is_above) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<DirectedEdge> edges,
                              noded(polygons.corners, segments_of(polygons), monitor_));

@@ -33,8 +33,8 @@ std::vector<Operand> operands_of(std::span<const Volume3d> solids) {
   return operands;
 }
 
-// A solid that reaches near to the ends of the range of doubles has no room round it there for what is to cut it. Its
-// image under this map has; what is found there is mapped back. Both maps are exact for all coordinates.
+// A solid that reaches near to the ends of the range of doubles has no room round it there for the cutting solid. Its
+// image under this map has; the result is mapped back. Both maps are exact for all coordinates.
 constexpr double kReduction = 0x1p-24;
 
 AffineMap scaling(double factor) {

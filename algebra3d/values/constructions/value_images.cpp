@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char* kFlattened = "a zero factor would flatten the shape";
 
-/// A value that holds a coordinate which is not a double keeps its exact image where the map is as exact: rounding it
-/// would part it from what else was made from the same operands. A value of doubles is rounded once.
+/// A value that holds a coordinate which is not a double keeps its exact image where the map is as exact: rounding
+/// would separate it from other values made from the same operands. A value of doubles is rounded once.
 bool keeps_exact_image(const AffineMap& map, bool has_fractions) {
   return has_fractions && map.has_dyadic_matrix();
 }

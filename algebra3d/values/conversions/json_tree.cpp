@@ -12,7 +12,7 @@ namespace algebra3d {
 
 // nlohmann-json is named in this file alone. Its parser is a loop, while its writer and its values recurse; so only its
 // events are used. Numbers are long doubles for it, because it gives up a whole text for one beyond the range of its
-// type; what they are is read from their digits where they are needed.
+// type; their values are read from their digits where they are needed.
 using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
 namespace {

@@ -17,7 +17,7 @@ enum class RayHitKind : std::uint8_t { entering, leaving, touching };
 /// Its name in results: "entering".
 std::string_view name_of(RayHitKind kind);
 
-/// A connected part of what a ray and a boundary have in common: a point, or a run along faces or edges.
+/// A connected part of the intersection of a ray and a boundary: a point, or a run along faces or edges.
 struct RayHit {
   Rational first, last;                ///< parameters of its ends, which are equal for a point
   ExactPoint first_point, last_point;  ///< its ends

@@ -15,7 +15,7 @@ struct PlaceOfBox {
 };
 
 /// The place of a box, which is not empty, relative to a surface or a solid; unknown (gap 0) relative to boxes and
-/// points. Exact in what it says. Cost: that of a window in the hierarchy as large as the box and `reach` around it,
+/// points. Its statements are exact. Cost: that of a window in the hierarchy as large as the box and `reach` around it,
 /// and for a solid whose boundary is apart that of place_in_solid.
 PlaceOfBox place_of_box(const Box3& box, const SpatialSet& set, double reach);
 

@@ -95,7 +95,7 @@ PlaneReader ByteReader::plane_reader(std::size_t count, int min_width, int max_w
   const int width = u8();
   if (ok() && (width < min_width || width > max_width))
     fail(fmt::format("a width of {} to {} bytes, found {}", min_width, max_width, width));
-  // No product that could overflow: the count is compared with what the bytes at hand can hold.
+  // No product that could overflow: the count is compared with the number that the bytes at hand can hold.
   if (ok() && width > 0 && count > remaining() / static_cast<std::size_t>(width))
     fail(fmt::format("{} values of {} bytes, {} bytes are left", count, width, remaining()));
   if (!ok()) return {};

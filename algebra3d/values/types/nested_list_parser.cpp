@@ -300,7 +300,7 @@ class Parser {
     if (error == std::errc{} && end == token.data() + token.size()) {
       complete_.emplace_back(integer);
     } else if (large_integers_ == LargeIntegers::are_kept ? is_integer(token) : is_inexact_integer(token)) {
-      // Literals are exact: what no double holds becomes the fraction that coordinates may be.
+      // Literals are exact: a number that no double holds becomes a fraction, which coordinates may be.
       complete_.push_back(NestedList::symbol(std::string(token).append(kOverOne)));
     } else if (const auto real = parse_real(token)) {
       complete_.emplace_back(*real);

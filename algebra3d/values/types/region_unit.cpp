@@ -98,7 +98,7 @@ Result<std::optional<std::string>> defect_of_unit(const TimeInterval& interval, 
   return polygon_defect(polygons.start, monitor);
 }
 
-/// A region of polygons that bound one as soon as what lies on each other is left out.
+/// A region of polygons that bound one once the segments that lie on each other are left out.
 Result<Region> regularised(const Polygons& polygons, const Monitor& monitor) {
   ALGEBRA3D_ASSIGN_OR_RETURN(auto given, Region::prove(polygons, monitor));
   if (given) return *std::move(given);

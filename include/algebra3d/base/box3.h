@@ -45,8 +45,8 @@ double distance(const Box3& a, const Box3& b);
 /// Square of `distance`, for comparisons.
 double squared_distance(const Box3& a, const Box3& b);
 
-/// A unit of length for what lies in the box: a power of two near half of its longest side, from 2^-1070 to 2^1020. The
-/// box must not be empty.
+/// A unit of length for the content of the box: a power of two near half of its longest side, from 2^-1070 to 2^1020.
+/// The box must not be empty.
 double length_unit(const Box3& box);
 
 /// Prints the smallest and the largest corner, `((0.0 0.0 0.0) (1.0 1.0 1.0))`.

@@ -79,8 +79,8 @@ class Database {
   /// other statement, which has then changed nothing.
   Result<Value> value(std::string_view statement, const Parameters& parameters = {});
   /// Runs the statements of a script, which end with `;` or an empty line, up to the first that fails. Results are
-  /// discarded; what `check database` finds becomes notes of the report. Errors: those of the statement; io_error also
-  /// if its result says that a file was not read or written.
+  /// discarded; the findings of `check database` become notes of the report. Errors: those of the statement; io_error
+  /// also if its result says that a file was not read or written.
   Status execute(std::string_view script, const Parameters& parameters = {});
   /// The report of the last statement or script; also after an error, which has undone the changes.
   const Report& report() const;

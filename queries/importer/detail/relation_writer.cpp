@@ -166,7 +166,7 @@ Result<std::uint64_t> RelationWriter::drop(const std::function<bool(const std::s
 }
 
 // One pass before the first file is written, which reads no geometry: so a changed file finds its tuple without an
-// index on the attribute. Each file is written once, so that what is written later need not be entered.
+// index on the attribute. Each file is written once, so that later tuples need not be entered.
 Status RelationWriter::find_earlier_tuples() {
   if (earlier_tuples_found_) return {};
   ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation_->scan());

@@ -61,7 +61,7 @@ void ConnectionStream::give_up() {
   is_late_ = true;
   shut(SHUT_RD);
   pollfd asked{socket_.number(), POLLOUT, 0};
-  const bool is_taken = poll(&asked, 1, 0) > 0;  // what was written: so it will get the refusal
+  const bool is_taken = poll(&asked, 1, 0) > 0;  // the client reads, so it will get the refusal
   if (!is_taken) shut(SHUT_RDWR);
 }
 

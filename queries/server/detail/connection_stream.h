@@ -42,10 +42,11 @@ class ConnectionStream final : public httplib::Stream, public Connection {
   void expect_body(std::uint64_t bytes) { body_bytes_ = bytes; }
   /// True if the client was silent for too long, or others needed its place.
   bool is_late() const { return is_late_; }
-  /// Ends the answer. Returns the socket if the client has sent, or may still send, what nobody has read.
+  /// Ends the answer. Returns the socket if the client has sent, or may still send, unread bytes.
   algebra3d::Descriptor end();
 
-  /// Since when the client has been waited for; nothing while it is not. May be called by any thread, as what follows.
+  /// Since when the client has been waited for; nothing while it is not. This and the following functions may be called
+  /// by any thread.
   std::optional<Clock::time_point> waits_since() const;
   /// Ends the connection because others need its place.
   void give_up();

@@ -8,8 +8,7 @@
 
 namespace queries {
 
-/// Which file a database is, to notice that it was deleted or replaced while it is open: what is written then would be
-/// lost.
+/// Which file a database is, to notice that it was deleted or replaced while it is open: later writes would be lost.
 class DatabaseIdentity {
  public:
   /// Errors: database_missing.

@@ -78,7 +78,7 @@ class Execution {
 
   const StatementRequest& request() const { return request_; }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  /// How far the statement, or what was asked of its result, has come; for people.
+  /// The progress of the statement, or of a request for its result; for people.
   std::string progress() const;
 
  private:

@@ -262,7 +262,7 @@ class Library final : public httplib::Server {
     if (const int socket = svr_sock_.exchange(INVALID_SOCKET); socket != INVALID_SOCKET) ::close(socket);
   }
 
-  /// Answers the request of a connection. One request on each: what a refused body leaves unread can never be taken for
+  /// Answers the request of a connection. One request on each: the unread rest of a refused body can never be taken for
   /// the next request.
   void answer(ConnectionStream& stream) {
     current() = &stream;

@@ -15,7 +15,7 @@ namespace queries {
 Reply<StatementRequest> read_query_request(const std::string& body, const algebra3d::Registry& registry,
                                            KeptResults& results);
 
-/// The body of a request as JSON. Refusals: bad_request for what is not JSON, or nested too deeply.
+/// The body of a request as JSON. Refusals: bad_request for a body that is not JSON or is nested too deeply.
 Reply<nlohmann::json> parse_body(const std::string& body);
 
 /// The refusal for an error of `cell_of`, or of another question to a result.

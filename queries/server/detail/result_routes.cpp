@@ -44,8 +44,8 @@ Reply<std::string> text(const HttpRequest& request, const std::string& name) {
   return Refusal::bad_request(fmt::format("the parameter '{}' is missing", name));
 }
 
-// The value list of a cell as JSON. An element takes some dozen bytes at least: what is certainly too large is not
-// written first.
+// The value list of a cell as JSON. An element takes some dozen bytes at least: a list that is certainly too large is
+// not written at all.
 Result<std::string> list_of_cell(ResultTable& table, std::size_t row, const std::string& column) {
   constexpr std::size_t kLeastBytes = 16;
   ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, row, column));

@@ -7,7 +7,7 @@
 
 namespace queries {
 
-/// The number of UTF-16 code units of a UTF-8 text: what positions in JavaScript count.
+/// The number of UTF-16 code units of a UTF-8 text: the unit of positions in JavaScript.
 inline std::size_t utf16_units(std::string_view text) {
   std::size_t units = 0;
   for (const char c : text) {

@@ -51,7 +51,7 @@ Result<NestedList> types(Store& store) {
   return NestedList(std::move(list));
 }
 
-// How often decisions needed more than floating point, and what else is counted in this process.
+// The counters of this process, such as how often decisions needed more than floating point.
 NestedList counters() {
   const algebra3d::ExactCounters counts = algebra3d::exact_counters();
   const auto row = [](std::string_view name, std::uint64_t count) {

@@ -67,8 +67,8 @@ Result<std::vector<ObjectSource::IndexName>> Session::Objects::indexes_of(const 
   return indexes;
 }
 
-// A function may be defined by others, `let g = [f]`, and after an update even by itself. Its body does not count: what
-// stands there is looked at when the function is called.
+// A function may be defined by others, `let g = [f]`, and after an update even by itself. Its body does not count: it
+// is checked when the function is called.
 Result<Datum> Session::Objects::function_of(const ObjectInfo& info) {
   if (std::ranges::find(functions_in_making_, info.name) != functions_in_making_.end())
     return Error{ErrorCode::not_evaluable, "the function '{}' is defined by itself", info.name};

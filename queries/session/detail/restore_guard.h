@@ -26,7 +26,7 @@ class RestoreGuard final : public algebra3d::ReadGuard {
   std::size_t refusal_count() const;
   /// Whether something was refused, a variable or a file.
   bool has_refused() const { return refusal_count() > 0 || !refused_variables_.empty(); }
-  /// An object that could not be tried, since what it is derived from reads a refused file.
+  /// An object that could not be tried, since an object that it is derived from reads a refused file.
   void add_untried(const std::string& name) { untried_.insert(name); }
   /// An error that lists what the saved file would read, if something was refused; all of it stands in the notes as
   /// well. `is_shared`: the user cannot allow it. Errors: wrong_usage.

@@ -73,7 +73,7 @@ FileArgument examine_file(const std::string& name) {
   std::error_code error;
   if (name == "-" || !std::filesystem::is_regular_file(name, error)) return {};
   const auto file = algebra3d::InputFile::open(name);
-  if (!file) return {};  // what runs it has the message
+  if (!file) return {};  // the message comes when it is run
   const auto head = file->head(kSampleBytes);
   return head ? kind_of(*head, file->size(), name) : FileArgument{};
 }

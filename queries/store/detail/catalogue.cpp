@@ -106,7 +106,7 @@ void Catalogue::remember_damage(const Error& error) {
   if (std::ranges::find(damage_, message) == damage_.end()) damage_.emplace_back(message);
 }
 
-// From both ends, so that what lies behind a damaged page is found too.
+// From both ends, so that rows behind a damaged page are found too.
 Status Catalogue::read_readable() {
   damage_.clear();
   const auto version = connection_.integer("PRAGMA user_version");

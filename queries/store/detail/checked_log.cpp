@@ -103,8 +103,7 @@ int CheckedLog::write_part(std::span<const std::byte> from, sqlite3_int64 offset
   return found == SQLITE_OK ? write_frame(frame) : found;
 }
 
-// SQLite leaves salts and checksums 0 where it will compute them from what is in the file, at the end of the
-// transaction.
+// SQLite leaves salts and checksums 0 where it will compute them from the file, at the end of the transaction.
 int CheckedLog::write_frame(sqlite3_int64 frame) {
   set_page_sum(page(), word_of(header()));
   const auto open = header().subspan(kSaltsInFrame);

@@ -120,7 +120,7 @@ Result<SqliteConnection*> Database::source_of(const RelationLayout& layout, Tupl
 }
 
 // This transaction has written, so it holds the only lock for writing: nobody has committed since its beginning, and
-// what another connection sees now is what was there then.
+// another connection still sees the state of that time.
 Result<SqliteConnection*> Database::original() {
   if (original_ == nullptr) {
     ALGEBRA3D_ASSIGN_OR_RETURN(

@@ -1,4 +1,4 @@
-// When a Database's statements and transactions begin and end, and what is forgotten then.
+// When a Database's statements and transactions begin and end, and which data are dropped then.
 #include <algorithm>
 #include <utility>
 

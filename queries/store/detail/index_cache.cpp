@@ -50,7 +50,7 @@ void IndexCache::change(std::int64_t table_number, std::span<const algebra3d::Bo
     const algebra3d::Box3& box = boxes[each->first.attribute];
     Spatial& entry = each->second;
     if (!entry.is_known()) continue;
-    // Also if the boxes stay: what is stored names the state of the relation.
+    // Also if the boxes stay: the stored tree names the state of the relation.
     entry.is_changed = true;
     if (box.is_empty() || !entry.ensure_open()) continue;
     // A stored tree that is damaged where the change is made is no longer followed, and so not up to date.

@@ -14,7 +14,7 @@
 namespace queries {
 namespace {
 
-/// Of one object; what comes after these is counted.
+/// The findings listed for one object; further ones are counted.
 constexpr std::size_t kFindingsPerObject = 100;
 constexpr std::uint64_t kStepsPerReport = 64;
 
@@ -111,7 +111,7 @@ void IntegrityCheck::add_page_faults() {
   }
 }
 
-// Of a database that does not open, what is not said to be damaged is what can be saved.
+// For a database that does not open: the objects that are not reported as damaged can be saved.
 void IntegrityCheck::add_readable_objects() {
   if (!database_->catalogue().is_tolerant() || findings_.empty()) return;
   const auto is_damaged = [&](const std::string& name) { return !name.empty() && finding_counts_.contains(name); };

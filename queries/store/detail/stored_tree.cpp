@@ -264,7 +264,7 @@ void follow_changes(const std::shared_ptr<Database>& database, const std::shared
       find_stored(database, *layout, attribute);
 }
 
-// SQLite may answer a failure by rolling back the whole transaction; what came after it would be lasting at once.
+// SQLite may answer a failure by rolling back the whole transaction; later changes would be committed at once.
 Status store_trees(Database& database) {
   SqliteConnection& connection = database.connection();
   for (const IndexCache::Unstored& each : database.indexes().unstored()) {

@@ -43,7 +43,7 @@ std::vector<algebra3d::Value> ValueCache::shrink() {
   while (bytes() > limit && places_.size() > 1) {
     const bool has_older_new = new_.entries.size() > 1;
     if (has_older_new && (new_.bytes > limit / 4 || kept_.entries.empty())) {
-      // While little is kept, what comes first fills the cache.
+      // While little is kept, the first values fill the cache.
       const bool has_room = kept_.bytes + new_.entries.back().bytes <= limit - limit / 4;
       if (has_room || ++unasked_count_ % kPromoted == 0) {
         keep(std::prev(new_.entries.end()), has_room ? kept_.entries.end() : kept_.entries.begin());

@@ -20,15 +20,14 @@ struct ValuePlace {
   friend auto operator<=>(const ValuePlace&, const ValuePlace&) = default;
 };
 
-/// A cache of loaded values with a limit in bytes, which is a third of what it could take of the memory that is left if
-/// that is less; it outlives statements. A change of a stored value must erase it
-/// here. Used under the lock of its owner.
+/// A cache of loaded values with a limit in bytes, or a third of the remaining memory if that is less; it outlives
+/// statements. A change of a stored value must erase it here. Used under the lock of its owner.
 ///
 /// Two lists, each by last use: values that were asked for again since they came are kept for as long as there are no
 /// newer ones of this kind; new values share a quarter of the limit once the cache is full. So a scan of more than the
 /// cache holds drops its own values and not what it finds here the next time; in a plain list by last use it would find
-/// nothing. One in kPromoted of the values that leave the new ones unasked is kept too, in place of what is no longer
-/// used. Source: [johnson1994] for the two lists, [qureshi2007] for the rare promotion.
+/// nothing. One in kPromoted of the values that leave the new ones unasked is kept too, in place of values that are no
+/// longer used. Source: [johnson1994] for the two lists, [qureshi2007] for the rare promotion.
 class ValueCache {
  public:
   explicit ValueCache(std::uint64_t limit) : limit_(limit) {}

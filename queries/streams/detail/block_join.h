@@ -118,8 +118,8 @@ class BlockPairs {
   std::uint32_t steps_ = 0;
 };
 
-/// A block nested-loop join: what `Combine` makes of one tuple of the build side and one of the probe side, for each of
-/// the BlockPairs.
+/// A block nested-loop join: for each of the BlockPairs, the result of `Combine` for one tuple of the build side and
+/// one of the probe side.
 template <typename Table, typename Combine>
 class BlockJoin final : public TupleStream {
  public:

@@ -44,7 +44,7 @@ int JsonRecords::peek_value() {
   return file_.peek();
 }
 
-// A file that was cut short meanwhile is not to blame for what is missing.
+// For a file that was cut short while it was read the error is that of the file.
 Error JsonRecords::not_closed(std::string_view what, std::size_t line) const {
   if (!file_.status().ok()) return file_.status().error();
   return {ErrorCode::file_format, "line {}: the {} that begins here is not closed", line, what};

@@ -45,7 +45,7 @@ Result<NestedList> list_of_element(const JsonTree& tree, std::size_t part) {
   }
 }
 
-// Value lists are no deeper than their types, but what is read may be: it is refused there.
+// Value lists are no deeper than their types, but the input may be: it is refused there.
 Result<NestedList> list_of_array(const JsonTree& tree, std::size_t array, std::size_t depth) {
   constexpr std::size_t kDeepest = 20;
   if (depth > kDeepest) return Error{ErrorCode::invalid_value, "arrays are nested deeper than any value"};

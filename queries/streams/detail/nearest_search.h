@@ -37,7 +37,7 @@ struct NearestProbe {
   TuplePtr tuple;
   std::uint64_t place = 0;
   std::vector<NearTuple> nearest = {};        ///< the result, the nearest one first
-  double bound = algebra3d::Box3::kInfinity;  ///< what is farther away is not among them
+  double bound = algebra3d::Box3::kInfinity;  ///< sets farther away are not among them
 };
 
 /// The tuples that may be neighbours of a probe.

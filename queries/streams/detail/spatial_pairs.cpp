@@ -95,7 +95,7 @@ struct SpatialPairs::Batches {
     last_batch.resize(values.size());
   }
 
-  /// Takes the memory for what a pair needs beyond what its batch has; false if there is not enough.
+  /// Takes the memory that a pair needs beyond that of its batch; false if there is not enough.
   bool take(std::uint32_t pair, std::uint32_t batch, algebra3d::MemoryAccount& account) const {
     const auto [a, b] = numbers[pair];
     std::size_t bytes = last_batch[a] == batch ? 0 : loaded_bytes(*values[a]);

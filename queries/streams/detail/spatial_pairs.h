@@ -29,7 +29,7 @@ struct ValuePair {
 /// Questions about pairs of spatial values, asked in parallel.
 ///
 /// Pairs are asked along a space-filling curve. The geometry of each value is loaded once for all pairs of a call; if
-/// it exceeds the work memory, there are several batches, and what the next one needs, too, stays loaded.
+/// it exceeds the work memory, there are several batches, and values that the next one also needs stay loaded.
 /// Interruptible; reports its progress.
 class SpatialPairs {
  public:

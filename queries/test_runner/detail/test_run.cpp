@@ -236,7 +236,7 @@ void TestRun::check(const CommandText& command) {
   conclude(command, result, judge(expectation_, result, notes, tolerance_));
 }
 
-// Without the order that does not count, so that the place of a difference is one in what is shown.
+// Without the order that does not count, so that the place of a difference is one in the shown text.
 NestedList TestRun::comparable(NestedList list) const {
   if (variation_ != nullptr)
     list = with_changed_value(list, [&](const TypeExpr& type, const NestedList& value) {
@@ -245,7 +245,7 @@ NestedList TestRun::comparable(NestedList list) const {
   return expectation_.kind == Expectation::Kind::set ? with_sorted_tuples(std::move(list)) : list;
 }
 
-// The type's own equality is asked for by a query; what both sides are is asked only after a failure.
+// The type's own equality is asked for by a query; both values are asked for only after a failure.
 void TestRun::check_equal(const CommandText& command) {
   const auto expression = queried_expression(command.text);
   if (!expression) {

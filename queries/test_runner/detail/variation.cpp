@@ -113,7 +113,7 @@ Registry varied(const Registry& plain, VariationKind kind, const Motion& motion)
   return registry;
 }
 
-/// A piece of the text, and what is to stand there.
+/// A piece of the text, and its replacement.
 struct Replacement {
   std::size_t begin = 0;
   std::size_t length = 0;

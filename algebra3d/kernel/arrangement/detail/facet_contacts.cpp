@@ -25,8 +25,8 @@ struct ContactEnd {
   ContactEnd opposite() const { return {contact, 1 - number}; }
 };
 
-/// Joins the contacts of one block of facets after another: what contacts of faces and points take before they are
-/// joined is there for a block only.
+/// Joins the contacts of one block of facets after another: the memory for contacts of faces and points that are not
+/// joined yet is that of one block.
 class FacetContactFinder {
  public:
   FacetContactFinder(const Operands& operands, const Facets& facets)

@@ -7,8 +7,8 @@
 namespace algebra3d::arrangement {
 
 /// The exact coefficients of planes, per PlaneId, computed when they are asked for. From stage 4 on all stages take
-/// them from here; stages 2 and 3, which have faces and no PlaneIds yet, use PlanesOfFaces, and what that knew comes
-/// along as Plane::coefficients.
+/// them from here; stages 2 and 3, which have faces and no PlaneIds yet, use PlanesOfFaces, whose results come along as
+/// Plane::coefficients.
 class PlaneCoefficients {
  public:
   PlaneCoefficients() = default;

@@ -14,7 +14,7 @@
 namespace algebra3d::arrangement {
 
 /// A mesh that is complete but for links between edges at vertices that are not settled (taken_vertices.h), and refers
-/// to nothing: what made it can be freed before these are found.
+/// to nothing: its sources can be freed before these are found.
 struct UnlinkedMesh {
   PointArray points;
   LargeVector<std::uint32_t> origins, opposites;  ///< as TriangleMesh takes them

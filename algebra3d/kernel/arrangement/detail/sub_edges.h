@@ -50,8 +50,8 @@ struct SubEdge {
   PlaneId plane;
 };
 
-/// Output of stage 6: the subdivision of all planes. Lists of their own for what a sub-edge has find room more easily,
-/// where there are many.
+/// Output of stage 6: the subdivision of all planes. Separate lists for the members of a sub-edge find room more
+/// easily, where there are many.
 struct SubEdges {
   /// Ascending, and those along one space edge ascending by plane: so these are neighbours.
   IdVector<SubEdgeId, SpaceEdge> ends;

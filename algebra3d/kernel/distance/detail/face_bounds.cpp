@@ -278,7 +278,7 @@ void FaceBounds<Vector>::cover(const Part& part) {
   }
 }
 
-/// Takes the bound of what is in the cell, and leaves the rest uncovered. False if nothing is.
+/// Takes the bound of the part in the cell, and leaves the rest uncovered. False if nothing is.
 template <typename Vector>
 bool FaceBounds<Vector>::divide_by_cell(const Part& part, const Target& target) {
   const std::size_t count = uncovered_.size();

@@ -15,7 +15,7 @@ namespace algebra3d::distances {
 
 /// An upper bound of the distance of all points of a face, and the point where it was found.
 struct FaceBound {
-  double upper = 0;  ///< 0 if nothing is farther than what is enough
+  double upper = 0;  ///< 0 if nothing is farther than the sufficient distance
   Vec3 where;        ///< of the face, within roundings
   FaceId near;       ///< a face of the set that is near that point, if not nearest
 };
@@ -35,9 +35,9 @@ class FaceBounds {
              const Monitor& monitor = {});
 
   /// The bound for a face of `from`; `nearest` are faces of the set that are near its corners. After about `max_work`
-  /// comparisons of a part with a triangle, what is left of the face is bounded by one triangle. Cost: some points
-  /// against some triangles if one of these faces shows that it is enough; else a microsecond for each cell that the
-  /// face meets.
+  /// comparisons of a part with a triangle, the rest of the face is bounded by one triangle. Cost: some points against
+  /// some triangles if one of these faces shows that it is enough; else a microsecond for each cell that the face
+  /// meets.
   FaceBound of(FaceId face, const std::array<FaceId, 3>& nearest, std::size_t max_work = kNoLimit);
 
  private:

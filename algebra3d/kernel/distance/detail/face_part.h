@@ -17,7 +17,7 @@ auto size_of(const Vector& v) {
   return std::sqrt(dot(v, v));
 }
 
-/// A plane through a point; what lies along the normal is inside.
+/// A plane through a point; the side to which the normal points is inside.
 template <typename Vector>
 struct CellSide {
   Vector point, inward;

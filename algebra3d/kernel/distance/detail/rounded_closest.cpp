@@ -11,7 +11,7 @@ namespace {
 
 /// A bound of all roundings here, of numbers of size 1.
 constexpr double kRoundings = 0x1p-46;
-/// More than the root of what products lose by underflow.
+/// More than the root of the loss of products by underflow.
 constexpr double kUnderflow = 0x1p-500;
 /// Grows a number by more than a few roundings.
 constexpr double kGrowth = 1 + 0x1p-50;

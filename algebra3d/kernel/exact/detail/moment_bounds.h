@@ -17,7 +17,7 @@
 namespace algebra3d::detail {
 
 // Sums with exact denominators take long where corners are not doubles: the denominators of all of them come together.
-// But their rounding needs no more than coordinates that are cut off to many bits and a bound of what that changes.
+// But their rounding needs no more than coordinates that are cut off to many bits and a bound of the change.
 
 /// Two bounds of a number that is not known exactly.
 struct Bounds {

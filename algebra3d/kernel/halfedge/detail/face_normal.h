@@ -12,7 +12,7 @@
 /// Normals of single faces, by doubles where these are good enough.
 namespace algebra3d::detail {
 
-/// Bounds of what is good enough: squared sums relative to the products in them, and squared sums.
+/// Limits for results that are good enough: squared sums relative to the products in them, and squared sums.
 inline constexpr double kLeastSquaredShare = 0x1p-40, kLeastSquare = 0x1p-800, kLargestSquare = 0x1p800;
 
 /// A multiple of a normal by doubles, and the size of the products that it is a sum of, squared.

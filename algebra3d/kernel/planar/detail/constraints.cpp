@@ -51,7 +51,7 @@ bool ConstraintInserter::cut(VertexId& from, VertexId to) {
     return true;
   }
   crossed_.clear();
-  // From a vertex on the right of the line to one on its left; what comes behind lies to its right.
+  // From a vertex on the right of the line to one on its left; the vertices behind lie to its right.
   HalfedgeId crossed = t.next(wedge);
   HalfedgeId last;
   for (;;) {

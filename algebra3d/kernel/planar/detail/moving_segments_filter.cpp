@@ -6,7 +6,7 @@
 
 // A number that changes as a polynomial of degree 1 or 2 keeps its sign over a span of time if its Bernstein
 // coefficients there have that sign. At the ends of the unit, which are not looked at, a coefficient may be 0; there
-// the intervals are the points themselves, so that what is 0 is found to be.
+// the intervals are the points themselves, so that a coefficient 0 is found to be 0.
 
 namespace algebra3d {
 namespace {

@@ -13,7 +13,7 @@ namespace algebra3d {
 /// A BandLoop.
 using LoopId = StrongId<struct LoopTag>;
 
-/// A simple closed boundary loop with what is needed to join it to another one by a band. In the direction in which new
+/// A simple closed boundary loop with the data for joining it to another one by a band. In the direction in which new
 /// triangles run along it.
 struct BandLoop {
   std::vector<VertexId> vertices;

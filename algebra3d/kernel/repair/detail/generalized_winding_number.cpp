@@ -14,7 +14,7 @@ double GeneralizedWindingNumbers::at(const Vec3& point) const {
     // Half the solid angle.
     sum += std::atan2(determinant, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
   }
-  // A normal points away from what it is seen from inside.
+  // A normal points away from places that see it from inside.
   return sum / (2 * std::numbers::pi);
 }
 

@@ -13,8 +13,8 @@ namespace algebra3d {
 /// A HoleLoop.
 using HoleId = StrongId<struct HoleTag>;
 
-/// A simple closed boundary loop with what is needed to triangulate a cover. In the direction in which new triangles
-/// run along it.
+/// A simple closed boundary loop with the data for triangulating a cover. In the direction in which new triangles run
+/// along it.
 struct HoleLoop {
   std::vector<VertexId> vertices;
   Loop loop;        ///< the same corners as points, and per edge the corner of the triangle beyond it

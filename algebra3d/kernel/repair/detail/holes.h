@@ -7,7 +7,7 @@
 
 namespace algebra3d {
 
-/// Which holes are closed, and what becomes of open patches.
+/// Which holes are closed, and how open patches are treated.
 struct HoleLimits {
   double largest;                  ///< holes whose box has a longer diagonal, in coordinate units, stay open
   bool drops_open_patches = true;  ///< open patches are dropped, unless there is nothing else; false: they stay

@@ -18,7 +18,7 @@ namespace algebra3d {
 /// gives them per face of the mesh in which triangles are recognised.
 using FaceMatches = IdVector<FaceId, FaceId>;
 
-/// The triangles of a file, with what the first proof of them found: their *free* faces, which intersect no other face
+/// The triangles of a file, with the findings of their first proof: their *free* faces, which intersect no other face
 /// (VolumeExamination), and their volume. A repair leaves most triangles unchanged. Free faces are recognised in its
 /// result by their corners, so that later proofs need not compare them with each other again and volume sums need the
 /// others only. With an empty `free` set nothing is recognised, and every proof tests everything again. Immutable;

@@ -71,7 +71,7 @@ void NonmanifoldLoopCloser::add(Cover cover) {
 }
 
 /// The shortest loop; or that along boundaries alone if its cover is smaller, as for the gap between a cap that hangs
-/// on an interface and what it should lie upon.
+/// on an interface and the rim on which it should lie.
 std::vector<MissingId> NonmanifoldLoopCloser::loop_from(MissingId start) const {
   std::vector<MissingId> shortest = missing_.shortest_loop(start, soup_.points);
   if (!missing_.edges[start].ends_at_interface) return shortest;

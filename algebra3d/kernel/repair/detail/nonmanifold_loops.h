@@ -20,10 +20,10 @@ struct NonmanifoldLoopLimits {
 /// found one by one. Closed boundary loops are left to `close_holes`.
 ///
 /// An open boundary that ends at an interface is not a loop by itself. It may be closed along the edges of the
-/// interface; or two such boundaries, as those of a cap and of what it should lie upon, are joined into one loop, if
-/// covering that takes less area. With shortcuts, loops may also lead along chords: then the missing strip between a
-/// cap and an interface is covered alone, without the rest of the interface. Loops around interfaces, without a
-/// boundary edge, stay open unless the limits say that they are covered; then every edge is balanced in the end.
+/// interface; or two such boundaries, as those of a cap and of the rim on which it should lie, are joined into one
+/// loop, if covering that takes less area. With shortcuts, loops may also lead along chords: then the missing strip
+/// between a cap and an interface is covered alone, without the rest of the interface. Loops around interfaces, without
+/// a boundary edge, stay open unless the limits say that they are covered; then every edge is balanced in the end.
 ///
 /// Requires oriented triangles. The reported distance is the diameter of the loop. Errors: interrupted. Cost: linear,
 /// and that of the loops.

@@ -38,7 +38,7 @@ class ParityEstimate {
   /// Compares a solid with the triangles along the same lines. Cost: linear in the solid.
   Agreement compare(const TriangleMesh& solid) const;
   /// True if there is no estimate, or the triangles enclose nothing on the sample lines. Without an estimate compare()
-  /// doubts no solid; if nothing is enclosed, it may still doubt one for what is added.
+  /// doubts no solid; if nothing is enclosed, it may still doubt one for the area that is added.
   bool is_empty() const { return !(total_ > 0); }
 
  private:

@@ -65,8 +65,8 @@ Status RepairSearch::take_if_cheaper(const RepairStrategy& strategy, RepairAttem
   return {};
 }
 
-/// The accepted attempt, or a cheaper one: what it leaves out may be a cap that lacks a narrow strip. If closing that
-/// adds less than leaving the cap out loses, it is closed.
+/// The accepted attempt, or a cheaper one: the part that it leaves out may be a cap that lacks a narrow strip. If
+/// closing that adds less than leaving the cap out loses, it is closed.
 Result<RepairedSolid> RepairSearch::cheapest(RepairAttempt accepted) {
   if (!accepted.has_solid() || !accepted.may_be_done_otherwise()) return finish(std::move(accepted));
   ALGEBRA3D_RETURN_IF_ERROR(accepted.measure());

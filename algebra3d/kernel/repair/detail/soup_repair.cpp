@@ -77,7 +77,7 @@ void SoupRepair::drop_duplicates() {
   report_ = std::move(report);
 }
 
-/// After triangles moved, or were added; not reported, for the report is of what the file has.
+/// After triangles moved, or were added; not reported, since the report is on the triangles of the file.
 void SoupRepair::drop_what_became_defective() {
   if (soup_.mesh() == without_defective_) return;
   RepairReport given = report_;

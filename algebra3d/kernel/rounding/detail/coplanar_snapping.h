@@ -11,7 +11,7 @@ namespace algebra3d {
 /// closer to each other than `reach` (in coordinate units) become coplanar exactly: vertices of the smaller facet move
 /// into the plane of the larger one. Only facets with a vertex in question are looked at. `in_question`: per vertex,
 /// whether a triangle at it crossed others after rounding (its pixel was widened). No vertex moves farther than 4 *
-/// reach; none moves if there is nothing to snap. Exact, but for the choice of what is close. Errors: none. Cost: n log
+/// reach; none moves if there is nothing to snap. Exact, but for the choice of close facets. Errors: none. Cost: n log
 /// n, and some microseconds per vertex of a pair of such facets.
 MovedVertices snap_coplanar(const TriangleMesh& solid, const std::vector<bool>& in_question, double reach);
 

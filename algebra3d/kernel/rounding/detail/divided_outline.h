@@ -24,8 +24,8 @@ using OutlineChord = std::pair<std::uint32_t, std::uint32_t>;
 /// The triangles, as positions of corners, into which the outline of a triangle is divided: where corners are one
 /// point, then along the chords, those that cross earlier ones left out, then by Delaunay's criterion from the longest
 /// side. Outlines with the same points get the same triangles, whatever the triangles are to which they belonged; so
-/// what lies upon each other cancels. Domain: no chord has both ends on one side. Along each inner edge two triangles
-/// meet. Exactness: rounded; the triangles may be flat. Cost: quadratic at worst.
+/// triangles that lie upon each other cancel. Domain: no chord has both ends on one side. Along each inner edge two
+/// triangles meet. Exactness: rounded; the triangles may be flat. Cost: quadratic at worst.
 std::vector<IndexTriangle> divided_outline(std::span<const OutlineCorner> outline,
                                            std::span<const OutlineChord> chords);
 

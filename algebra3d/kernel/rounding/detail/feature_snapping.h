@@ -33,8 +33,8 @@ struct SnappingLimits {
 /// twice the reach, and new vertices on a grid twice as coarse, as long as the reach is at most the largest one. What
 /// has too many crossings, or gets more and more of them, is given up. A closed mesh stays closed. Vertices of the
 /// result are given ones or lie on the grid; it may have edges with more than two faces, and places with other winding
-/// numbers than 0 and 1. Domain: all coordinates are doubles. Exactness: what crosses is decided exactly, what is near
-/// is not. Deterministic. Errors: interrupted. Cost: a few times that of finding all crossings.
+/// numbers than 0 and 1. Domain: all coordinates are doubles. Exactness: crossings are decided exactly, nearness is
+/// not. Deterministic. Errors: interrupted. Cost: a few times that of finding all crossings.
 Result<FeatureSnappedMesh> snap_features(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing,
                                          const SnappingLimits& limits, const std::atomic<bool>* cancel,
                                          Folded folded = Folded::vanishes);

@@ -12,7 +12,7 @@ namespace {
 
 using Corners = std::array<PointId, 3>;
 
-/// Bounds the relative error of a product of three vectors, and what error of a place is small.
+/// Bounds of the relative error of a product of three vectors, and of a small error of a place.
 constexpr long double kTripleProductError = 0x1p-60L;
 constexpr long double kPlaceTolerance = 0x1p-4L;
 

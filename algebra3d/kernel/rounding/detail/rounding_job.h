@@ -61,7 +61,7 @@ Result<RoundingCandidate> with_moved_vertices(const TriangleMesh& mesh, const Ro
 Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVertices& vertices,
                                        const std::atomic<bool>* cancel);
 
-/// The rounding of a mesh while methods make candidates: what is given, and the nearest candidate that was proved so
+/// The rounding of a mesh while methods make candidates: the given mesh, and the nearest candidate that was proved so
 /// far. The differences between solids and surfaces are in the classes that derive from this (solid_rounding.h,
 /// surface_rounding.h).
 class RoundingJob {
@@ -95,7 +95,7 @@ class RoundingJob {
   Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const;
   /// Proves the candidate if it is nearer than the result so far; true if it is valid, and the result from now on.
   Result<bool> accept(const RoundingCandidate& candidate);
-  /// How far the result so far is from what is given at most; infinite as long as there is none.
+  /// The largest distance of the result so far from the given mesh; infinite as long as there is no result.
   double accepted_distance() const { return accepted_distance_; }
   /// Proves the mesh with its vertices moved and its faces as they were, as `accept` does. False also if two vertices
   /// coincide, or if a vertex lies inside an edge or face.

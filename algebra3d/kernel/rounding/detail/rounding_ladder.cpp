@@ -16,7 +16,7 @@ constexpr double kModestReach = 32;
 constexpr double kLargestReach = 0x1p20;
 /// A result no farther away, in spacings, is not looked for any nearer.
 constexpr double kNearEnough = 64;
-/// Most features are joined within a small reach, so that what is left needs a wide one in few places only.
+/// Most features are joined within a small reach, so that the rest needs a wide one in few places only.
 constexpr JoiningReach kGrowingReach = {8, kLargestReach};
 constexpr JoiningReach kWideReach = {kLargestReach, kLargestReach};
 /// On which lattices faces are thickened: before coarser grids, and at last.
@@ -24,7 +24,7 @@ constexpr ThickeningSteps kNearThickening = {4, 18, 2};
 constexpr ThickeningSteps kFarThickening = {20, 60, 4};
 
 /// The faces are kept if no vertices come together. Where they do, snap rounding is next; but on a grid of multiples,
-/// which may be coarse, what edges led round vertices close may be as wide as a triangle.
+/// which may be coarse, edges led round vertices may close a gap as wide as a triangle.
 Result<bool> move_vertices(RoundingJob& job) {
   ALGEBRA3D_RETURN_IF_ERROR(job.begin("moving vertices"));
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool are_faces_kept, job.accept_moved());

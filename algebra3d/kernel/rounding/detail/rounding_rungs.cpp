@@ -49,7 +49,7 @@ constexpr int kGridStep = 4;
 constexpr int kCoarsestGrid = 20;
 constexpr double kReachOnCoarserGrids = 4;
 
-/// A limit of the triangles of what is divided again.
+/// The maximum number of triangles of a mesh that is divided again.
 std::size_t max_faces(const TriangleMesh& given) {
   return given.face_count() + given.face_count() / 4 + 250;
 }

@@ -17,7 +17,7 @@ namespace algebra3d {
 /// interrupted, limit_exceeded.
 
 /// The rung that moves least: the candidate is divided at its crossings and new corners are rounded, a few times. Best
-/// where the grid is coarse for what is given; where long thin triangles cross, they multiply.
+/// where the grid is coarse for the given mesh; where long thin triangles cross, they multiply.
 Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate);
 
 /// The reaches within which features are joined, in spacings of the grid: the first one, and the widest one, which is

@@ -36,7 +36,7 @@ Result<bool> has_inner_cell(const TriangleMesh& body, const CoordinateGrid& grid
 /// From so many faces on, a second task pays.
 constexpr std::size_t kManyFaces = 5'000;
 
-/// RoundingCandidate::kept for what has become of a candidate.
+/// RoundingCandidate::kept for the mesh that was made of a candidate.
 std::vector<std::uint32_t> still_kept(const RoundingCandidate& candidate, const TriangleStars& stars) {
   if (candidate.kept.empty()) return {};
   std::vector<std::uint32_t> kept = stars.unchanged();

@@ -28,7 +28,7 @@ namespace {
 /// How high the prisms are, in cells. With a half or a whole cell, faces of neighbouring prisms would lie upon each
 /// other in part.
 constexpr double kHeight = 0.75;
-/// Within how many cells of the surface corners are removed from the shells, and from what prisms were added to.
+/// Within how many cells of the surface corners are removed from the shells, and from the result of adding prisms.
 constexpr double kShellTolerance = 1;
 constexpr double kThickTolerance = 0.3;
 /// How many cells a candidate may be away from the given boundary.

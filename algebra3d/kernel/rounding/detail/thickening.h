@@ -19,10 +19,10 @@ struct ThickeningSteps {
 /// crosses is divided exactly. Since the corners of mesh and prisms are many spacings apart, the new ones are rounded
 /// more easily than those of the given solid; after that corners are removed again, and few features are left to join.
 /// Lattices get coarser until the job accepts a candidate, or until fewer than a thousand cells fit into the solid;
-/// false if it accepts none. `crowded`: per vertex of the job's mesh. How far a candidate is from the given boundary is
-/// bounded when it is there (distance/covering_bound.h): some two to four cells, and 64 at most, and what joining
-/// moves. For the whole of a solid. Errors: interrupted, limit_exceeded. Cost: some ten times that of a proof for each
-/// lattice, and more where many prisms overlap.
+/// false if it accepts none. `crowded`: per vertex of the job's mesh. The distance of a candidate from the given
+/// boundary is bounded once it exists (distance/covering_bound.h): some two to four cells, 64 at most, plus the
+/// movement by joining. For the whole of a solid. Errors: interrupted, limit_exceeded. Cost: some ten times that of a
+/// proof for each lattice, and more where many prisms overlap.
 Result<bool> thicken_faces(RoundingJob& job, const std::vector<bool>& crowded, const ThickeningSteps& steps);
 
 }  // namespace algebra3d

@@ -113,8 +113,8 @@ bool VertexRemoval::are_near(std::uint32_t vertex, const Ring& ring, std::size_t
   return true;
 }
 
-/// True if all edges between the target and the rest of the ring lie on the triangles around the vertex: what bends
-/// away, or lies beside a ring that is not convex, does not.
+/// True if all edges between the target and the rest of the ring lie on the triangles around the vertex: an edge that
+/// bends away, or lies beside a ring that is not convex, does not.
 bool VertexRemoval::follows_surface(std::uint32_t vertex, const Ring& ring, std::size_t target) const {
   const std::size_t n = ring.size();
   for (std::size_t i = (target + 2) % n; (i + 1) % n != target; i = (i + 1) % n)
@@ -195,7 +195,7 @@ struct Candidate {
 
 constexpr std::size_t kVerticesPerTask = 500;
 
-/// The vertices among these that may be removed, with what they become one with.
+/// The vertices among these that may be removed, with the neighbours into which they are merged.
 std::vector<Candidate> candidates(const VertexRemoval& removal, const std::vector<std::uint32_t>& vertices,
                                   const Monitor& monitor) {
   return parallel_collect(vertices.size(), kVerticesPerTask, [&](std::size_t first, std::size_t end) {

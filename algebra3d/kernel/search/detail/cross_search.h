@@ -85,8 +85,8 @@ bool BoxHierarchy::visit_cross_leaves(std::uint32_t leaf, const ChangedLeaf& of_
   return true;
 }
 
-/// Pairs go down level by level, some hundred at a time: what one level has found is a list, in which nothing has to be
-/// foretold. One after the other they would be taken from a stack, and whether the next one has children is
+/// Pairs go down level by level, some hundred at a time: the findings of one level are a list, in which nothing must be
+/// predicted. One after the other they would be taken from a stack, and whether the next one has children is
 /// unpredictable.
 template <typename Visit, typename Apart, typename Pause>
 void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Apart are_apart, Pause pause,

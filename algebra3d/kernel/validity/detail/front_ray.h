@@ -20,7 +20,7 @@ class FrontRay {
 
   /// True if the ray starts on one of the faces that it crossed: the sum is worth nothing.
   bool starts_on_other() const { return starts_on_other_; }
-  /// The winding number in front of the face at the start, of what the ray crossed.
+  /// The winding number in front of the face at the start, from the faces that the ray crossed.
   int winding() const { return winding_; }
 
  private:

@@ -8,7 +8,7 @@ namespace algebra3d {
 
 /// The common part of two solids of which neither is inside the other, as far as a clash needs it.
 struct Overlap {
-  /// True if one of them divides a body of the other: what is left of the body without it is not connected.
+  /// True if one of them divides a body of the other: the rest of the body is not connected.
   bool is_divided = false;
   Surface3d of_first_in_second, of_second_in_first;  ///< the parts of the boundaries in the interior of the other
 

@@ -223,7 +223,7 @@ void MeshRelation::add_common_line(HalfedgeId first, HalfedgeId second) {
   if (!is_boundary) findings_.add_common_interior(1);
 }
 
-/// The dimension of what the boundaries have in common: of a surface the boundary edges, of a solid the faces.
+/// The dimension of the intersection of the boundaries: of a surface the boundary edges, of a solid the faces.
 void MeshRelation::compare_boundaries(const FacePairContact& pair) {
   const bool first_is_solid = sets_[0].is_solid, second_is_solid = sets_[1].is_solid;
   const auto add = [&](Contact contact) { findings_.add_common_boundary(dimension_of(contact)); };

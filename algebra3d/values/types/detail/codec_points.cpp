@@ -151,7 +151,7 @@ std::vector<Vec3> read_doubles(std::array<StoredAxis, 3>& axes, std::size_t size
   return points;
 }
 
-// Any length: the bytes are at hand, and what was spilled need not be what can be stored.
+// Any length: the bytes are at hand, and spilled values may be longer than stored ones can be.
 std::optional<Rational> parse_rational(std::string_view text) {
   const bool is_plain =
       std::ranges::all_of(text, [](char c) { return ('0' <= c && c <= '9') || c == '/' || c == '-'; });
@@ -170,7 +170,7 @@ void write_exact(ByteWriter& writer, const RationalVec3& exact) {
   }
 }
 
-/// Fails with what is wrong with a coordinate. False if it is right.
+/// Fails with the defect of a coordinate. False if it has none.
 bool tell_defect(ByteReader& reader, std::string_view text, double approx) {
   const auto value = text.empty() ? Rational(approx) : parse_rational(text);
   reader.require(value.has_value(), "a number p/q");

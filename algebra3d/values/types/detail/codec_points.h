@@ -32,8 +32,8 @@ struct StoredAxis {
   std::size_t table_end = 0, end = 0;  ///< positions in the bytes, for messages
 };
 
-/// The points of write_points, found in the bytes but not decoded, so that what follows can be decoded at the same
-/// time. Points that are not triples of doubles are decoded at once.
+/// The points of write_points, found in the bytes but not decoded, so that the following data can be decoded at the
+/// same time. Points that are not triples of doubles are decoded at once.
 class StoredPoints {
  public:
   /// Moves the reader behind the points.
