@@ -14,7 +14,7 @@ namespace algebra3d {
 using CoplanarFacetId = StrongId<struct CoplanarFacetTag>;
 
 /// The coplanar facets of one mesh: maximal sets of faces that lie in one plane and are connected across manifold
-/// edges. The same as detail/facets.h makes of the operands of an arrangement, for the rounding of one mesh
+/// edges. Like the facets that detail/facets.h makes of the operands of an arrangement, for the rounding of one mesh
 /// (rounding/detail/facet_outlines.h, coplanar_snapping.h). Immutable.
 class CoplanarFacets {
  public:

@@ -8,10 +8,10 @@
 
 namespace algebra3d {
 
-/// Upward ray shooting in one mesh: finds the faces above a point. The same as detail/faces_above.h, with one mesh in
-/// place of operands, for the cells of a repair (repair/detail/space_cells.h). Rays have the direction (e, e^2, 1), for
-/// an e > 0 smaller than any number. No plane contains it, so a ray that hits a face always passes through it, and
-/// there is one cell above a point even if that lies on faces.
+/// Upward ray shooting in one mesh: finds the faces above a point. Like detail/faces_above.h, with one mesh in place of
+/// operands, for the cells of a repair (repair/detail/space_cells.h). Rays have the direction (e, e^2, 1), for an e > 0
+/// smaller than any number. No plane contains it, so a ray that hits a face always passes through it, and there is one
+/// cell above a point even if that lies on faces.
 class UpwardRays {
  public:
   /// Called with a face that a ray hits, and whether its normal points up. Returns whether to continue.
