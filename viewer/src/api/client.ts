@@ -156,7 +156,7 @@ export class Client {
 
   uploads = () => this.#get<Upload[]>("api/uploads");
 
-  /** The address and headers of an upload, for XMLHttpRequest, which tells its progress. */
+  /** The address and headers of an upload, for XMLHttpRequest, which reports its progress. */
   uploadTarget(name: string): { url: string; headers: Record<string, string> } {
     return { url: `${this.#base}api/uploads/${encodeURIComponent(name)}`, headers: this.#headers({}) };
   }

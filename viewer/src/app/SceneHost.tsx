@@ -59,7 +59,7 @@ export function SceneHost() {
   );
 }
 
-/** What a scene tells while it loads, and what keeps it from drawing. */
+/** The progress of a scene that is loading, and the reason why it cannot draw. */
 export function useSceneReports(view: SceneView): {
   progress: readonly LoadProgress[];
   problem: SceneProblem | null;

@@ -49,7 +49,7 @@ export function eyeDistance(height: number): number {
   return height / (2 * kHalfTangent);
 }
 
-/** The least that can be seen at a place: doubles tell no more than four numbers in it apart. */
+/** The least that can be seen at a place: doubles distinguish no more than four numbers in it. */
 function leastHeight([x, y, z]: Vec3): number {
   return Math.max(kLeastHeight, 2 ** -50 * Math.max(Math.abs(x), Math.abs(y), Math.abs(z)));
 }

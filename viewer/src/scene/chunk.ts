@@ -1,6 +1,6 @@
 /**
  * Many small shapes in few draw calls: their vertices are copied into common arrays, relative to the origin of the
- * chunk, which follows the camera where floats would not tell apart what it looks at. Each shape keeps a range of
+ * chunk, which follows the camera where floats would not resolve what it looks at. Each shape keeps a range of
  * vertices, for its colour and offset, and of indices, left out while it is hidden.
  */
 

@@ -61,7 +61,7 @@ export class Coloring {
       const known = this.values.get(column);
       if (known && this.scale) return this.scale.color(known.values[record.row] ?? null);
     }
-    // Results that are overlaid are told apart by their colours.
+    // Results that are overlaid are distinguished by their colours.
     return column.colorSlot ? categoryColor(column.colorSlot) : color;
   }
 

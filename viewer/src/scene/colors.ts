@@ -82,7 +82,7 @@ export function paletteColor(name: PaletteName, part: number): Color {
 }
 
 /**
- * Twelve colours that are told apart also by most people with colour vision deficiencies, then the same lighter and
+ * Twelve colours that are distinguished also by most people with colour vision deficiencies, then the same lighter and
  * darker. Source of the first eight: Okabe and Ito, Color universal design, 2008 (black replaced by grey).
  */
 const kCategories: readonly Color[] = [

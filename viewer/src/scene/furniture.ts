@@ -77,7 +77,7 @@ export class Grid {
 
   /** Makes the lines anew if the step or the place changed. */
   update(camera: CameraState, box: Box3, theme: SceneTheme): void {
-    // A coordinate is a multiple of the step, which doubles must be able to tell.
+    // A coordinate is a multiple of the step, which doubles must resolve.
     const farthest = Math.max(...camera.target.map(Math.abs));
     const step = roundStep(Math.max(camera.height / 24, 2 ** -48 * farthest));
     const axis = gridAxis(camera);

@@ -80,7 +80,7 @@ export function faceMaterial(vertexColors: boolean): MeshLambertMaterial {
   return material;
 }
 
-/** Sets what depends on the style; tells the renderer to compile anew only if it has to. */
+/** Sets what depends on the style; makes the renderer compile anew only if it has to. */
 export function styleFaces(
   material: MeshLambertMaterial,
   style: Style,

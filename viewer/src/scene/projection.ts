@@ -27,7 +27,7 @@ export interface ScreenPoint {
   readonly visible: boolean;
 }
 
-/** Without perspective, depths are told apart evenly: beyond so many distances of the eye nothing near would be. */
+/** Without perspective, depths are resolved evenly: beyond so many distances of the eye nothing near would be. */
 const kDeepest = 1e4;
 
 /** Distances of the eye from 2^-30 to 2^30 need no care. */

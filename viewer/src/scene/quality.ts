@@ -33,7 +33,7 @@ const kFirstCoarse = kSteps.findIndex(({ coarse }) => coarse);
 const kSoftwareTriangles = 250_000;
 /** Frames that are looked at before a step. */
 const kWindow = 3;
-/** The first frames of a movement, for which the renderer has to compile and to copy, tell nothing. */
+/** The first frames of a movement, for which the renderer has to compile and to copy, show nothing. */
 const kFirstFrames = 3;
 /** After so many frames a step that was too slow is tried again. */
 const kForgiven = 60;

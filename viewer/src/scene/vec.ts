@@ -20,7 +20,7 @@ export function distance(a: Vec3, b: Vec3): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/** At so many heights of the view from their origin, floats tell less than a twentieth of a pixel apart. */
+/** At so many heights of the view from their origin, floats resolve less than a twentieth of a pixel. */
 const kFarOrigin = 2 ** 10;
 
 /** Whether coordinates relative to `origin`, in floats, are too coarse for a view of this height at `target`. */

@@ -42,7 +42,7 @@ export function SceneKeys({ view, pictureName = "algebra3d", onError }: Props) {
   return <CheatSheet onClose={() => setSheet(false)} onAct={(action) => view.act(action)} />;
 }
 
-/** Keys that belong to a field, a list, a dialog or an editor are none of the scene's. */
+/** Keys that belong to a field, a list, a dialog or an editor do not belong to the scene. */
 function isTyping(event: KeyboardEvent): boolean {
   const target = event.target;
   if (!(target instanceof Element)) return false;

@@ -2,7 +2,7 @@
 
 import type { Box, Database } from "../scene";
 
-/** More boxes are not told apart in a picture. */
+/** More boxes cannot be distinguished in a picture. */
 export const kMostBoxes = 20_000;
 const kRowsPerRequest = 10_000;
 

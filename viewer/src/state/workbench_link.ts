@@ -85,7 +85,7 @@ class StepList {
   }
 }
 
-/** Makes the meshes of a link again and shows them; false if one of them fails, which its side tells. */
+/** Makes the meshes of a link again and shows them; false if one of them fails, which its side shows. */
 export async function restoreSides(
   workbench: Workbench,
   link: LinkCompare,

@@ -8,7 +8,7 @@ export function boxAround(boxes: readonly Box[]): Box {
 }
 
 /**
- * Lets two views with a common camera see both their contents, once for each value of `loaded`, which tells what was
+ * Lets two views with a common camera see both their contents, once for each value of `loaded`, which says what was
  * loaded and is null until that is drawn: later steps must not move the camera.
  */
 export function keepBothInSight(a: SceneView, b: SceneView, loaded: () => string | null): () => void {

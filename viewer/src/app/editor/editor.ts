@@ -27,7 +27,7 @@ import { language, type Words } from "./language";
 
 export interface EditorOptions {
   readonly text: string;
-  /** The id of the element that tells how to use it by the keyboard. */
+  /** The id of the element that says how to use it by the keyboard. */
   readonly describedBy: string;
   readonly known: () => Known;
   /** Runs the statement at the cursor, or the selected text. */
