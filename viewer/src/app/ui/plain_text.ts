@@ -5,7 +5,10 @@ export interface Piece {
   readonly title?: string;
 }
 
-/** Controls, and formats such as U+202E, which turns the direction of a line; white space other than the plain blank; lone surrogates. */
+/**
+ * Controls; formats such as U+202E, which turns the direction of a line; separators of lines and paragraphs; lone
+ * surrogates.
+ */
 const invisible = /[\p{Cc}\p{Cf}\p{Zl}\p{Zp}\p{Cs}]/u;
 
 /** Divides a text into what is shown as it is and signs; `lines`: line ends and tabs are shown as they are. */
