@@ -9,17 +9,18 @@
 // leaves one of the edge's two triangles and enters the other: both turn counter-clockwise and have the arc in opposite
 // directions, so they lie on different sides of it. That holds for each of several arcs that are crossed in one place.
 // So the number of triangles over a direction does not change, paths round the finitely many corners lead everywhere,
-// and (3) says that it is 1. (b) Hence the insides of different spherical triangles are disjoint, since common parts of
-// their insides are open. A direction inside a triangle belongs to no other one, as that would have inner points near
-// it. A direction on an arc, apart from corners, belongs to the two triangles of that edge alone, which fill the
-// surroundings of the direction. (c) Round a corner v the triangles follow each other across edges, by (1) in one or
-// more cycles, and each cycle goes round the direction of v at least once, since all its triangles turn
-// counter-clockwise. By (a) all cycles over one direction together go round once: so there is one cycle, about one
-// vertex. Hence no two vertices with triangles have one direction; in particular their points differ. (d) So a ray from
-// c meets the boundary in one point, and the intersection of two triangles is, by (b) and (c), empty, one common
-// corner, or one common edge. Not two edges: such triangles would have the same corners and, by (1), would turn
-// differently. So the mesh is a valid surface. The part of the ray before the boundary is the inside: it is behind the
-// triangle, and all of it is the same room, round c. The winding number there is 1 by (a), and 0 beyond.
+// and (3) says that it is 1.
+// (b) Hence the insides of different spherical triangles are disjoint, since common parts of their insides are open. A
+// direction inside a triangle belongs to no other one, as that would have inner points near it. A direction on an arc,
+// apart from corners, belongs to the two triangles of that edge alone, which fill the surroundings of the direction.
+// (c) Round a corner v the triangles follow each other across edges, by (1) in one or more cycles, and each cycle goes
+// round the direction of v at least once, since all its triangles turn counter-clockwise. By (a) all cycles over one
+// direction together go round once: so there is one cycle, about one vertex. Hence no two vertices with triangles have
+// one direction; in particular their points differ.
+// (d) So a ray from c meets the boundary in one point, and the intersection of two triangles is, by (b) and (c), empty,
+// one common corner, or one common edge. Not two edges: such triangles would have the same corners and, by (1), would
+// turn differently. So the mesh is a valid surface. The part of the ray before the boundary is the inside: it is behind
+// the triangle, and all of it is the same room, round c. The winding number there is 1 by (a), and 0 beyond.
 //
 // For a valid volume all of whose triangles turn their backs to c, (1) and (3) hold as well: a ray passes the boundary
 // from within to the outside only, so once; and so does one beside an edge, which leaves room for two triangles at it.

@@ -39,10 +39,9 @@ struct RepairedSolid {
 ///     made if the strategy says so (bands.h), holes closed and open patches dropped (holes.h, nonmanifold_loops.h);
 ///  7. shells that are inside out are flipped (shell_orientation.h);
 ///  8. if that is not a solid yet, triangles are divided at one another. If every edge is balanced, the solid is the
-///  union
-///     of the cells with a positive winding number (winding_selection.h), otherwise of those with a mean generalized
-///     winding number above 1/2 (winding_segmentation.h). Coplanar triangles are brought together and triangulated
-///     anew;
+///     union of the cells with a positive winding number (winding_selection.h), otherwise of those with a mean
+///     generalized winding number above 1/2 (winding_segmentation.h). Coplanar triangles are brought together and
+///     triangulated anew;
 ///  9. cavities and small shells are left out, as the options say (shell_filter.h).
 /// A solid that may not enclose what the triangles do is compared with the parity estimate (parity_estimate.h). If they
 /// differ much, other strategies are tried (repair_strategy.h), and the first that agrees is taken. If the solid agrees
