@@ -336,7 +336,7 @@ std::vector<QueryGrammar::Typed> QueryGrammar::applied(Dice& dice, const Typed& 
   return {};
 }
 
-// The same as the first, under other names or not, or a relation, or what is made of one.
+// The first operand again, under other names or not, or a relation, or an expression made of one.
 QueryGrammar::Typed QueryGrammar::further_operand(Dice& dice, const Typed& first, const Scope& scope, int depth) {
   if (dice.one_in(4) && first.type.is_tuple_stream()) {
     const std::string text = first.text + " {x}";

@@ -17,7 +17,7 @@ class SilentSession final : public Presenter {
       : session_(registry, {folder, false}), folder_(folder), cancel_(cancel) {}
 
   std::string run(const std::string& command) { return run(command, cancel_); }
-  /// The same, also when the time is over.
+  /// Runs a command, also when the time is over.
   std::string run_to_the_end(const std::string& command) { return run(command, nullptr); }
   Store* store() { return session_.store(); }
 

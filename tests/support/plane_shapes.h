@@ -45,7 +45,7 @@ inline Cycle scaled(Cycle cycle, double factor) {
   for (Vec3& corner : cycle) corner = factor * corner;
   return cycle;
 }
-/// The same with coordinates that are multiples of 2^-20, so that halves and sums of them are exact.
+/// The cycle with coordinates that are multiples of 2^-20, so that halves and sums of them are exact.
 inline Cycle on_grid(Cycle cycle) {
   for (Vec3& corner : cycle)
     corner = {std::round(corner.x * 0x1p20) / 0x1p20, std::round(corner.y * 0x1p20) / 0x1p20, 0};

@@ -12,7 +12,7 @@
 namespace algebra3d::solids {
 namespace {
 
-/// The same case elsewhere: all maps are exact on its coordinates and multiply volumes by `factor`.
+/// A case moved elsewhere: all maps are exact on its coordinates and multiply volumes by `factor`.
 struct Placement {
   const char* name;
   Vec3 (*map)(const Vec3&);

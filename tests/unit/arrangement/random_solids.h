@@ -11,7 +11,7 @@
 
 namespace algebra3d::solids {
 
-/// The same numbers from the same seed with every standard library, unlike the library's own distributions.
+/// Random numbers that depend on the seed alone, with every standard library, unlike the library's own distributions.
 class Chance {
  public:
   explicit Chance(std::uint64_t seed) : engine_(seed) {}

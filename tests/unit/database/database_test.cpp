@@ -130,7 +130,7 @@ TEST(Database, gives_values_of_each_type) {
     const Result<Value> value = database.value("query " + expression);
     ASSERT_TRUE(value.ok()) << expression << ": " << value.error().message;
     EXPECT_EQ(*value, expected) << expression;
-    // The same, given back as a parameter, stored and read.
+    // The value, given back as a parameter, stored and read.
     EXPECT_EQ(shown(database.value("query $v", {{"v", *value}})), expected.text()) << expression;
     ASSERT_TRUE(database.execute("let_ Kept = $v", {{"v", *value}}).ok()) << expression;
     EXPECT_EQ(*database.value("query Kept"), expected) << expression;
@@ -182,7 +182,7 @@ TEST(Database, tells_where_an_error_is) {
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::syntax_error);
   EXPECT_EQ(status.error().place.line, 2);
-  // What stands before it has happened, and nothing behind it.
+  // The commands before it have run, and none behind it.
   EXPECT_EQ(shown(database.value("query a")), "1");
   EXPECT_EQ(database.value("query c").error().code, ErrorCode::unknown_name);
 }
@@ -234,7 +234,7 @@ TEST(Database, passes_on_why_a_parameter_is_undefined) {
   for (const Row& row : rows) EXPECT_EQ(row["P"].reason(), "parameter '$x': not a finite number");
   ASSERT_TRUE(database.execute("let kept = $x", wrong).ok());
   EXPECT_EQ(database.report().notes, std::vector<std::string>{"parameter '$x': not a finite number"});
-  // Where it is not used, nothing is told.
+  // Where it is not used, there is no note.
   ASSERT_TRUE(database.execute("let one = 1", wrong).ok());
   EXPECT_TRUE(database.report().notes.empty());
 }

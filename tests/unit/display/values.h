@@ -46,7 +46,7 @@ inline std::string cube_mesh(double low, double high) {
   return "((" + points + ") ((0 1 3 2) (4 6 7 5) (0 4 5 1) (2 3 7 6) (0 2 6 4) (1 5 7 3)))";
 }
 
-/// The same as triangles.
+/// The cube as triangles.
 inline TriangleMesh cube_triangles(double low, double high) {
   std::vector<Vec3> points;
   for (int i = 0; i < 8; ++i)

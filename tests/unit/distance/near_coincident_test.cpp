@@ -228,7 +228,7 @@ TEST(BoundedDistance, IsThatOffTheSet) {
   }
 }
 
-// The same where only one bound of all faces is known, and no face that is near.
+// Only one bound of all faces is known, and no face that is near.
 TEST(BoundedDistance, FindsNearFacesByItself) {
   const TriangleSet plane = square(3, 5, 0.3);
   for (const double height : {0x1p-53, 0x1p-50, 0x1p-20}) {

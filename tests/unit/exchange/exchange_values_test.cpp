@@ -68,7 +68,7 @@ TEST(ExchangeValue, is_as_the_page_says) {
   }
 }
 
-// As all of a result undefined would look like an answer; the reason is told in either case.
+// As all of a result undefined would look like an answer; the reason is reported in either case.
 TEST(ExchangeValue, undefined_is_null_in_a_row_and_an_error_with_its_reason_alone) {
   ExchangeSession session;
   EXPECT_EQ(session.json("query [const int value undefined]"), "null\n");
@@ -100,7 +100,7 @@ TEST(ExchangeValue, fractions_are_texts_or_the_nearest_numbers) {
   EXPECT_EQ(exact.json(query), "[[\"-2/3\",1.0,2.0],[\"1/3\",0.0,1e+300]]\n");
   ExchangeSession rounded({.geometry = Geometry::list, .rounds_fractions = true});
   EXPECT_EQ(rounded.json(query), "[[-0.6666666666666666,1.0,2.0],[0.3333333333333333,0.0,1e+300]]\n");
-  // What only looks like a fraction is none.
+  // A text that looks like a fraction stays a text.
   EXPECT_EQ(rounded.json("query '1/3'"), "\"1/3\"\n");
 }
 

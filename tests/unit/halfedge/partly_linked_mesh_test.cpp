@@ -64,7 +64,7 @@ TriangleMesh partly_settled(const Triangles& triangles, std::size_t settled_coun
   return {samples::points_for(vertex_count), origins, opposites, outgoing, {}};
 }
 
-/// The same mesh with the vertices renumbered so that those which may be settled come first. Returns their number.
+/// Renumbers the vertices so that those which may be settled come first. Returns their number.
 std::size_t sort_by_kind(Triangles& triangles) {
   const BruteForce brute(triangles);
   const auto may_be_settled = [&](std::uint32_t v) {

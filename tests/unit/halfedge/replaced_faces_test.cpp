@@ -58,7 +58,7 @@ TEST(ReplacedFaces, are_those_of_the_mesh_linked_from_nothing) {
       is_removed.push_back(random() % 4 == 0);
       if (is_removed.back()) removed.emplace_back(f);
     }
-    // The same faces again, or only some of them.
+    // The removed faces again, or only some of them.
     if (seed % 2 == 0) removed.resize(removed.size() / 2);
     const TriangleMesh added = submesh(mesh, removed);
     const TriangleMesh result = with_replaced_faces(mesh, is_removed, added);

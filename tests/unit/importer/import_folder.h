@@ -103,7 +103,7 @@ class ImportFolder : public ::testing::Test {
     options.jobs = 2;
     return options;
   }
-  /// The same without repair.
+  /// The options without repair.
   ImportOptions strict() const {
     ImportOptions given = options();
     given.repair.is_strict = true;

@@ -197,7 +197,7 @@ TEST(MeshFormatTest, a_format_reads_and_writes_by_its_functions) {
   ASSERT_TRUE(read) << read.error().message;
   ASSERT_TRUE(formats.named("TRI")->write(folder.path("b.tri"), read->facets, "", Encoding::ascii));
   EXPECT_EQ(folder.bytes("b.tri"), "tri 001200010");
-  // The same facets in a format that there was before.
+  // The facets in a format that existed before.
   ASSERT_TRUE(formats.named("STL")->write(folder.path("b.stl"), read->facets, "a", Encoding::ascii));
   EXPECT_EQ((*formats.detect_file(folder.path("b.stl")))->name, "STL");
 }

@@ -135,7 +135,7 @@ void expect_scaled(const Operator& op, const Value& at_one, const Value& found, 
     EXPECT_FALSE(found.is_defined()) << found.to_nested().print_short(300);
     return;
   }
-  // What is rounded at all is rounded to another grid among subnormal numbers.
+  // Rounded results are rounded to another grid among subnormal numbers.
   if (op.exactness != Exactness::exact && !has_doubles_alone(expected->to_nested())) return;
   ASSERT_TRUE(found.is_defined()) << "expected " << expected->to_nested().print_short(300);
   EXPECT_EQ(compare(found, *expected), std::strong_ordering::equal)

@@ -88,8 +88,8 @@ inline std::string findings(const PointArray& points, const std::vector<Directed
   return boundary == expected ? "" : "the boundary is not what was given";
 }
 
-/// The same within a square of area 144 for edges of which all but the square's are given in both directions, so that
-/// they are edges of triangles on both sides, with no more to ask of circles across them.
+/// Checks triangles within a square of area 144 for edges of which all but the square's are given in both directions,
+/// so that they are edges of triangles on both sides, with no more to ask of circles across them.
 inline std::string slit_findings(const PointArray& points, const std::vector<DirectedEdge>& edges,
                                  const Triangles& triangles) {
   const std::vector<Point> p = to_cgal(points);

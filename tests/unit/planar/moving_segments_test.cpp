@@ -190,7 +190,7 @@ TEST(moving_segments, overlap_at_an_irrational_instant_alone) {
   EXPECT_EQ(clash->intersection, SegmentIntersection::overlap);
   EXPECT_FALSE(clash->moment.is_right_after);
   EXPECT_NEAR(clash->moment.s.approx(), std::sqrt(0.5), 1e-12);
-  // The same beyond the end of ab: nothing in common.
+  // Beyond the end of ab: nothing in common.
   const std::array<double, 8> beyond{10, 1, 12, 1, 12, 1, 14, 3};
   EXPECT_EQ(clash_time(ab, beyond, false), std::nullopt);
 }

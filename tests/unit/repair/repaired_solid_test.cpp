@@ -395,7 +395,7 @@ TEST(RepairedSolid, beyond_the_work_limit_there_is_a_reason) {
       EXPECT_NE(made->reason, "");
       EXPECT_NE(made->status().find("not repaired: "), std::string::npos) << made->status();
     }
-    // Limits beyond any count are none.
+    // Limits beyond any count do not limit.
     for (const double limit : {1e6, 1e13, 1.5e13, 1e20, 1e300, std::numeric_limits<double>::max()})
       EXPECT_TRUE(solid_from_soup(soup, with(&RepairOptions::work_limit, limit))->mesh) << limit;
   }

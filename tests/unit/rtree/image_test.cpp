@@ -36,7 +36,7 @@ struct StoredImage {
   Tree lazy_tree(std::size_t nodes_at_once, Reads* reads = nullptr) const {
     return std::move(open(nodes_at_once, reads)).value();
   }
-  /// The same with all in memory.
+  /// The tree with all nodes in memory.
   Tree tree() const {
     const Tree lazy = lazy_tree(16);
     return lazy;  // NOLINT(performance-no-automatic-move): a copy has all

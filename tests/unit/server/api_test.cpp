@@ -37,7 +37,7 @@ class TextBody final : public Body {
   std::string text_;
 };
 
-/// A client that goes when it is told to.
+/// A client that goes when it is asked to.
 class LeavingClient final : public Connection {
  public:
   bool is_gone() const override { return is_gone_; }

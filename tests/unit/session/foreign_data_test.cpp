@@ -193,7 +193,7 @@ TEST_F(ForeignData, what_only_checks_definitions_changes_nothing) {
   expect_untouched();
 }
 
-/// What a saved file may hold that reads beside it, and what is told of it.
+/// Parts of a saved file that read beside it, and the notes on them.
 struct Reading {
   const char* objects;
   const char* told;

@@ -12,7 +12,7 @@
 
 namespace algebra3d {
 
-/// The same set for the layer and, before it is moved, for the oracle.
+/// A set for the layer and, before it is moved, for the oracle.
 struct TestSet {
   std::vector<ExactPoint> points;
   std::optional<Box3> box;

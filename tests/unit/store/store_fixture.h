@@ -195,7 +195,7 @@ class StoreTest : public testing::Test {
   /// Runs SQL on the file, behind the back of the store, and leaves pages with right checksums: the first column of the
   /// first row as text.
   std::string sql(const std::string& statement) { return sql_in(checked_vfs(), statement); }
-  /// The same as another SQLite client does it, which knows nothing of checksums.
+  /// Runs SQL as another SQLite client does, which knows nothing of checksums.
   std::string foreign_sql(const std::string& statement) { return sql_in(nullptr, statement); }
   std::string sql_in(const char* vfs, const std::string& statement) {
     sqlite3* handle = nullptr;

@@ -108,7 +108,7 @@ TEST(Subdivided, interruption) {
     const PolygonMesh mesh = large_mesh(scheme);
     std::atomic<bool> cancel = true;
     EXPECT_EQ(subdivided(mesh, scheme, 1, {}, {&cancel}).error().code, ErrorCode::interrupted);
-    // In the midst of the work, wherever progress is told.
+    // In the middle of the work, wherever progress is reported.
     std::size_t reports = 0;
     Monitor::Report report = [&](const std::string&) { ++reports; };
     cancel = false;

@@ -22,7 +22,7 @@ using Triangle = TriangleMesh::Triangle;
 constexpr std::string_view kTetrahedron =
     "(((0.0 0.0 0.0) (0.0 1.0 0.0) (1.0 0.0 0.0)) ((0.0 0.0 0.0) (1.0 0.0 0.0) (0.0 0.0 1.0)) "
     "((0.0 0.0 0.0) (0.0 0.0 1.0) (0.0 1.0 0.0)) ((1.0 0.0 0.0) (0.0 1.0 0.0) (0.0 0.0 1.0)))";
-// The same with one corner at a third.
+// The tetrahedron with one corner at a third.
 constexpr std::string_view kExactTetrahedron =
     "(((0.0 0.0 0.0) (0.0 1.0 0.0) (1/3 0.0 0.0)) ((0.0 0.0 0.0) (1/3 0.0 0.0) (0.0 0.0 1.0)) "
     "((0.0 0.0 0.0) (0.0 0.0 1.0) (0.0 1.0 0.0)) ((1/3 0.0 0.0) (0.0 1.0 0.0) (0.0 0.0 1.0)))";

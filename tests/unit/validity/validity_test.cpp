@@ -28,7 +28,7 @@ std::string volume_text(const MeshMaker& maker) {
   return volume_report(maker.mesh()).text();
 }
 
-/// The same shape in units that are doubles and in others, near the origin and far from it.
+/// A shape in units that are doubles and in others, near the origin and far from it.
 std::vector<MeshMaker> makers() {
   return {MeshMaker(),
           MeshMaker(Rational(1, 3)),
