@@ -110,14 +110,19 @@ std::vector<std::uint64_t> cells_of(const TriangleRef& triangle, const CellLatti
   return keys;
 }
 
-Result<std::optional<MetCells>> finest_met_cells(const TriangleMesh& mesh, const CoordinateGrid& grid,
-                                                 std::size_t budget, const std::atomic<bool>* cancel) {
-  Box3 bounds;
-  for (const FaceId face : faces(mesh)) bounds.extend(box_of_triangle(mesh.corners(face)));
+double smallest_cell(const TriangleMesh& mesh, const CoordinateGrid& grid) {
   const double size = largest_coordinate(mesh);
   // Where multiples are closer to each other than doubles, only powers of two times them are on both.
   double smallest = grid.spacing_up_to(size);
   while (smallest < CoordinateGrid::doubles().spacing_up_to(size)) smallest *= 2;
+  return smallest;
+}
+
+Result<std::optional<MetCells>> finest_met_cells(const TriangleMesh& mesh, const CoordinateGrid& grid,
+                                                 std::size_t budget, const std::atomic<bool>* cancel) {
+  Box3 bounds;
+  for (const FaceId face : faces(mesh)) bounds.extend(box_of_triangle(mesh.corners(face)));
+  const double smallest = smallest_cell(mesh, grid);
   std::optional<MetCells> finest;
   double edge = coarsest_edge(bounds, smallest);
   while (edge >= smallest && cells_along_longest_side(bounds, edge) <= kMostCells) {

@@ -31,6 +31,9 @@ inline std::size_t cell_budget(const TriangleMesh& mesh) {
   return std::clamp<std::size_t>(mesh.face_count(), 50'000, 500'000);
 }
 
+/// The edge length of the smallest cells of a lattice over a mesh: the spacing of the grid there.
+double smallest_cell(const TriangleMesh& mesh, const CoordinateGrid& grid);
+
 /// The finest lattice of which at most `budget` cells meet the triangles of a mesh, and that has at most 2^20 cells
 /// along an axis. Its edges are a power of two times
 /// the spacing of the grid, and at least that. None if the mesh reaches beyond the largest number of the grid.

@@ -27,6 +27,8 @@ namespace {
 
 /// More crowded vertices are not made coplanar: that takes rationals, whose digits multiply where many facets are near.
 constexpr std::ptrdiff_t kMaxCrowded = 1000;
+/// Of so many triangles in all facets are made coplanar within wider and wider reaches, half a millisecond each.
+constexpr std::size_t kMaxCoplanarTriangles = 1000;
 
 /// Sums of distances up to so many spacings need no better bound.
 constexpr double kSmallSumOfDistances = 16;
@@ -179,13 +181,15 @@ Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, d
   if (std::ranges::count(crowded, true) > kMaxCrowded) return false;
   std::vector<double> movements(job.mesh().vertex_count());  // of the reach before
   double reach = first_reach;
+  std::size_t triangles = 0;  // of all attempts
   bool is_found = false;
-  while (!is_found && reach <= largest_reach) {
+  while (!is_found && reach <= largest_reach && triangles < kMaxCoplanarTriangles) {
     ALGEBRA3D_RETURN_IF_ERROR(job.begin("making facets coplanar"));
     const MovedVertices moved = snap_coplanar(job.mesh(), crowded, reach * job.spacing());
     if (moved.movements != movements) {
       ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_moved(job, moved, reach * job.spacing(), largest_reach));
       movements = moved.movements;
+      triangles += job.mesh().face_count();
     }
     reach *= kReachGrowth;
   }

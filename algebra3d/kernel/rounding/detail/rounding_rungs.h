@@ -37,7 +37,8 @@ Result<std::vector<bool>> crowded_vertices(const RoundingJob& job, const Triangl
 
 /// Makes crowded facets exactly coplanar with others nearer than a reach, in spacings of the grid, at first
 /// `first_reach`, which grows from attempt to attempt: facets that nearly lie upon each other and are large have no
-/// near features. Then joins features. False also if there are no such facets, or too many.
+/// near features. Then joins features. False also if there are no such facets, or too many; of many triangles only the
+/// first reach is tried.
 Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, double first_reach,
                            double largest_reach);
 

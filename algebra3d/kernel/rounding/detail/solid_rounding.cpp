@@ -1,7 +1,6 @@
 #include "algebra3d/kernel/rounding/detail/solid_rounding.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -11,27 +10,14 @@
 #include "algebra3d/kernel/autorefinement/winding_selection.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/topology.h"
-#include "algebra3d/kernel/rounding/detail/bodies_apart.h"
-#include "algebra3d/kernel/rounding/detail/cell_cover.h"
-#include "algebra3d/kernel/rounding/detail/met_cells.h"
 #include "algebra3d/kernel/rounding/detail/simpler_form.h"
 #include "algebra3d/kernel/rounding/detail/triangle_stars.h"
+#include "algebra3d/kernel/rounding/detail/vanishing.h"
 #include "algebra3d/kernel/search/boxes.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
 namespace {
-
-/// Before a solid may vanish, a cell within it is looked for in so many of its bodies, the largest ones, among so many
-/// cells at the boundary of each.
-constexpr std::size_t kSearchedBodies = 16;
-constexpr std::size_t kSearchedCells = 10'000;
-
-/// True if a cell of the grid, or of a coarser one, was found in the body.
-Result<bool> has_inner_cell(const TriangleMesh& body, const CoordinateGrid& grid, const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MetCells> met, finest_met_cells(body, grid, kSearchedCells, cancel));
-  return met ? CellCover(body, *met).has_inner_cell(cancel) : Result<bool>(false);
-}
 
 /// From so many faces on, a second task pays.
 constexpr std::size_t kManyFaces = 5'000;
@@ -74,20 +60,18 @@ void SolidRounding::find_places_that_stay() {
     if (!is_at_moved_facet[v]) places_that_stay_.intern(mesh().points()[v]);
 }
 
-Result<bool> SolidRounding::may_vanish(double reach) const {
-  if (reach > kFirstReach * spacing()) return false;
+Result<bool> SolidRounding::may_vanish(const RoundingCandidate& candidate) const {
+  if (candidate.reach > kFirstReach * spacing()) return false;
   if (!is_whole()) return true;  // the rest stays
-  const std::vector<std::vector<FaceId>> bodies = bodies_apart(mesh());
-  for (std::size_t i = 0; i < std::min(bodies.size(), kSearchedBodies); ++i) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_cell, has_inner_cell(submesh(mesh(), bodies[i]), grid(), cancel()));
-    if (has_cell) return false;
-  }
-  return true;
+  // What moving the boundary left nothing of is no deeper than that.
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_cell,
+                             has_inner_cell(mesh(), grid(), candidate.movement.displacement, cancel()));
+  return !has_cell;
 }
 
 Result<bool> SolidRounding::accept_as_it_is(const RoundingCandidate& candidate) {
   if (candidate.mesh.is_empty()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool may_be_empty, may_vanish(candidate.reach));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool may_be_empty, may_vanish(candidate));
     if (!may_be_empty) return false;
   }
   if (const auto change = part_.change_to(candidate.mesh, candidate.kept))

@@ -35,7 +35,7 @@ class SolidRounding : public RoundingJob {
 
  private:
   void find_places_that_stay();
-  Result<bool> may_vanish(double reach) const;
+  Result<bool> may_vanish(const RoundingCandidate& candidate) const;
   Result<std::optional<RoundingCandidate>> simplified(const RoundingCandidate& candidate) const;
   Result<bool> accept_as_it_is(const RoundingCandidate& candidate);
   /// Proves a candidate of which `added` comes in place of the part, and pairs of `known` faces need no test.
