@@ -2,7 +2,7 @@
 // time beside that of the operation (docs/decisions/0015-feature-snapping.md). Arguments: parts of names of families to
 // be run (all without), and STEPS=n for the length of the chain. ALGEBRA3D_MODELS names STL files (models.h). The
 // family "close" prints another table (rounding_chains.h) and is run only if asked for: CHAINS=n FIRST=n SECONDS=n
-// PHASES=1.
+// PHASES=1 EACH=1.
 #include <cstdio>
 #include <ctime>
 #include <map>
@@ -239,6 +239,7 @@ struct Arguments {
     if (name == "CHAINS") chains.count = static_cast<std::size_t>(value);
     if (name == "FIRST") chains.first = static_cast<std::uint64_t>(value);
     if (name == "SECONDS") chains.seconds = value;
+    if (name == "EACH") chains.tells_steps = value != 0;
     if (name == "PHASES") chains.tells_phases = value != 0;
   }
 };

@@ -208,13 +208,18 @@ void Chains::run(std::uint64_t chain) {
     const TriangleMesh& mesh = ShapeAccess::content(x.solid).mesh();
     if (mesh.face_count() > options_.max_faces) ++too_large_;
     if (mesh.is_empty() || mesh.face_count() > options_.max_faces) return;
-    Step step{chain, static_cast<std::size_t>(n), mesh.face_count()};
+    Step step{.chain = chain, .number = static_cast<std::size_t>(n), .faces = mesh.face_count()};
     std::optional<RoundedSolid> r = rounded(mesh, grid, step);
     step.statements = statements;
     if (options_.tells_phases && step.ms_per_face() > kGoal) {
       fmt::print("chain {} step {}: {} triangles, {:.3g} s, {}, {:.3g} units\n", chain, n, step.faces, step.seconds,
                  step.method, step.units);
       for (const auto& [what, seconds] : step.phases) fmt::print("  {:8.3f} s  {}\n", seconds, what);
+      std::fflush(stdout);
+    }
+    if (getenv("A3D_DBG")) fprintf(stderr, "DBG STEP %s %g units\n", step.method.c_str(), step.units);
+    if (options_.tells_steps) {
+      fmt::print("{}\t{}\t{}\t{:.4g}\t{:.4g}\t{}\n", chain, n, step.faces, step.seconds, step.units, step.method);
       std::fflush(stdout);
     }
     steps_.push_back(std::move(step));

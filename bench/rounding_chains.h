@@ -11,6 +11,7 @@ struct ChainOptions {
   std::size_t count = 2000;
   std::size_t shown = 3;           ///< of how many of the slowest steps the statements are printed
   double seconds = 60;             ///< of processor time, after which the rounding of one step is stopped and counted
+  bool tells_steps = false;        ///< a line for each step, tab separated, to compare two versions
   bool tells_phases = false;       ///< the processor time of each method tried, for every step above the goal
   std::size_t max_faces = 10'000;  ///< a chain ends before a step with more triangles
 };

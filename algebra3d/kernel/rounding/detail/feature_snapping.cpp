@@ -232,13 +232,14 @@ Result<FeatureJoins> FeatureSnapping::joins_of(const Faults& faults) {
 
 Result<FeatureSnappedMesh> FeatureSnapping::run() {
   const CrossingSearch search(faces_);
-  std::size_t crossings_before = 0;
+  std::size_t crossings_before = 0, work = 0;
   for (;; ++rounds_) {
     ALGEBRA3D_ASSIGN_OR_RETURN(Faults faults, find_faults(search));
     if (rounds_ == 0) crossings_before = faults.pairs.size();
+    work += faults.pairs.size() + (rounds_ == 0 ? 0 : faces_.open_faces().size());
     const bool is_hopeless = faults.pairs.size() > kMostGrowth * crossings_before + kManyMoreCrossings;
-    if (is_hopeless || crossings_before > limits_.most_crossings)
-      return FeatureSnappedMesh{.crossings_before = crossings_before, .crossing_pairs = crossings_before};
+    if (is_hopeless || crossings_before > limits_.most_crossings || work > limits_.most_work)
+      return FeatureSnappedMesh{.crossings_before = crossings_before, .crossing_pairs = crossings_before, .work = work};
     tie_clusters(faults.pairs);
     note_progress(faults);
     Left left = leave_hopeless_clusters(faults);
@@ -253,7 +254,8 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
     ALGEBRA3D_RETURN_IF_ERROR(faces_.apply(std::move(joins), cancel_));
   }
   ALGEBRA3D_ASSIGN_OR_RETURN(const double distance, faces_.largest_distance(kSmallDistance * spacing_, cancel_));
-  FeatureSnappedMesh result{faces_.mesh(), faces_.largest_displacement(), distance, reached_, crossings_before};
+  FeatureSnappedMesh result{faces_.mesh(), faces_.largest_displacement(), distance, reached_, crossings_before, 0,
+                            work};
   for (const auto& [cluster, progress] : progress_)
     if (progress.is_given_up) result.crossing_pairs += progress.crossings;
   return result;

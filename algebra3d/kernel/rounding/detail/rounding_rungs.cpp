@@ -28,7 +28,10 @@ namespace {
 /// More crowded vertices are not made coplanar: that takes rationals, whose digits multiply where many facets are near.
 constexpr std::ptrdiff_t kMaxCrowded = 1000;
 /// Of so many triangles in all facets are made coplanar within wider and wider reaches, half a millisecond each.
-constexpr std::size_t kMaxCoplanarTriangles = 1000;
+constexpr std::size_t kMaxCoplanarTriangles = 600;
+/// Pairs of triangles that may touch after that, some ten microseconds each, for each given triangle and in all.
+constexpr std::size_t kCoplanarPairs = 100;
+constexpr std::size_t kLeastCoplanarPairs = 5000;
 
 /// Sums of distances up to so many spacings need no better bound.
 constexpr double kSmallSumOfDistances = 16;
@@ -51,7 +54,23 @@ constexpr int kGridStep = 4;
 constexpr int kCoarsestGrid = 20;
 constexpr double kReachOnCoarserGrids = 4;
 
-/// The maximum number of triangles of a mesh that is divided again.
+/// The work of joining features in all turns of a rung, beside that for each triangle; and of a turn for each triangle,
+/// which is searched for crossings and divided.
+constexpr std::size_t kLeastWork = 8000;
+constexpr std::size_t kWorkOfTurn = 2;
+
+/// The work that the turns of a rung may do: counted, not timed, so that a result does not depend on the machine.
+class JoiningWork {
+ public:
+  JoiningWork(const TriangleMesh& given, std::size_t per_face) : left_(kLeastWork + per_face * given.face_count()) {}
+  std::size_t left() const { return left_; }
+  void add(std::size_t work) { left_ -= std::min(work, left_); }
+
+ private:
+  std::size_t left_;
+};
+
+/// A limit of the triangles of what is divided again.
 std::size_t max_faces(const TriangleMesh& given) {
   return given.face_count() + given.face_count() / 4 + 250;
 }
@@ -75,15 +94,21 @@ Result<RoundingCandidate> snap_rounded_near_moved(TriangleMesh mesh, const Coord
   return snapped;
 }
 
-/// Divides the candidate at its crossings, and rounds the new corners. False if that is too much.
-Result<bool> divide(const RoundingJob& job, RoundingCandidate& candidate, const CoordinateGrid& grid) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
+/// Rounds the new corners of a mesh that was divided at its crossings. False if there is none.
+Result<bool> round_divided(const RoundingJob& job, std::optional<TriangleMesh> divided, RoundingCandidate& candidate,
+                           const CoordinateGrid& grid) {
   if (!divided) return false;
   ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped,
                              snap_rounded_near_moved(*std::move(divided), grid, job.cancel()));
   candidate.mesh = std::move(snapped.mesh);
   candidate.movement = candidate.movement + snapped.movement;
   return true;
+}
+
+/// Divides the candidate at its crossings, and rounds the new corners. False if that is too much.
+Result<bool> divide(const RoundingJob& job, RoundingCandidate& candidate, const CoordinateGrid& grid) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
+  return round_divided(job, std::move(divided), candidate, grid);
 }
 
 /// Puts the joined mesh in place of the candidate's.
@@ -119,13 +144,15 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
   std::size_t most_crossings = SIZE_MAX;
   double reach = reaches.first;
   double farthest = 0;  // of one turn
+  JoiningWork work(job.mesh(), reaches.most_work);
   for (int turn = 0; turn < kMaxTurns; ++turn) {
     ALGEBRA3D_RETURN_IF_ERROR(job.begin(fmt::format("joining features, turn {}", turn + 1)));
     ALGEBRA3D_ASSIGN_OR_RETURN(
         FeatureSnappedMesh joined,
-        snap_features(candidate.mesh, grid, spacing, {reach, most_crossings}, job.cancel(), job.folded()));
+        snap_features(candidate.mesh, grid, spacing, {reach, most_crossings, work.left()}, job.cancel(), job.folded()));
+    work.add(joined.work + kWorkOfTurn * candidate.mesh.face_count());
     if (!joined.mesh) {
-      if (reach >= reaches.last || joined.crossings_before > kFewCrossingsLeft) return false;
+      if (work.left() == 0 || reach >= reaches.last || joined.crossings_before > kFewCrossingsLeft) return false;
       reach = std::min(kReachGrowth * reach, reaches.last);
       most_crossings = SIZE_MAX;
       continue;
@@ -141,7 +168,7 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
       if (is_accepted) return true;
     }
     const bool grows = candidate.mesh.face_count() > 2 * std::max(max_faces(job.mesh()), max_faces(first.mesh));
-    if (!job.is_whole() || grows) return false;
+    if (!job.is_whole() || grows || work.left() == 0) return false;
     most_crossings = crossings_before / 2 + kToleratedCrossings;
     if (reaches.must_fall) most_crossings = std::min(most_crossings, std::max<std::size_t>(crossings_before, 1) - 1);
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, candidate, grid));
@@ -158,7 +185,9 @@ Result<bool> join_moved(RoundingJob& job, const MovedVertices& moved, double rea
   const double farthest = std::ranges::max(moved.movements);
   RoundingCandidate coplanar{std::move(snapped.mesh), Movement(rounded_up(farthest + snapped.largest_detour)), reach,
                              RoundingMethod::facets_made_coplanar};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, coplanar, job.grid()));
+  const std::size_t max_pairs = kCoplanarPairs * job.mesh().face_count() + kLeastCoplanarPairs;
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> divided, job.divided(coplanar.mesh, max_pairs));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, round_divided(job, std::move(divided), coplanar, job.grid()));
   return is_divided ? join_features(job, std::move(coplanar), job.grid(), {largest_reach, largest_reach})
                     : Result<bool>(false);
 }

@@ -25,6 +25,8 @@ Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate);
 struct JoiningReach {
   double first, last;
   bool must_fall = false;  ///< crossings must become fewer from turn to turn, however few are left
+  /// How much work of feature snapping (FeatureSnappedMesh::work) may be done for each triangle of what is given.
+  std::size_t most_work = 32;
 };
 
 /// Joins features that are nearly one, and divides at crossings, in turns, as long as no more than some half of the
