@@ -35,7 +35,7 @@ struct SnappingLimits {
 /// twice the reach, and new vertices on a grid twice as coarse, as long as the reach is at most the largest one. What
 /// has too many crossings, or gets more and more of them, is given up. A closed mesh stays closed. Vertices of the
 /// result are given ones or lie on the grid; it may have edges with more than two faces, and places with other winding
-/// numbers than 0 and 1. Domain: all coordinates are doubles. Exactness: what crosses is decided exactly, what is near
+/// numbers than 0 and 1. Domain: all coordinates are doubles. Exactness: crossings are decided exactly, nearness
 /// is not. Deterministic. Errors: interrupted. Cost: that of finding all crossings, and some ten
 /// microseconds for each unit of work.
 Result<FeatureSnappedMesh> snap_features(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing,
