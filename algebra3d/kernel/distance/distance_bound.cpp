@@ -15,9 +15,10 @@ Result<double> bounded_distance(const TriangleMesh& from, std::span<const Bounde
   std::vector<BoundedFace> by_bound(faces.begin(), faces.end());
   std::ranges::stable_sort(by_bound, std::ranges::greater(), &BoundedFace::at_most);
   const Box3 box = unite(Box3::around(from.points().approx()), to.hierarchy->bounds());
+  const distances::LargeFacets no_facets;  // faces are few
   for (const BoundedFace& face : by_bound) {
     if (face.at_most <= enough) break;
-    distances::FaceBounds<WideVec3> bounds(from, to, box, enough, monitor);
+    distances::FaceBounds<WideVec3> bounds(from, to, no_facets, box, enough, monitor);
     const double upper = bounds.of(face.face, {face.near, face.near, face.near}).upper;
     ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     enough = std::max(enough, std::min(upper, face.at_most));

@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "unit/distance/farthest.h"
@@ -86,6 +87,55 @@ TEST(FarthestPoint, TheSamePlateOfDifferentTriangles) {
   const Set from = plate(0, 0, 5, 1, 7, false), to = plate(0, 0, 5, 1, 5, true);
   const FarthestPoint point = farthest(from, to);
   EXPECT_LE(distance_of(point), 1e-11);
+  expect_bound(point);
+}
+
+/// A point of a ring in the plane z = slope * (x + 2 y), whose coordinates are integers.
+Vec3 on_ring(double radius, int i, int count, double slope) {
+  const double angle = 2 * std::numbers::pi * i / count, x = std::round(radius * std::cos(angle)),
+               y = std::round(radius * std::sin(angle));
+  return {x, y, slope * (x + 2 * y)};
+}
+
+/// A disc of needles with a common tip, or with a hole around the middle.
+Set disc(double radius, double hole, int count, double slope) {
+  std::vector<Vec3> points;
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (int i = 0; i < count; ++i) points.push_back(on_ring(radius, i, count, slope));
+  const auto n = static_cast<std::uint32_t>(count);
+  for (int i = 0; i < count && hole > 0; ++i) points.push_back(on_ring(hole, i, count, slope));
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t next = (i + 1) % n;
+    if (hole > 0) {
+      triangles.push_back({i, next, n + i});
+      triangles.push_back({next, n + next, n + i});
+    } else if (i > 0 && next > 0) {
+      triangles.push_back({0, i, next});
+    }
+  }
+  return {std::move(points), std::move(triangles)};
+}
+
+TEST(FarthestPoint, OverASlantedFacetOfManyTriangles) {
+  // The planes are 6 / sqrt(6) apart.
+  const auto above = [](double x, double y) { return Vec3{x, y, x + 2 * y + 6}; };
+  const Set from({above(-300, -300), above(600, -200), above(-100, 500), above(400, 400)}, {{0, 1, 2}, {1, 3, 2}});
+  const FarthestPoint point = farthest(from, disc(1000, 0, 500, 1));
+  EXPECT_NEAR(distance_of(point), std::sqrt(6.0), 1e-9);
+  expect_bound(point);
+}
+
+TEST(FarthestPoint, OverTheHoleOfAFacet) {
+  const FarthestPoint point = farthest(plate(-400, -400, 800, 300, 1, true), disc(1000, 100, 200, 0));
+  EXPECT_NEAR(distance_of(point), std::hypot(300, 100), 0.1);
+  EXPECT_GT(distance_of(point), 316);  // beside the hole it is 300
+  expect_bound(point);
+}
+
+TEST(FarthestPoint, BeyondTheOutlineOfAFacet) {
+  const Set from({{0, 0, 5}, {2000, 0, 5}, {0, 300, 5}}, {{0, 1, 2}});
+  const FarthestPoint point = farthest(from, disc(1000, 0, 400, 0));
+  EXPECT_EQ(point.squared_distance, 1000 * 1000 + 25);
   expect_bound(point);
 }
 

@@ -173,7 +173,8 @@ void expect_bounds_with(const TriangleSet& from, const TriangleSet& to, bool is_
   // Points are doubles, which may be nearly so far off the face.
   const double rounding = std::is_same_v<Vector, Vec3> ? 0 : 0x1p-51;
   const Box3 box = unite(from.hierarchy.bounds(), to.hierarchy.bounds());
-  distances::FaceBounds<Vector> bounds(from.mesh, to.operand(), box, 0);
+  const distances::LargeFacets facets(to.mesh, distances::half_scale_for(box));
+  distances::FaceBounds<Vector> bounds(from.mesh, to.operand(), facets, box, 0);
   std::vector<double> upper(from.mesh.face_count()), sampled(from.mesh.face_count());
   for (std::size_t f = 0; f < upper.size(); ++f) {
     const distances::FaceBound bound = bounds.of(FaceId(f), {FaceId(0), FaceId(1), FaceId(2)});

@@ -34,22 +34,29 @@ auto distance_from_edge(const Vector& point, const Vector& edge) {
   return along < whole ? size_of(point - along / whole * edge) : size_of(point - edge);
 }
 
-double scale_for(const Box3& box) {
+template <typename Vector>
+Vector narrowed(const WideVec3& v) {
+  using Number = decltype(Vector::x);
+  return Vector(static_cast<Number>(v.x), static_cast<Number>(v.y), static_cast<Number>(v.z));
+}
+
+}  // namespace
+
+double half_scale_for(const Box3& box) {
   double half = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
     half = std::max({half, std::abs(box.min[axis]) / 2, std::abs(box.max[axis]) / 2});
   return half > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(half), -1022, 1000)) : 1;
 }
 
-}  // namespace
-
 template <typename Vector>
-FaceBounds<Vector>::FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const Box3& box, double enough,
-                               const Monitor& monitor)
+FaceBounds<Vector>::FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const LargeFacets& facets,
+                               const Box3& box, double enough, const Monitor& monitor)
     : from_(from),
       to_(to),
+      facets_(facets),
       box_(box),
-      half_scale_(scale_for(box)),
+      half_scale_(half_scale_for(box)),
       enough_(half_scale_ * (0.5 * enough)),
       monitor_(monitor) {}
 
@@ -135,11 +142,14 @@ auto FaceBounds<Vector>::nearest(const Vector& point, FaceId near) const -> Near
   return best;
 }
 
-/// From face to neighbouring face as long as that is nearer: mostly what is nearest, if the first one is near.
+/// From face to neighbouring face as long as that is nearer, some times at most: mostly what is nearest, if the first
+/// one is near.
 template <typename Vector>
 auto FaceBounds<Vector>::walk(const Vector& point, FaceId from) const -> Near {
   Near best{from, distance(point, target(from))};
-  for (bool has_moved = true; has_moved;) {
+  constexpr int kSteps = 16;
+  bool has_moved = true;
+  for (int step = 0; has_moved && step < kSteps; ++step) {
     has_moved = false;
     const FaceId face = best.face;
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -203,6 +213,7 @@ bool FaceBounds<Vector>::gather(const Part& part, Number reach) {
     candidates_.clear();
     to_.hierarchy->for_each_meeting(box, [&](std::uint32_t face) {
       const Target candidate = target(FaceId(face));
+      ++work_;
       if (is_candidate(candidate)) candidates_.push_back(candidate);
       return candidates_.size() <= kManyCandidates;
     });
@@ -220,6 +231,64 @@ bool FaceBounds<Vector>::are_apart(const Part& part, const Target& target, Numbe
   return are_apart_seen_along<Vector>(normal_, corners, part.corner_span(), reach);
 }
 
+template <typename Vector>
+bool FaceBounds<Vector>::is_over_facet(const std::array<Vec3, 3>& corners, FaceId face) const {
+  if (facets_.plane_of(face) == nullptr) return false;
+  Part part;
+  for (const Vec3& corner : corners) part.add(scaled(corner));
+  part.deviation = 0x1p-44;
+  return lies_over_facet(part, face);
+}
+
+/// True if the part lies over the inside of the large facet of a face, and near its plane, so that no point of it is
+/// farther from the facet than is irrelevant. The part is made smaller for it by what the bound leaves over: parts
+/// often end where facets do.
+template <typename Vector>
+bool FaceBounds<Vector>::lies_over_facet(const Part& part, FaceId face) const {
+  const LargeFacets::Plane* plane = facets_.plane_of(face);
+  if (plane == nullptr) return false;
+  constexpr Number kMargin = 16 * std::numeric_limits<double>::epsilon();
+  const auto point = narrowed<Vector>(plane->point), normal = narrowed<Vector>(plane->normal);
+  const auto deviation = static_cast<Number>(plane->deviation), turn = static_cast<Number>(plane->turn);
+  const auto height = [&](const Vector& place) { return dot(normal, place - point); };
+  const Vector centre = part.centre();
+  Number highest = 0, radius = 0;
+  for (const Vector& corner : part.corner_span()) {
+    highest = std::max(highest, std::abs(height(corner)));
+    radius = std::max(radius, size_of(corner - centre));
+  }
+  // By the exact plane, whose normal is turned by little.
+  const Number bound = (highest + deviation + kMargin + part.deviation) * (1 + Number(0x1p-38));
+  const Number left = irrelevant() - bound;
+  if (!(left > 0)) return false;
+  const Number shrunk = 1 - std::min(left / (2 * radius), Number(1) / 16);
+  const Number lateral = kMargin + part.deviation + 2 * turn * (highest + kMargin);
+  // The foot of the centre is in the facet, since it is within this of one of its faces, and outlines are not.
+  const Vector foot = centre - height(centre) * normal;
+  if (!(distance(foot, target(face)) <= lateral + deviation)) return false;
+  const Number reach = 4 * (lateral + deviation);
+  Part inner;
+  Box3 box;
+  for (const Vector& corner : part.corner_span()) {
+    const Vector place = centre + shrunk * (corner - centre);
+    inner.add(place - height(place) * normal);
+    const Vec3 in_plane = unscaled(inner.corners[inner.size - 1]);
+    box.extend(in_plane);
+  }
+  const double margin = unscaled(2 * reach);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.min[axis] = std::nextafter(box.min[axis] - margin, -kUnbounded);
+    box.max[axis] = std::nextafter(box.max[axis] + margin, kUnbounded);
+  }
+  bool is_inside = true;
+  facets_.for_each_outline_edge(face, box, [&](const Vec3& begin, const Vec3& end) {
+    const std::array<Vector, 2> edge{scaled(begin), scaled(end)};
+    is_inside = are_apart_seen_along<Vector>(normal, edge, inner.corner_span(), reach);
+    return is_inside;
+  });
+  return is_inside;
+}
+
 /// Bounds the part, or divides it until few faces are near.
 template <typename Vector>
 void FaceBounds<Vector>::visit(const Part& part) {
@@ -229,18 +298,13 @@ void FaceBounds<Vector>::visit(const Part& part) {
   for (std::uint32_t i = 0; i < part.size; ++i) radius = std::max(radius, size_of(part.corners[i] - centre));
   Near near = walk(centre, hint_);
   Farthest bound = farthest(part, target(near.face));
-  const auto is_bounded = [&] { return bound.upper <= irrelevant(); };
-  const auto has_gathered = [&] {
-    return gather(part, std::min(bound.upper, (near.distance + radius + kOfDistance<Number>)*kGrown<Number>));
-  };
+  const auto is_bounded = [&] { return bound.upper <= irrelevant() || lies_over_facet(part, near.face); };
   if (is_bounded()) return;
-  bool has_few = has_gathered();
-  if (!has_few) {
-    near = nearest(centre, near.face);
-    bound = farthest(part, target(near.face));
-    if (is_bounded()) return;
-    has_few = has_gathered();
-  }
+  near = nearest(centre, near.face);
+  bound = farthest(part, target(near.face));
+  if (is_bounded()) return;
+  const bool has_few =
+      gather(part, std::min(bound.upper, (near.distance + radius + kOfDistance<Number>)*kGrown<Number>));
   hint_ = near.face;
   if (has_few)
     cover(part);
@@ -268,7 +332,7 @@ void FaceBounds<Vector>::cover(const Part& part) {
       least = std::min(least, own);
     }
     const Farthest bound = farthest(next, *near);
-    if (bound.upper <= irrelevant()) continue;
+    if (bound.upper <= irrelevant() || lies_over_facet(next, near->face)) continue;
     if (steps == 0 || next.depth >= kMaxDepth<Number>) {
       take_least(next);
       continue;

@@ -8,10 +8,14 @@
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/base/vec3.h"
 #include "algebra3d/kernel/distance/detail/face_part.h"
+#include "algebra3d/kernel/distance/detail/large_facets.h"
 #include "algebra3d/kernel/distance/distance.h"
 #include "base/wide_vec3.h"
 
 namespace algebra3d::distances {
+
+/// The factor from halved coordinates in a box to units, in which the largest one is from 1 to 2: a power of two.
+double half_scale_for(const Box3& box);
 
 /// An upper bound of the distance of all points of a face, and the point where it was found.
 struct FaceBound {
@@ -24,21 +28,25 @@ struct FaceBound {
 /// is divided by the local Voronoi cells of the set: the space over a triangle between the planes that halve the angles
 /// at its edges. The distance from one triangle is convex, so the part in a cell has its largest distance from that
 /// triangle in a corner. Where the cells hold what is nearest to their triangles, as they do near a manifold set whose
-/// angles are flat, the bound is tight. It holds in any case, since any division does. Has its own storage: one for
-/// each thread. Vector: Vec3, or WideVec3 for bounds that are near a small part of the spacing of doubles.
+/// angles are flat, the bound is tight. It holds in any case, since any division does. What lies over a large facet of
+/// the set is bounded by its plane at once. Has its own storage: one for each thread. Vector: Vec3, or WideVec3 for
+/// bounds that are near a small part of the spacing of doubles.
 template <typename Vector>
 class FaceBounds {
  public:
-  /// `box` holds both sets. Bounds up to `enough` are not of interest. Once the work is cancelled, bounds are not
-  /// found.
-  FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const Box3& box, double enough,
-             const Monitor& monitor = {});
+  /// `facets` are those of the set, by half_scale_for(box); `box` holds both sets. Bounds up to `enough` are not of
+  /// interest. Once the work is cancelled, bounds are not found.
+  FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const LargeFacets& facets, const Box3& box,
+             double enough, const Monitor& monitor = {});
 
   /// The bound for a face of `from`; `nearest` are faces of the set that are near its corners. After about `max_work`
   /// comparisons of a part with a triangle, the rest of the face is bounded by one triangle. Cost: some points against
   /// some triangles if one of these faces shows that it is enough; else a microsecond for each cell that the face
   /// meets.
   FaceBound of(FaceId face, const std::array<FaceId, 3>& nearest, std::size_t max_work = kNoLimit);
+  /// True if a part of a face lies over the large facet of a face of the set, and so near it that its bound is enough.
+  /// The corners are those of the part, within 2^-46 of the largest coordinate.
+  bool is_over_facet(const std::array<Vec3, 3>& corners, FaceId face) const;
 
  private:
   static constexpr std::size_t kNoLimit = static_cast<std::size_t>(-1);
@@ -77,11 +85,13 @@ class FaceBounds {
   void visit(const Part& part);
   void cover(const Part& part);
   bool is_tight(const Farthest& bound) const;
+  bool lies_over_facet(const Part& part, FaceId face) const;
   void take_least(const Part& part);
   bool divide_by_cell(const Part& part, const Target& target);
 
   const TriangleMesh& from_;
   DistanceOperand to_;
+  const LargeFacets& facets_;
   Box3 box_;
   double half_scale_;  // from halved coordinates to units, in which the largest one is from 1 to 2
   Number enough_;      // in units

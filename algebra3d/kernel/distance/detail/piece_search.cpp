@@ -86,7 +86,7 @@ void PieceSearch::bound(std::span<const std::uint32_t> faces, std::size_t max_wo
   const Stage stage(monitor, "bounding distances", faces.size());
   parallel_for((faces.size() + kTask - 1) / kTask, 1, [&](std::size_t task) {
     Stage own(stage);
-    FaceBounds<Vector> bounds(from_, to_, box_, enough(), monitor);
+    FaceBounds<Vector> bounds(from_, to_, *facets_, box_, enough(), monitor);
     for (std::size_t i = task * kTask; i < std::min((task + 1) * kTask, faces.size()) && own.begin_step(); ++i) {
       const auto [a, b, c] = from_.triangle(FaceId(faces[i]));
       const FaceBound found =
@@ -107,8 +107,9 @@ std::vector<std::uint32_t> PieceSearch::unsettled_faces() const {
 Status PieceSearch::bound_faces(double at_least, const Monitor& monitor) {
   lower_ = std::max(lower_, at_least);
   face_bounds_.assign(from_.face_count(), {kInfinity, {}, {}});
-  constexpr std::size_t kWorkOfFirstBound = 1 << 13, kUnlimited = static_cast<std::size_t>(-1);
-  bound<Vec3>(unsettled_faces(), do_nearly_coincide() ? kWorkOfFirstBound : kUnlimited, monitor);
+  facets_.emplace(*to_.mesh, half_scale_for(box_));
+  constexpr std::size_t kWorkOfFirstBound = 1 << 13, kWorkOfOnlyBound = 1 << 9;
+  bound<Vec3>(unsettled_faces(), do_nearly_coincide() ? kWorkOfFirstBound : kWorkOfOnlyBound, monitor);
   ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
   probe_faces();
   return do_nearly_coincide() ? bound_near_faces(monitor) : Status();
@@ -168,13 +169,14 @@ Status PieceSearch::refine(double at_least, const Monitor& monitor) {
     const auto [a, b, c] = from_.triangle(FaceId(f));
     push({{SampleId(a), SampleId(b), SampleId(c)}, face_bounds_[f].upper, 0});
   }
+  const FaceBounds<Vec3> bounds(from_, to_, *facets_, box_, enough(), monitor);
   std::size_t count = 0;
   while (!pieces_.empty() && !is_settled(pieces_.top().upper) && may_go_on(++count)) {
     if (count % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     const Piece piece = pieces_.top();
     pieces_.pop();
     work_ += kWorkOfDivision;
-    divide(piece);
+    divide(piece, bounds);
   }
   // Pieces that were left out have bounds up to this one.
   upper_ = lower_ * (1 + kRelative) + tolerance_;
@@ -275,7 +277,7 @@ void PieceSearch::push_polygon(const std::vector<SampleId>& polygon, const Piece
     push({{polygon[0], polygon[i], polygon[i + 1]}, parent.upper, parent.depth + 1});
 }
 
-void PieceSearch::divide(const Piece& piece) {
+void PieceSearch::divide(const Piece& piece, const FaceBounds<Vec3>& bounds) {
   // The face with the best bound; the one of the centroid may be better than those of the corners.
   double upper = kInfinity;
   FaceId best;
@@ -285,6 +287,9 @@ void PieceSearch::divide(const Piece& piece) {
       new_sample(between(middle, position(piece.corners[2]), 1.0 / 3), set_[piece.corners[0]].nearest);
   bound_by(set_[centre].nearest, piece.corners, upper, best);
   if (is_settled(std::min(upper + rounding_, piece.upper))) return;
+  if (bounds.is_over_facet({position(piece.corners[0]), position(piece.corners[1]), position(piece.corners[2])},
+                           set_[centre].nearest))
+    return;
 
   // The corner that is farthest from it, unlike from its own nearest face.
   SampleId farthest = piece.corners[0];

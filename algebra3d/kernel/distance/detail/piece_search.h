@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <queue>
 #include <span>
 #include <vector>
@@ -89,7 +90,7 @@ class PieceSearch {
   Status cover(std::span<const std::uint32_t> faces, const Monitor& monitor);
   void probe_faces();
   void bound_by(FaceId face, const Corners& corners, double& least, FaceId& of_least) const;
-  void divide(const Piece& piece);
+  void divide(const Piece& piece, const FaceBounds<Vec3>& bounds);
   bool divide_between(const Piece& piece, FaceId first, FaceId second, Division& division);
   void halve(const Piece& piece, Division& division);
   void push_polygon(const std::vector<SampleId>& polygon, const Piece& parent);
@@ -109,6 +110,7 @@ class PieceSearch {
   bool is_bounded_ = true;
   std::size_t work_ = 0;  // comparisons for pieces
   std::vector<FaceBound> face_bounds_;
+  std::optional<LargeFacets> facets_;  // of `to`
   std::priority_queue<Piece> pieces_;
 };
 
