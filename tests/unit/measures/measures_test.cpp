@@ -69,6 +69,23 @@ TEST(Clash, WholeBodiesInCommonHaveNoDepth) {
   EXPECT_EQ((*clash)->squared_depth, Rational(0));
 }
 
+TEST(Clash, PartsOfDifferentBodiesAreNoDivision) {
+  const auto any = [](const WindingVector& w) { return w[0] > 0 || w[1] > 0; };
+  const Volume3d two = combined(box_solid({0, 0, 0}, {2, 2, 2}), box_solid({4, 0, 0}, {6, 2, 2}), any);
+  const auto kind_with = [&](const Volume3d& other) { return (*clash_of(two, other, 0))->kind; };
+  EXPECT_EQ(kind_with(box_solid({1, -1, -1}, {5, 3, 3})), ClashKind::protrusion);
+  EXPECT_EQ(kind_with(box_solid({0.5, -1, -1}, {1, 3, 3})), ClashKind::piercing);
+  // Bodies that touch in an edge, each with a corner cut off.
+  const Volume3d touching = combined(box_solid({0, 0, 0}, {2, 2, 2}), box_solid({2, 2, 0}, {4, 4, 2}), any);
+  EXPECT_EQ((*clash_of(touching, box_solid({1, 1, -1}, {3, 3, 1}), 0))->kind, ClashKind::protrusion);
+  // A body in the cavity of another one; the other solid is divided by the wall, or neither is.
+  const auto first = [](const WindingVector& w) { return w[0] > 0 && w[1] == 0; };
+  const Volume3d hollow = combined(box_solid({0, 0, 0}, {10, 10, 10}), box_solid({1, 1, 1}, {9, 9, 9}), first);
+  const Volume3d nested = combined(hollow, box_solid({3, 3, 3}, {7, 7, 7}), any);
+  EXPECT_EQ((*clash_of(nested, box_solid({-1, 4, 4}, {5, 6, 6}), 0))->kind, ClashKind::piercing);
+  EXPECT_EQ((*clash_of(nested, box_solid({0.5, 4, 4}, {5, 6, 6}), 0))->kind, ClashKind::protrusion);
+}
+
 TEST(Clash, EmptySolidsDoNotClash) {
   EXPECT_FALSE(*clash_of(Volume3d(), box_solid({0, 0, 0}, {1, 1, 1}), 1000));
 }

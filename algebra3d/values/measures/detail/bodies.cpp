@@ -7,6 +7,7 @@
 
 #include "algebra3d/values/measures/detail/bodies.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "algebra3d/kernel/exact/plane.h"
 #include "algebra3d/kernel/halfedge/mesh_triangles.h"
 #include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/search/box_hierarchy.h"
 #include "algebra3d/values/spatial_relations/point_location.h"
 #include "base/disjoint_ids.h"
 
@@ -72,6 +74,51 @@ Result<std::vector<Shell>> shells_of(const TriangleMesh& mesh, const Monitor& mo
   return shells;
 }
 
+/// The boxes of solids, to be searched.
+class SolidBoxes {
+ public:
+  explicit SolidBoxes(std::span<const Volume3d> solids) : corners_(corners_of(solids)), hierarchy_(corners_) {}
+
+  /// Calls visit(i) for each solid whose box may meet the box.
+  template <typename Visit>
+  void for_each_meeting(const Box3& box, Visit visit) const {
+    hierarchy_.for_each_meeting(box, [&](std::uint32_t solid) {
+      visit(std::size_t{solid});
+      return true;
+    });
+  }
+
+ private:
+  /// A face for each solid, with two corners of its box.
+  static TriangleMesh corners_of(std::span<const Volume3d> solids) {
+    std::vector<Vec3> points;
+    std::vector<TriangleMesh::Triangle> faces;
+    for (const Volume3d& solid : solids) {
+      const auto first = static_cast<std::uint32_t>(points.size());
+      points.push_back(solid.box().min);
+      points.push_back(solid.box().max);
+      faces.push_back({first, first + 1, first + 1});
+    }
+    return {PointArray(std::move(points)), faces};
+  }
+
+  TriangleMesh corners_;
+  BoxHierarchy hierarchy_;
+};
+
+/// The body that holds a body of a part of the solid, by a point of a face of that one. Bodies touch in edges only, so
+/// a point that two of them hold is replaced by another one.
+std::size_t body_around(const Shell& part, std::span<const Volume3d> bodies, const SolidBoxes& boxes) {
+  for (int attempt = 0;; ++attempt) {
+    const ExactPoint point = inner_point(part.mesh.corners(FaceId(0)), attempt);
+    std::vector<std::size_t> holders;
+    boxes.for_each_meeting(box_of(point), [&](std::size_t i) {
+      if (place_in_solid(point, bodies[i].geometry()) != Placement::outside) holders.push_back(i);
+    });
+    if (holders.size() == 1) return holders.front();
+  }
+}
+
 /// True if the wall of a cavity is inside of an outer shell, which it may touch in points and edges.
 bool is_within(const Shell& cavity, const Geometry& outer) {
   for (int attempt = 0;; ++attempt) {
@@ -83,13 +130,6 @@ bool is_within(const Shell& cavity, const Geometry& outer) {
 
 }  // namespace
 
-Result<std::size_t> body_count(const TriangleMesh& mesh, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Shell> shells, shells_of(mesh, monitor));
-  std::size_t count = 0;
-  for (const Shell& shell : shells) count += shell.volume.sign() > 0 ? 1 : 0;
-  return count;
-}
-
 Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& monitor) {
   ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shell> shells, shells_of(solid.mesh(), monitor));
   std::vector<Shell> outer, cavities;
@@ -98,13 +138,15 @@ Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& mo
   std::vector<Volume3d> filled;
   filled.reserve(outer.size());
   for (Shell& shell : outer) filled.push_back(Volume3d::trusted(std::move(shell.mesh)));
+  const SolidBoxes boxes(filled);
   for (const Shell& cavity : cavities) {
     ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     // Outer shells around a point are nested; the cavity belongs to the innermost one.
     std::optional<std::size_t> innermost;
-    for (std::size_t i = 0; i < outer.size(); ++i)
+    boxes.for_each_meeting(box_of(cavity.mesh.point(VertexId(0))), [&](std::size_t i) {
       if ((!innermost || outer[i].volume < outer[*innermost].volume) && is_within(cavity, filled[i].geometry()))
         innermost = i;
+    });
     if (innermost)
       outer[*innermost].faces.insert(outer[*innermost].faces.end(), cavity.faces.begin(), cavity.faces.end());
   }
@@ -113,6 +155,23 @@ Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& mo
   SubmeshMaker maker(solid.mesh());
   for (const Shell& shell : outer) bodies.push_back(Volume3d::trusted(maker.make(shell.faces)));
   return bodies;
+}
+
+Result<bool> has_divided_body(const Volume3d& solid, const TriangleMesh& part, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shell> shells, shells_of(part, monitor));
+  std::erase_if(shells, [](const Shell& shell) { return shell.volume.sign() <= 0; });
+  if (shells.size() <= 1) return false;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Volume3d> bodies, bodies_of(solid, monitor));
+  if (bodies.size() == 1) return true;
+  const SolidBoxes boxes(bodies);
+  std::vector<std::uint8_t> has_part(bodies.size(), 0);
+  for (const Shell& shell : shells) {
+    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    std::uint8_t& flag = has_part[body_around(shell, bodies, boxes)];
+    if (flag != 0) return true;
+    flag = 1;
+  }
+  return false;
 }
 
 }  // namespace algebra3d

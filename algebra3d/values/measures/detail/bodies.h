@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "algebra3d/base/error.h"
@@ -12,11 +11,12 @@ namespace algebra3d {
 // The bodies of a solid: the connected parts of its interior. Parts that touch in an edge only are different bodies,
 // though their faces are connected across that edge.
 
-/// Number of bodies of a valid volume. Exact. Errors: interrupted. Cost: linear.
-Result<std::size_t> body_count(const TriangleMesh& mesh, const Monitor& monitor);
-
 /// Each body as a solid, with its cavities. Exact. Errors: interrupted. Cost: linear; for each cavity a ray for each
-/// body.
+/// body whose box holds it.
 Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& monitor);
+
+/// True if a part of a solid, a valid volume, has two bodies in one body of the solid. Exact. Errors: interrupted.
+/// Cost: linear; for each body of the part a ray for each body of the solid whose box holds it.
+Result<bool> has_divided_body(const Volume3d& solid, const TriangleMesh& part, const Monitor& monitor);
 
 }  // namespace algebra3d

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <utility>
-#include <vector>
 
 #include "algebra3d/kernel/arrangement/arrangement.h"
 #include "algebra3d/values/measures/detail/bodies.h"
@@ -16,16 +15,6 @@ Result<SolidArrangement> arrangement_of(const Volume3d& a, const Volume3d& b, co
   return SolidArrangement::make(operands, monitor);
 }
 
-/// The number of bodies of the solid of one group without that of the other.
-Result<std::size_t> bodies_without_other(const SolidArrangement& arrangement, std::size_t group,
-                                         const Monitor& monitor) {
-  const auto is_left = [group](const WindingVector& windings) {
-    return windings[group] > 0 && windings[1 - group] == 0;
-  };
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh rest, arrangement.solid(is_left));
-  return body_count(rest, monitor);
-}
-
 /// The part of the boundary of one group in the interior of the other.
 Result<Surface3d> boundary_in_other(const SolidArrangement& arrangement, std::size_t group) {
   const auto is_inside_other = [group](const WindingVector& front, const WindingVector& back) {
@@ -36,21 +25,14 @@ Result<Surface3d> boundary_in_other(const SolidArrangement& arrangement, std::si
   return Surface3d::trusted(std::move(part));
 }
 
-/// True if a body of the solid is divided by the other one; `arrangement` is of both, and the solid its `group`.
-Result<bool> is_divided(const Volume3d& solid, const Volume3d& other, const SolidArrangement& arrangement,
-                        std::size_t group, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Volume3d> bodies, bodies_of(solid, monitor));
-  if (bodies.size() == 1) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t count, bodies_without_other(arrangement, group, monitor));
-    return count > 1;
-  }
-  for (const Volume3d& body : bodies) {
-    if (!body.box().intersects(other.box())) continue;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const SolidArrangement own, arrangement_of(body, other, monitor));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t count, bodies_without_other(own, 0, monitor));
-    if (count > 1) return true;
-  }
-  return false;
+/// True if a body of the solid, which is of one group, is divided by the other one.
+Result<bool> is_divided(const Volume3d& solid, const SolidArrangement& arrangement, std::size_t group,
+                        const Monitor& monitor) {
+  const auto is_left = [group](const WindingVector& windings) {
+    return windings[group] > 0 && windings[1 - group] == 0;
+  };
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh rest, arrangement.solid(is_left));
+  return has_divided_body(solid, rest, monitor);
 }
 
 }  // namespace
@@ -60,9 +42,9 @@ Result<Overlap> Overlap::of(const Volume3d& a, const Volume3d& b, const Monitor&
   Overlap overlap;
   ALGEBRA3D_ASSIGN_OR_RETURN(overlap.of_first_in_second, boundary_in_other(arrangement, 0));
   ALGEBRA3D_ASSIGN_OR_RETURN(overlap.of_second_in_first, boundary_in_other(arrangement, 1));
-  ALGEBRA3D_ASSIGN_OR_RETURN(overlap.is_divided, algebra3d::is_divided(a, b, arrangement, 0, monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(overlap.is_divided, algebra3d::is_divided(a, arrangement, 0, monitor));
   if (overlap.is_divided) return overlap;
-  ALGEBRA3D_ASSIGN_OR_RETURN(overlap.is_divided, algebra3d::is_divided(b, a, arrangement, 1, monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(overlap.is_divided, algebra3d::is_divided(b, arrangement, 1, monitor));
   return overlap;
 }
 

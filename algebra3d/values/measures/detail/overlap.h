@@ -12,8 +12,7 @@ struct Overlap {
   bool is_divided = false;
   Surface3d of_first_in_second, of_second_in_first;  ///< the parts of the boundaries in the interior of the other
 
-  /// Exact. Errors: interrupted, limit_exceeded. Cost: that of an arrangement of both, and of one more for each body of
-  /// a solid of several bodies that the other solid meets.
+  /// Exact. Errors: interrupted, limit_exceeded. Cost: that of an arrangement of both.
   static Result<Overlap> of(const Volume3d& a, const Volume3d& b, const Monitor& monitor);
 };
 
