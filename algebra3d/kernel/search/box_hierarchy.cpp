@@ -124,10 +124,12 @@ BoxHierarchy::Box BoxHierarchy::scaled(const Box3& box) const {
 
 Box3 BoxHierarchy::unscaled(const Box& box) const {
   Box3 result;
+  const double unit = 1 / frame_.scale;  // exact: a power of two
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // A step of float covers the rounding to float, and a step of double that of the sum.
-    const double min = (double{next_below(box.min[axis])} / frame_.scale + frame_.origin[axis] / 2) * 2;
-    const double max = (double{next_above(box.max[axis])} / frame_.scale + frame_.origin[axis] / 2) * 2;
+    const double half_origin = frame_.origin[axis] / 2;
+    const double min = (double{next_below(box.min[axis])} * unit + half_origin) * 2;
+    const double max = (double{next_above(box.max[axis])} * unit + half_origin) * 2;
     result.min[axis] = next_below(min);
     result.max[axis] = next_above(max);
   }

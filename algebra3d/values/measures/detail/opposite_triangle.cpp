@@ -22,51 +22,65 @@ struct RoundedMeeting {
 class RoundedRay {
  public:
   RoundedRay(const InwardRay& ray, double margin)
-      : origin_(ray.origin()), direction_(ray.direction()), margin_(margin) {}
-
-  /// False if the ray misses the box or meets it beyond a place.
-  bool may_meet(const Box3& box, double most) const {
-    double begin = -margin_, end = most + margin_;
+      : origin_(ray.origin()), direction_(ray.direction()), margin_(margin) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double low = box.min[axis] - origin_[axis] - margin_, high = box.max[axis] - origin_[axis] + margin_;
-      if (std::abs(direction_[axis]) < 0x1p-60) {
-        if (low > 0 || high < 0) return false;
+      is_across_[axis] = std::abs(direction_[axis]) < 0x1p-60;
+      inverse_[axis] = is_across_[axis] ? 0 : 1 / direction_[axis];
+    }
+  }
+
+  /// A lower bound of where the ray meets the box of a node of a hierarchy; infinite if it misses it.
+  double place_of(const BoxHierarchy& hierarchy, BoxHierarchy::Node node) const {
+    // Boxes reach 2^20 units of the frame, where floats are 2^-3 apart.
+    constexpr double kRounding = 0.25;
+    const BoxHierarchy::Frame& frame = hierarchy.frame();
+    const BoxHierarchy::Place box = hierarchy.place(node);
+    const double unit = 2 / frame.scale;
+    double begin = -margin_, end = kUnbounded;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double middle = box.middle[axis] * unit + (frame.origin[axis] - origin_[axis]);
+      const double half = (box.half[axis] + kRounding) * unit + margin_, low = middle - half, high = middle + half;
+      if (is_across_[axis]) {
+        if (low > 0 || high < 0) return kUnbounded;
         continue;
       }
-      const double first = low / direction_[axis], second = high / direction_[axis];
+      const double first = low * inverse_[axis], second = high * inverse_[axis];
       begin = std::max(begin, std::min(first, second));
       end = std::min(end, std::max(first, second));
     }
-    return !(begin > end + margin_);
+    return begin > end + margin_ ? kUnbounded : begin - margin_;
   }
 
   RoundedMeeting meeting(const std::array<Vec3, 3>& corners) const {
     std::array<Vec3, 3> relative;
-    std::array<double, 3> lengths{}, heights{};
+    std::array<double, 3> sizes{};  // at least the lengths
     for (std::size_t i = 0; i < 3; ++i) {
       relative[i] = corners[i] - origin_;
-      lengths[i] = length(relative[i]);
-      heights[i] = dot(direction_, relative[i]);
+      sizes[i] = std::abs(relative[i].x) + std::abs(relative[i].y) + std::abs(relative[i].z);
     }
-    const auto [low, high] = std::minmax({heights[0], heights[1], heights[2]});
-    RoundedMeeting result{RoundedMeeting::Kind::open, low - margin_, high + margin_};
     std::array<double, 3> sides{};
-    double least = kUnbounded, most = -kUnbounded, largest_error = 0, sum = 0, weighted = 0;
+    double least = kUnbounded, most = -kUnbounded, largest_error = 0;
+    bool is_left = false, is_right = false;
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
+      const std::size_t j = i < 2 ? i + 1 : 0;
       sides[i] = dot(direction_, cross(relative[i], relative[j]));
-      const double error = 4 * margin_ * (lengths[i] + lengths[j]) + 0x1p-47 * lengths[i] * lengths[j];
+      const double error = 4 * margin_ * (sizes[i] + sizes[j]) + 0x1p-47 * sizes[i] * sizes[j];
+      is_left = is_left || sides[i] > error;
+      is_right = is_right || sides[i] < -error;
       largest_error = std::max(largest_error, error);
       least = std::min(least, sides[i] - error);
       most = std::max(most, sides[i] + error);
-      sum += sides[i];
-      weighted += sides[i] * heights[(i + 2) % 3];
     }
-    if (are_on_both_sides(sides, lengths)) {
-      result.kind = RoundedMeeting::Kind::missed;
-    } else if (least > 0 || most < 0) {
+    if (is_left && is_right) return {RoundedMeeting::Kind::missed, 0, 0};
+    std::array<double, 3> heights{};
+    for (std::size_t i = 0; i < 3; ++i) heights[i] = dot(direction_, relative[i]);
+    const auto [low, high] = std::minmax({heights[0], heights[1], heights[2]});
+    RoundedMeeting result{RoundedMeeting::Kind::open, low - margin_, high + margin_};
+    if (least > 0 || most < 0) {
       result.kind = RoundedMeeting::Kind::met;
-      const double place = weighted / sum, error = 8 * largest_error / std::abs(sum) * (high - low) + 2 * margin_;
+      const double sum = sides[0] + sides[1] + sides[2];
+      const double place = (sides[0] * heights[2] + sides[1] * heights[0] + sides[2] * heights[1]) / sum;
+      const double error = 8 * largest_error / std::abs(sum) * (high - low) + 2 * margin_;
       result.from = std::max(result.from, place - error);
       result.to = std::min(result.to, place + error);
     }
@@ -74,18 +88,9 @@ class RoundedRay {
   }
 
  private:
-  bool are_on_both_sides(const std::array<double, 3>& sides, const std::array<double, 3>& lengths) const {
-    bool is_left = false, is_right = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      const double error = 4 * margin_ * (lengths[i] + lengths[j]) + 0x1p-47 * lengths[i] * lengths[j];
-      is_left = is_left || sides[i] > error;
-      is_right = is_right || sides[i] < -error;
-    }
-    return is_left && is_right;
-  }
-
   Vec3 origin_, direction_;
+  Vec3 inverse_;                     // of each component of the direction; 0 where the ray is across the axis
+  std::array<bool, 3> is_across_{};  // at right angles to the axis but for roundings
   double margin_;
 };
 
@@ -98,22 +103,51 @@ double OppositeSearch::margin_of(const Geometry& solid) {
   return 0x1p-47 * largest;
 }
 
+/// Calls visit(f) for the faces of all nodes that a ray meets, near ones first; it returns a place beyond which faces
+/// are of no interest from then on.
+template <typename Visit>
+void for_each_along(const RoundedRay& ray, const BoxHierarchy& hierarchy, Visit visit) {
+  struct PlacedNode {
+    BoxHierarchy::Node node;
+    double place;
+  };
+  double limit = kUnbounded;
+  std::vector<PlacedNode> stack{{hierarchy.root(), 0}};
+  while (!stack.empty()) {
+    const auto [node, place] = stack.back();
+    stack.pop_back();
+    if (place > limit) continue;
+    if (node.level == 0) {
+      for (const std::uint32_t face : hierarchy.leaf_faces(node.index)) limit = visit(face);
+      continue;
+    }
+    const std::size_t before = stack.size();
+    const std::uint32_t end = std::min(2 * node.index + 2, hierarchy.node_count(node.level - 1));
+    for (std::uint32_t index = 2 * node.index; index < end; ++index) {
+      const BoxHierarchy::Node child{node.level - 1, index};
+      const double of_child = ray.place_of(hierarchy, child);
+      if (of_child < kUnbounded && of_child <= limit) stack.push_back({child, of_child});
+    }
+    if (stack.size() == before + 2 && stack[before].place < stack[before + 1].place)
+      std::swap(stack[before], stack[before + 1]);
+  }
+}
+
 /// All triangles that may be the first, and others.
 void OppositeSearch::find_candidates(FaceId face, const InwardRay& ray) {
   candidates_.clear();
   const RoundedRay rounded(ray, margin_);
   const std::vector<Vec3>& points = solid_.mesh.points().approx();
   double most = kUnbounded;  // the first triangle is not farther
-  solid_.hierarchy().for_each_where(
-      [&](const Box3& box) { return rounded.may_meet(box, most); },
-      [&](std::uint32_t other) {
-        if (FaceId(other) == face) return;
-        const auto [a, b, c] = solid_.mesh.triangle(FaceId(other));
-        const RoundedMeeting meeting = rounded.meeting({points[a], points[b], points[c]});
-        if (meeting.kind == RoundedMeeting::Kind::missed || meeting.to < 0 || meeting.from > most) return;
-        candidates_.push_back({FaceId(other), meeting.from, meeting.to});
-        if (meeting.kind == RoundedMeeting::Kind::met && meeting.from > 0) most = std::min(most, meeting.to);
-      });
+  for_each_along(rounded, solid_.hierarchy(), [&](std::uint32_t other) {
+    if (FaceId(other) == face) return most;
+    const auto [a, b, c] = solid_.mesh.triangle(FaceId(other));
+    const RoundedMeeting meeting = rounded.meeting({points[a], points[b], points[c]});
+    if (meeting.kind == RoundedMeeting::Kind::missed || meeting.to < 0 || meeting.from > most) return most;
+    candidates_.push_back({FaceId(other), meeting.from, meeting.to});
+    if (meeting.kind == RoundedMeeting::Kind::met && meeting.from > 0) most = std::min(most, meeting.to);
+    return most;
+  });
   std::erase_if(candidates_, [&](const Candidate& candidate) { return candidate.from > most; });
 }
 
