@@ -108,8 +108,8 @@ Status PieceSearch::bound_faces(double at_least, const Monitor& monitor) {
   lower_ = std::max(lower_, at_least);
   face_bounds_.assign(from_.face_count(), {kInfinity, {}, {}});
   facets_.emplace(*to_.mesh, half_scale_for(box_));
-  constexpr std::size_t kWorkOfFirstBound = 1 << 13, kWorkOfOnlyBound = 1 << 9;
-  bound<Vec3>(unsettled_faces(), do_nearly_coincide() ? kWorkOfFirstBound : kWorkOfOnlyBound, monitor);
+  constexpr std::size_t kWorkOfFirstBound = 1 << 13, kUnlimited = static_cast<std::size_t>(-1);
+  bound<Vec3>(unsettled_faces(), do_nearly_coincide() ? kWorkOfFirstBound : kUnlimited, monitor);
   ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
   probe_faces();
   return do_nearly_coincide() ? bound_near_faces(monitor) : Status();
