@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "unit/halfedge/slab_samples.h"
+#include "unit/search/slab_samples.h"
 
 namespace algebra3d::distances {
 namespace {

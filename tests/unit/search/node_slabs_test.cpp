@@ -8,7 +8,7 @@
 
 #include "algebra3d/kernel/exact/predicates.h"
 #include "algebra3d/kernel/search/slab_gaps.h"
-#include "unit/halfedge/slab_samples.h"
+#include "unit/search/slab_samples.h"
 
 namespace algebra3d {
 namespace {
