@@ -57,7 +57,7 @@ export class Browser {
         ? ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-3d-apis", "--disable-sync"]
         : flags,
     });
-    context.setDefaultTimeout(15_000);
+    context.setDefaultTimeout(60_000);
     const browser = new Browser(context, profile);
     context.on("weberror", (error) => browser.errors.push(String(error.error())));
     context.on("console", (message) => {
