@@ -73,7 +73,7 @@ class ObjectWriter {
     return file_.write(")\n");
   }
 
-  // Of a derived object. An object that cannot be read is derived again all the same.
+  // Whether a derived object has a value. An object that cannot be read is derived again all the same.
   bool is_defined(const ObjectInfo& info) {
     if (!info.has_value || info.type.is_relation() || is_index(info.type)) return false;
     const auto value = store_.read(info.name);

@@ -211,7 +211,7 @@ int run_session(const CLI::App& app, const Options& options, const algebra3d::Re
 int run_tests(const Options& options, const algebra3d::Registry& registry) {
   const TestOptions test_options{[](const std::string& line) { std::cout << line << "\n"; }, &Interruption::flag(),
                                  options.test_filter, options.tests_keep_scratch, options.tests_vary};
-  // Of the sessions of all files that run at once.
+  // One limit for the sessions of all files that run at once.
   algebra3d::ProcessMemory::set_limit(algebra3d::MemoryUser::current()->limit());
   const TestSummary summary = run_test_files(options.test_files, options.test_jobs, registry, test_options);
   if (summary.is_interrupted) return kInterrupted;

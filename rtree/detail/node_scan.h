@@ -53,7 +53,7 @@ struct alignas(64) NearestList {
 struct NodeScans {
   /// The slots that may meet the box.
   SlotMask (*meeting)(const KeyBoxes& node, const KeyBox& box);
-  /// Those slots, and which of them need a closer look.
+  /// The slots that may meet the box, and which of them need an exact comparison.
   Meeting (*meeting_exactly)(const KeyBoxes& node, const KeyBox& box);
   /// `meetings[row]` for each of the rows: the slots of `second` that meet the slot `row` of `first`.
   void (*meeting_rows)(const KeyBoxes& first, SlotMask rows, const KeyBoxes& second, Meeting (&meetings)[kFanOut]);

@@ -18,7 +18,7 @@
 namespace algebra3d {
 namespace {
 
-/// The last rung, a cover of cubes. There is none where the type has no numbers beyond the solid.
+/// The last rung, a cover of cubes; undefined where the type has no numbers beyond the solid.
 Result<RoundedSolid> covered(SolidRounding& job) {
   ALGEBRA3D_RETURN_IF_ERROR(job.begin("covering with cubes"));
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<RoundingCandidate> cover,

@@ -25,7 +25,7 @@ bool is_endless_device(int descriptor) {
   return ::fstat(descriptor, &facts) == 0 && S_ISCHR(facts.st_mode) && ::isatty(descriptor) == 0;
 }
 
-// Of any size, up to the memory limit.
+// The input may have any size up to the memory limit.
 Result<std::string> standard_input(const std::atomic<bool>* cancel) {
   if (is_endless_device(STDIN_FILENO)) return Error{ErrorCode::file_missing, "standard input is a device"};
   algebra3d::PolledInput bytes(STDIN_FILENO, cancel);

@@ -105,7 +105,7 @@ Status check_missing(const fs::path& file, OpenMode mode) {
   return {};
 }
 
-/// What the file is found to be.
+/// The content of the file.
 enum class Found : std::uint8_t { nothing, empty, database };
 
 Result<Found> inspect(const fs::path& file, OpenMode mode) {

@@ -173,7 +173,7 @@ Status IntegrityCheck::check_definition(const CatalogueEntry& entry) {
   return {};
 }
 
-// Of objects that are not indexes, or of none.
+// Index pages that belong to no index: their object is of another type, or gone.
 Status IntegrityCheck::check_index_pages() {
   if (database_->catalogue().version() < kFirstVersionWithIndexPages) return {};
   std::set<std::int64_t> known = abandoned_;

@@ -219,7 +219,7 @@ void IntegrityCheck::check_trees(Walk& walk) {
   for (auto& [attribute, boxes] : walk.boxes) {
     std::ranges::sort(boxes, entry_before);
     const std::string& name = walk.layout->attributes()[attribute].name;
-    // What cannot be read of it is reported for the stored one.
+    // Parts of it that cannot be read are reported for the stored index.
     if (const auto open = database_->indexes().find(walk.entry.table_number, attribute))
       static_cast<void>(
           check_tree(boxes, *open, {.object = walk.entry.name, .attribute = name, .message = "the index in memory"}));

@@ -6,7 +6,7 @@
 namespace queries {
 namespace {
 
-/// What distinguishes one large value of a relation from another; a reference is its bytes.
+/// The identity of a large value within its relation; a reference is its bytes.
 struct Reference {
   TupleId tuple = 0;
   std::size_t attribute = 0;

@@ -56,7 +56,7 @@ class LargeFacets {
   void find_planes(const TriangleMesh& mesh, double half_scale);
   void find_outlines(const TriangleMesh& mesh);
 
-  std::vector<std::uint32_t> facet_of_face_;  // empty: there are none
+  std::vector<std::uint32_t> facet_of_face_;  // empty without large facets
   std::vector<Plane> planes_;
   TriangleMesh outlines_;  // a face with a repeated corner for each edge
   std::vector<std::uint32_t> facet_of_edge_;

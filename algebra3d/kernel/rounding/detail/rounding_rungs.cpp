@@ -27,7 +27,7 @@ namespace {
 
 /// More crowded vertices are not made coplanar: that takes rationals, whose digits multiply where many facets are near.
 constexpr std::ptrdiff_t kMaxCrowded = 1000;
-/// Of so many triangles in all facets are made coplanar within wider and wider reaches, half a millisecond each.
+/// Limit of the triangles, over all reaches, for which facets are made coplanar: half a millisecond each.
 constexpr std::size_t kMaxCoplanarTriangles = 600;
 /// Pairs of triangles that may touch after that, some ten microseconds each, for each given triangle and in all.
 constexpr std::size_t kCoplanarPairs = 100;
@@ -94,7 +94,7 @@ Result<RoundingCandidate> snap_rounded_near_moved(TriangleMesh mesh, const Coord
   return snapped;
 }
 
-/// Rounds the new corners of a mesh that was divided at its crossings. False if there is none.
+/// Rounds the new corners of a mesh that was divided at its crossings. False if no division was made.
 Result<bool> round_divided(const RoundingJob& job, std::optional<TriangleMesh> divided, RoundingCandidate& candidate,
                            const CoordinateGrid& grid) {
   if (!divided) return false;

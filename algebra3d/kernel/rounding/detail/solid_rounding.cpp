@@ -63,7 +63,7 @@ void SolidRounding::find_places_that_stay() {
 Result<bool> SolidRounding::may_vanish(const RoundingCandidate& candidate) const {
   if (candidate.reach > kFirstReach * spacing()) return false;
   if (!is_whole()) return true;  // the rest stays
-  // What moving the boundary left nothing of is no deeper than that.
+  // The displacement bounds the depth of a solid that vanished when its boundary was moved.
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_cell,
                              has_inner_cell(mesh(), grid(), candidate.movement.displacement, cancel()));
   return !has_cell;

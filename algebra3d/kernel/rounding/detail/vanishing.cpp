@@ -45,7 +45,7 @@ struct Extent {
   double area() const { return std::sqrt(dot(normal, normal)) / 2; }
 };
 
-/// Of all triangles, the largest first.
+/// The extents of all triangles, the largest first.
 std::vector<Extent> extents_of(const TriangleMesh& body, const std::vector<Vec3>& points) {
   std::vector<Extent> extents;
   for (const FaceId face : faces(body)) {
@@ -89,7 +89,7 @@ double largest_edge(double smallest, double depth) {
   return edge;
 }
 
-/// The same for a body of its own. `smallest`: the edge of the smallest cells.
+/// Whether a single body holds a cell of the grid. `smallest`: the edge of the smallest cells.
 Result<bool> has_inner_cell(const TriangleMesh& body, const CoordinateGrid& grid, double smallest, double depth,
                             const std::atomic<bool>* cancel) {
   const std::vector<Vec3> points = points_in_cells(body, smallest);
