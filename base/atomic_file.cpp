@@ -15,6 +15,7 @@
 
 #include "base/detail/database_part.h"
 #include "base/file_error.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -109,24 +110,24 @@ Status AtomicFile::check_replaceable() const {
 
 Result<AtomicFile> AtomicFile::create(const OutputPath& path) {
   const fs::path& given = path.path();
-  ALGEBRA3D_RETURN_IF_ERROR(check_file_name(given));
-  ALGEBRA3D_RETURN_IF_ERROR(path.check_free());
+  A3D_TRY(check_file_name(given));
+  A3D_TRY(path.check_free());
   AtomicFile file;
   file.path_ = given;
   file.may_replace_ = path.may_replace();
   file.monitor_ = Monitor(path.cancel());
-  ALGEBRA3D_ASSIGN_OR_RETURN(file.target_, target_of(given));
+  A3D_ASSIGN(file.target_, target_of(given));
   struct stat facts {};
   const bool exists = ::stat(file.target_.c_str(), &facts) == 0;
   if (!exists && errno != ENOENT) return write_error(given, errno);
   if (exists && S_ISDIR(facts.st_mode)) return write_error(given, EISDIR);
   if (exists && !S_ISREG(facts.st_mode))
     return Error{ErrorCode::io_error, "{}: Not a regular file (but a pipe or device)", given.string()};
-  ALGEBRA3D_RETURN_IF_ERROR(file.check_replaceable());
+  A3D_TRY(file.check_replaceable());
   // Renaming needs no right to write the file that it replaces, but whoever protected a file means it.
   if (exists && ::access(file.target_.c_str(), W_OK) != 0) return write_error(file.target_, errno);
   remove_leftovers(folder_of(file.target_));
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto draft, DraftFile::create(file.target_, kDraftPrefix, kDraftEnding));
+  A3D_ASSIGN(auto draft, DraftFile::create(file.target_, kDraftPrefix, kDraftEnding));
   file.draft_ = std::move(draft);
   if (exists && ::fchmod(file.draft_->descriptor(), facts.st_mode & 0777) != 0) return write_error(given, errno);
   file.buffer_ = std::make_unique<char[]>(kBufferBytes);
@@ -158,7 +159,7 @@ AtomicFile::~AtomicFile() {
 }
 
 Status AtomicFile::append(std::string_view bytes) {
-  if (bytes.size() > kBufferBytes - buffered_) ALGEBRA3D_RETURN_IF_ERROR(flush());
+  if (bytes.size() > kBufferBytes - buffered_) A3D_TRY(flush());
   if (bytes.size() > kBufferBytes) return write_all(draft_->descriptor(), bytes.data(), bytes.size(), path_);
   std::memcpy(buffer_.get() + buffered_, bytes.data(), bytes.size());
   buffered_ += bytes.size();
@@ -166,7 +167,7 @@ Status AtomicFile::append(std::string_view bytes) {
 }
 
 Status AtomicFile::flush() {
-  ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
+  A3D_TRY(monitor_.check());
   return write_all(draft_->descriptor(), buffer_.get(), std::exchange(buffered_, 0), path_);
 }
 
@@ -179,10 +180,10 @@ Status AtomicFile::give_name() const {
 }
 
 Status AtomicFile::commit() {
-  ALGEBRA3D_RETURN_IF_ERROR(flush());
+  A3D_TRY(flush());
   if (::fsync(draft_->descriptor()) != 0) return write_error(path_, errno);
-  ALGEBRA3D_RETURN_IF_ERROR(check_replaceable());
-  ALGEBRA3D_RETURN_IF_ERROR(give_name());
+  A3D_TRY(check_replaceable());
+  A3D_TRY(give_name());
   // From here on the file stands; the network file systems that report a full disk only on closing did so on fsync.
   draft_.reset();
   sync_folder(folder_of(target_));

@@ -8,6 +8,7 @@
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
 #include "base/diagnostics.h"
+#include "base/propagate.h"
 #include "base/read_guard.h"
 #include "base/working_folder.h"
 
@@ -52,15 +53,15 @@ struct Context {
 
   /// The file that `name` means, for reading. Errors: permission_denied.
   Result<std::filesystem::path> resolve(const std::filesystem::path& name) const {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::filesystem::path file, folder.path_of(name));
-    if (reads != nullptr) ALGEBRA3D_RETURN_IF_ERROR(reads->check(file));
+    A3D_ASSIGN(std::filesystem::path file, folder.path_of(name));
+    if (reads != nullptr) A3D_TRY(reads->check(file));
     return file;
   }
   /// The file that `name` means, for writing, which the host can cancel. Errors: permission_denied, also where the host
   /// does not allow it; wrong_usage where nothing must be changed.
   Result<OutputPath> resolve_output(const std::filesystem::path& name) const {
-    ALGEBRA3D_RETURN_IF_ERROR(check_changing("the file '" + name.string() + "' would be written"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const OutputPath path, folder.output_path_of(name));
+    A3D_TRY(check_changing("the file '" + name.string() + "' would be written"));
+    A3D_ASSIGN(const OutputPath path, folder.output_path_of(name));
     return path.with_cancel(cancel);
   }
 };

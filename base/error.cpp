@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 namespace algebra3d {
 namespace {
 
@@ -78,6 +80,15 @@ const ErrorDescription& describe(ErrorCode code) {
 Error Error::at(SourcePlace where) && {
   if (!place.is_known()) place = std::move(where);
   return std::move(*this);
+}
+
+Error Error::about(std::string_view what) && {
+  subject = subject.empty() ? std::string(what) : fmt::format("{}: {}", what, subject);
+  return std::move(*this);
+}
+
+std::string Error::text() const {
+  return subject.empty() ? message : fmt::format("{}: {}", subject, message);
 }
 
 }  // namespace algebra3d

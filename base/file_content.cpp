@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/memory_limit.h"
+#include "base/propagate.h"
 #include "base/work_memory.h"
 
 namespace algebra3d {
@@ -40,7 +41,7 @@ Status write_at_end(int descriptor, std::string_view bytes, const std::filesyste
 }  // namespace
 
 Result<FileContent> FileContent::read(const std::filesystem::path& path, const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const InputFile file, InputFile::open(path));
+  A3D_ASSIGN(const InputFile file, InputFile::open(path));
   return read(file, cancel);
 }
 
@@ -51,7 +52,7 @@ Result<FileContent> FileContent::read(const InputFile& file, const std::atomic<b
 Result<FileContent> FileContent::read(const InputFile& file, const std::atomic<bool>* cancel,
                                       std::size_t most_in_memory) {
   if (file.size() == 0) {
-    ALGEBRA3D_RETURN_IF_ERROR(file.for_each_block(cancel, [](std::string_view) { return Status(); }));
+    A3D_TRY(file.for_each_block(cancel, [](std::string_view) { return Status(); }));
     return FileContent(Data(), 0);
   }
   return file.size() <= most_in_memory ? in_memory(file, cancel) : in_temporary_file(file, cancel);
@@ -76,7 +77,7 @@ Result<FileContent> FileContent::in_memory(const InputFile& file, const std::ato
   Data buffer = allocated(file.size());
   if (!buffer)
     return Error{ErrorCode::out_of_memory, "{}: no memory for its {} bytes", file.path().string(), file.size()};
-  ALGEBRA3D_RETURN_IF_ERROR(file.read_into(buffer.get(), cancel));
+  A3D_TRY(file.read_into(buffer.get(), cancel));
   return FileContent(std::move(buffer), file.size());
 }
 
@@ -86,7 +87,7 @@ Result<FileContent> FileContent::in_temporary_file(const InputFile& file, const 
   const Descriptor copy(::mkostemp(name.data(), O_CLOEXEC));
   if (copy.number() < 0) return temporary_error(folder, errno);
   ::unlink(name.c_str());
-  ALGEBRA3D_RETURN_IF_ERROR(
+  A3D_TRY(
       file.for_each_block(cancel, [&](std::string_view block) { return write_at_end(copy.number(), block, folder); }));
   void* const data = ::mmap(nullptr, file.size(), PROT_READ, MAP_PRIVATE, copy.number(), 0);
   if (data == MAP_FAILED) return temporary_error(folder, errno);

@@ -15,6 +15,7 @@
 
 #include "base/file_error.h"
 #include "base/open_databases.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -53,7 +54,7 @@ Descriptor::~Descriptor() {
 }
 
 Result<InputFile> InputFile::open(const std::filesystem::path& path) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_file_name(path));
+  A3D_TRY(check_file_name(path));
   if (const auto database = open_database_with(path))
     return Error{ErrorCode::file_missing, "{}: this file holds the open database '{}'", path.string(),
                  database->string()};
@@ -83,7 +84,7 @@ Result<std::size_t> InputFile::read_at(std::size_t offset, char* buffer, std::si
 
 Result<std::string> InputFile::head(std::size_t count) const {
   std::string bytes(std::min(count, state_.size), '\0');
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t found, read_at(0, bytes.data(), bytes.size()));
+  A3D_ASSIGN(const std::size_t found, read_at(0, bytes.data(), bytes.size()));
   bytes.resize(found);
   return bytes;
 }
@@ -100,7 +101,7 @@ Status InputFile::check_unchanged() const {
 }
 
 Status InputFile::ends_early(std::size_t offset) const {
-  ALGEBRA3D_RETURN_IF_ERROR(check_unchanged());
+  A3D_TRY(check_unchanged());
   return Error{ErrorCode::io_error, "{}: reading ends at byte {}; expected {} bytes", path_.string(), offset,
                state_.size};
 }
@@ -110,10 +111,9 @@ Status InputFile::for_each_block(const std::atomic<bool>* cancel, const TakeBloc
   const auto block = std::make_unique_for_overwrite<char[]>(block_bytes);  // NOLINT(*-avoid-c-arrays)
   for (std::size_t offset = 0; offset < state_.size;) {
     if (is_set(cancel)) return interrupted_reading(path_.string());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t found,
-                               read_at(offset, block.get(), std::min(block_bytes, state_.size - offset)));
+    A3D_ASSIGN(const std::size_t found, read_at(offset, block.get(), std::min(block_bytes, state_.size - offset)));
     if (found == 0) return ends_early(offset);
-    ALGEBRA3D_RETURN_IF_ERROR(take({block.get(), found}));
+    A3D_TRY(take({block.get(), found}));
     offset += found;
   }
   return check_unchanged();
@@ -122,8 +122,7 @@ Status InputFile::for_each_block(const std::atomic<bool>* cancel, const TakeBloc
 Status InputFile::read_into(char* buffer, const std::atomic<bool>* cancel) const {
   for (std::size_t offset = 0; offset < state_.size;) {
     if (is_set(cancel)) return interrupted_reading(path_.string());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t found,
-                               read_at(offset, buffer + offset, std::min(kBlockBytes, state_.size - offset)));
+    A3D_ASSIGN(const std::size_t found, read_at(offset, buffer + offset, std::min(kBlockBytes, state_.size - offset)));
     if (found == 0) return ends_early(offset);
     offset += found;
   }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/propagate.h"
 #include "base/text.h"
 
 namespace algebra3d {
@@ -74,12 +75,12 @@ Result<fs::path> WorkingFolder::path_of(const fs::path& name) const {
 }
 
 Result<OutputPath> WorkingFolder::output_path_of(const fs::path& name) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(fs::path file, path_of(name));
+  A3D_ASSIGN(fs::path file, path_of(name));
   if (!is_confined_) return OutputPath(std::move(file));
   if (writing_ == Writing::none)
     return Error{ErrorCode::permission_denied, "'{}' cannot be written: files are only read here", name.string()};
   OutputPath output = OutputPath::new_file(std::move(file));
-  ALGEBRA3D_RETURN_IF_ERROR(output.check_free(name));
+  A3D_TRY(output.check_free(name));
   return output;
 }
 

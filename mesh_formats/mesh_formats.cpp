@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/file_content.h"
+#include "base/propagate.h"
 #include "mesh_formats/foreign_file.h"
 #include "mesh_formats/obj/obj_format.h"
 #include "mesh_formats/off/off_format.h"
@@ -58,7 +59,7 @@ const MeshFormat* MeshFormats::of_content(std::string_view head, std::size_t siz
 
 Result<const MeshFormat*> MeshFormats::detect(std::string_view bytes, std::string_view file_name) const {
   if (const MeshFormat* const format = of_content(bytes)) return format;
-  ALGEBRA3D_RETURN_IF_ERROR(refuse_foreign(bytes, file_name, names("or")));
+  A3D_TRY(refuse_foreign(bytes, file_name, names("or")));
   if (const MeshFormat* const format = of_name(file_name)) return format;
   for (const MeshFormat& format : formats_)
     if (format.detect(bytes, bytes.size()) == Match::possible) return &format;
@@ -67,7 +68,7 @@ Result<const MeshFormat*> MeshFormats::detect(std::string_view bytes, std::strin
 }
 
 Result<const MeshFormat*> MeshFormats::detect_file(const std::filesystem::path& path) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const FileContent file, FileContent::read(path));
+  A3D_ASSIGN(const FileContent file, FileContent::read(path));
   return detect(file.bytes(), path.string());
 }
 

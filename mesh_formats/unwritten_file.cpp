@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "base/propagate.h"
 #include "base/text.h"
 #include "mesh_formats/off/off_header.h"
 #include "stl/stl_binary_reader.h"
@@ -35,7 +36,7 @@ std::optional<std::size_t> announced_in(std::string_view head) {
 Status refuse_unwritten(const InputFile& file) {
   if (file.hole_bytes(kMostUnwritten) < kMostUnwritten) return {};
   const std::uint64_t holes = file.hole_bytes(file.size());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string head, file.head(kHeadBytes));
+  A3D_ASSIGN(const std::string head, file.head(kHeadBytes));
   std::string announced;
   if (const auto count = announced_in(head))
     announced = fmt::format("header announces {} ({} bytes), ", counted(*count, "triangle"),

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "base/propagate.h"
 #include "rtree/rtree.h"
 
 namespace rtree {
@@ -133,8 +134,7 @@ ImageParts RTree<Payload>::take_changes() {
 template <typename Payload>
 Result<RTree<Payload>> RTree<Payload>::from_image(Bytes header, NodeReader inner, NodeReader leaves) {
   using Leaf = ExactLeaf<Payload>;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const HeaderFields fields,
-                             read_header(header, sizeof(Payload), inner.bytes, leaves.bytes));
+  A3D_ASSIGN(const HeaderFields fields, read_header(header, sizeof(Payload), inner.bytes, leaves.bytes));
   RTree tree;
   tree.is_stored_ = true;
   if (fields.entry_count == 0) return tree;

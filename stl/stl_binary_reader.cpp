@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/file_error.h"
+#include "base/propagate.h"
 #include "base/soup_capacity.h"
 #include "base/text.h"
 
@@ -55,14 +56,14 @@ class BinaryReader {
   BinaryReader(std::string_view bytes, std::string_view file_name) : bytes_(bytes), file_name_(file_name) {}
 
   Result<ReadStl> read(const std::atomic<bool>* cancel) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t facet_count, settle_facet_count());
+    A3D_ASSIGN(const std::size_t facet_count, settle_facet_count());
     read_.soup.name = header_name();
     reserve_triangles(read_.soup, facet_count);
     std::size_t block = 0;
     for (std::size_t first = 0; first < facet_count; first += kBlockFacets, ++block) {
       if (cancel != nullptr && block % kBlocksPerPoll == 0 && cancel->load(std::memory_order_relaxed))
         return interrupted_reading(file_name_);
-      ALGEBRA3D_RETURN_IF_ERROR(read_block(first, std::min(kBlockFacets, facet_count - first)));
+      A3D_TRY(read_block(first, std::min(kBlockFacets, facet_count - first)));
     }
     read_.format = Encoding::binary;
     read_.solid_count = 1;

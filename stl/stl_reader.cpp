@@ -7,6 +7,7 @@
 #include "base/ascii_cursor.h"
 #include "base/file_content.h"
 #include "base/mesh_content.h"
+#include "base/propagate.h"
 #include "stl/stl_ascii_reader.h"
 #include "stl/stl_binary_reader.h"
 
@@ -55,7 +56,7 @@ Result<Encoding> detect_encoding(std::string_view head, std::size_t size, std::s
 }
 
 Result<ReadStl> read_stl(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Encoding format, detect_encoding(bytes, bytes.size(), file_name));
+  A3D_ASSIGN(const Encoding format, detect_encoding(bytes, bytes.size(), file_name));
   if (format == Encoding::binary) return read_binary(bytes, file_name, cancel);
   return read_ascii(bytes, file_name, cancel);
 }

@@ -11,6 +11,7 @@
 
 #include "base/atomic_file.h"
 #include "base/float_range.h"
+#include "base/propagate.h"
 #include "base/text.h"
 #include "stl/stl_binary_reader.h"
 
@@ -99,13 +100,13 @@ Status append_binary(AtomicFile& file, const TriangleSoup& soup, std::string_vie
   std::memcpy(prefix.data(), kept.data(), kept.size());
   const auto count = static_cast<std::uint32_t>(soup.triangles.size());
   std::memcpy(prefix.data() + kBinaryHeaderBytes, &count, sizeof count);
-  ALGEBRA3D_RETURN_IF_ERROR(file.append({prefix.data(), prefix.size()}));
+  A3D_TRY(file.append({prefix.data(), prefix.size()}));
   std::array<char, kBinaryFacetBytes> bytes{};  // the attribute stays 0
   static_assert(sizeof(Facet) == 48);
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Facet facet, make_facet(soup, i));
+    A3D_ASSIGN(const Facet facet, make_facet(soup, i));
     std::memcpy(bytes.data(), &facet, sizeof facet);
-    ALGEBRA3D_RETURN_IF_ERROR(file.append({bytes.data(), bytes.size()}));
+    A3D_TRY(file.append({bytes.data(), bytes.size()}));
   }
   return {};
 }
@@ -144,19 +145,18 @@ class FacetText {
 
 Status append_ascii(AtomicFile& file, const TriangleSoup& soup, std::string_view name) {
   const std::string named = name.empty() ? "solid\n" : fmt::format("solid {}\n", name);
-  ALGEBRA3D_RETURN_IF_ERROR(file.append(named));
+  A3D_TRY(file.append(named));
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Facet facet, make_facet(soup, i));
-    ALGEBRA3D_RETURN_IF_ERROR(file.append(FacetText(facet).text()));
+    A3D_ASSIGN(const Facet facet, make_facet(soup, i));
+    A3D_TRY(file.append(FacetText(facet).text()));
   }
   return file.append("end" + named);
 }
 
 Status write(const OutputPath& path, const TriangleSoup& soup, std::string_view name, Encoding format) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
+  A3D_ASSIGN(AtomicFile file, AtomicFile::create(path));
   const std::string line = one_line(name);
-  ALGEBRA3D_RETURN_IF_ERROR(format == Encoding::binary ? append_binary(file, soup, line)
-                                                       : append_ascii(file, soup, line));
+  A3D_TRY(format == Encoding::binary ? append_binary(file, soup, line) : append_ascii(file, soup, line));
   return file.commit();
 }
 

@@ -7,6 +7,7 @@
 #include "algebra3d/values/conversions/export_solid.h"
 #include "algebra3d/values/conversions/import_solid.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 #include "base/without_exceptions.h"
 #include "mesh_formats/mesh_format.h"
 
@@ -17,8 +18,8 @@ using detail::ShapeAccess;
 Result<ReadSolid> read_solid(const std::filesystem::path& file, const std::string& options, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<ReadSolid> {
     const InterruptionScope interruption(monitor.cancel());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const RepairOptions parsed, parse_repair_options(options));
-    ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSolid imported, import_solid(file, nullptr, parsed, monitor));
+    A3D_ASSIGN(const RepairOptions parsed, parse_repair_options(options));
+    A3D_ASSIGN(ImportedSolid imported, import_solid(file, nullptr, parsed, monitor));
     ReadSolid result;
     if (imported.solid) result.solid = ShapeAccess::outer(*std::move(imported.solid));
     result.status = std::move(imported.status);
@@ -34,7 +35,7 @@ Result<ReadSolid> read_solid(const std::filesystem::path& file, const std::strin
 Result<Surface> read_surface(const std::filesystem::path& file, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<Surface> {
     const InterruptionScope interruption(monitor.cancel());
-    ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSurface imported, import_surface(file, monitor));
+    A3D_ASSIGN(ImportedSurface imported, import_surface(file, monitor));
     if (imported.refusal) return *std::move(imported.refusal);
     return ShapeAccess::outer(*std::move(imported.surface));
   });
@@ -48,9 +49,8 @@ Status write_solid(const Solid& solid, const std::filesystem::path& file, const 
       return Error{ErrorCode::wrong_usage, "{}: expected a name that ends in {}", file.string(), formats.endings("or")};
     const MeshFileForm form{format, format->forms.front().encoding};
     detail::Surroundings surroundings(monitor);
-    ALGEBRA3D_ASSIGN_OR_RETURN(ExportedSolid exported,
-                               export_solid(surroundings.context, "write_solid", ShapeAccess::content(solid),
-                                            file.stem().string(), file.string(), form));
+    A3D_ASSIGN(ExportedSolid exported, export_solid(surroundings.context, "write_solid", ShapeAccess::content(solid),
+                                                    file.stem().string(), file.string(), form));
     if (exported.refusal) return *std::move(exported.refusal);
     return {};
   });

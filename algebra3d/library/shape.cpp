@@ -11,6 +11,7 @@
 #include "algebra3d/values/types/codec.h"
 #include "base/interruption_scope.h"
 #include "base/nearest_rounding.h"
+#include "base/propagate.h"
 #include "base/without_exceptions.h"
 
 // The analyzer does not follow how many values share an object.
@@ -39,7 +40,7 @@ Result<Derived> Shape<Derived, Content>::of_triangles(std::span<const Vec3> poin
 template <typename Derived, typename Content>
 Result<Derived> Shape<Derived, Content>::of_bytes(std::string_view bytes) {
   return without_exceptions([&]() -> Result<Derived> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, detail::value_of_bytes(TypeOf<Content>::type(), bytes));
+    A3D_ASSIGN(const Value value, detail::value_of_bytes(TypeOf<Content>::type(), bytes));
     return ShapeAccess::outer(value.get<Content>());
   });
 }
@@ -47,7 +48,7 @@ Result<Derived> Shape<Derived, Content>::of_bytes(std::string_view bytes) {
 template <typename Derived, typename Content>
 Result<Derived> Shape<Derived, Content>::of_text(std::string_view text) {
   return without_exceptions([&]() -> Result<Derived> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, detail::value_of_text(TypeOf<Content>::type(), text));
+    A3D_ASSIGN(const Value value, detail::value_of_text(TypeOf<Content>::type(), text));
     return ShapeAccess::outer(value.get<Content>());
   });
 }
@@ -86,7 +87,7 @@ bool Shape<Derived, Content>::has_fractions() const {
 template <typename Derived, typename Content>
 Result<Derived> Shape<Derived, Content>::translated(const Vec3& by) const {
   return without_exceptions([&]() -> Result<Derived> {
-    ALGEBRA3D_RETURN_IF_ERROR(check_finite("translated", by));
+    A3D_TRY(check_finite("translated", by));
     Surroundings surroundings{Monitor{}};
     return ShapeAccess::outer(
         defined("translated", algebra3d::translated(surroundings.context, *content_, detail::vector(by))));
@@ -96,9 +97,9 @@ Result<Derived> Shape<Derived, Content>::translated(const Vec3& by) const {
 template <typename Derived, typename Content>
 Result<Derived> Shape<Derived, Content>::rotated(const Vec3& centre, const Vec3& axis, double degrees) const {
   return without_exceptions([&]() -> Result<Derived> {
-    ALGEBRA3D_RETURN_IF_ERROR(check_finite("rotated", centre));
-    ALGEBRA3D_RETURN_IF_ERROR(check_finite("rotated", axis));
-    ALGEBRA3D_RETURN_IF_ERROR(check_finite("rotated", {degrees, 0, 0}));
+    A3D_TRY(check_finite("rotated", centre));
+    A3D_TRY(check_finite("rotated", axis));
+    A3D_TRY(check_finite("rotated", {degrees, 0, 0}));
     Surroundings surroundings{Monitor{}};
     return ShapeAccess::outer(defined(
         "rotated",
@@ -109,8 +110,8 @@ Result<Derived> Shape<Derived, Content>::rotated(const Vec3& centre, const Vec3&
 template <typename Derived, typename Content>
 Result<Derived> Shape<Derived, Content>::scaled(const Vec3& centre, const Vec3& factors) const {
   return without_exceptions([&]() -> Result<Derived> {
-    ALGEBRA3D_RETURN_IF_ERROR(check_finite("scaled", centre));
-    ALGEBRA3D_RETURN_IF_ERROR(check_finite("scaled", factors));
+    A3D_TRY(check_finite("scaled", centre));
+    A3D_TRY(check_finite("scaled", factors));
     Surroundings surroundings{Monitor{}};
     return ShapeAccess::outer(defined(
         "scaled", scaled_by_axis(surroundings.context, *content_, detail::point(centre), detail::vector(factors))));
@@ -120,7 +121,7 @@ Result<Derived> Shape<Derived, Content>::scaled(const Vec3& centre, const Vec3& 
 template <typename Derived, typename Content>
 Result<Derived> Shape<Derived, Content>::mirrored(const Vec3& point, const Vec3& normal) const {
   return without_exceptions([&]() -> Result<Derived> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Plane3d plane, detail::plane_through("mirrored", point, normal));
+    A3D_ASSIGN(const Plane3d plane, detail::plane_through("mirrored", point, normal));
     Surroundings surroundings{Monitor{}};
     return ShapeAccess::outer(defined("mirrored", algebra3d::mirrored(surroundings.context, *content_, plane)));
   });

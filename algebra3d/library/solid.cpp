@@ -12,6 +12,7 @@
 #include "algebra3d/values/constructions/solid_sets.h"
 #include "base/interruption_scope.h"
 #include "base/nearest_rounding.h"
+#include "base/propagate.h"
 #include "base/without_exceptions.h"
 
 // The analyzer does not follow how many values share an object.
@@ -43,8 +44,8 @@ Solid::Solid() = default;
 
 Result<Solid> Solid::box(const Vec3& corner, const Vec3& opposite) {
   return without_exceptions([&]() -> Result<Solid> {
-    ALGEBRA3D_RETURN_IF_ERROR(check_finite("box", corner));
-    ALGEBRA3D_RETURN_IF_ERROR(check_finite("box", opposite));
+    A3D_TRY(check_finite("box", corner));
+    A3D_TRY(check_finite("box", opposite));
     Surroundings surroundings{Monitor{}};
     return ShapeAccess::outer(
         defined("box", box_between(surroundings.context, detail::point(corner), detail::point(opposite))));
@@ -53,8 +54,8 @@ Result<Solid> Solid::box(const Vec3& corner, const Vec3& opposite) {
 
 Result<Solid> Solid::sphere(const Vec3& centre, double radius, int corners) {
   return without_exceptions([&]() -> Result<Solid> {
-    ALGEBRA3D_RETURN_IF_ERROR(check_finite("sphere", centre));
-    ALGEBRA3D_RETURN_IF_ERROR(check_finite("sphere", {radius, 0, 0}));
+    A3D_TRY(check_finite("sphere", centre));
+    A3D_TRY(check_finite("sphere", {radius, 0, 0}));
     Surroundings surroundings{Monitor{}};
     return ShapeAccess::outer(
         defined("sphere", sphere_polyhedron(surroundings.context, detail::point(centre), radius, corners)));
@@ -81,8 +82,7 @@ Result<Vec3> Solid::centroid() const {
 Result<Solid> Solid::rounded(const Monitor& monitor) const {
   return without_exceptions([&]() -> Result<Solid> {
     const InterruptionScope interruption(monitor.cancel());
-    ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded,
-                               rounded_solid(content().mesh(), CoordinateGrid::doubles(), monitor));
+    A3D_ASSIGN(RoundedSolid rounded, rounded_solid(content().mesh(), CoordinateGrid::doubles(), monitor));
     if (!rounded.mesh) return Error{ErrorCode::invalid_value, "rounded: {}", rounded.reason};
     return rounded.moved_vertices == 0 ? *this : ShapeAccess::outer(Volume3d::trusted(*std::move(rounded.mesh)));
   });
@@ -91,7 +91,7 @@ Result<Solid> Solid::rounded(const Monitor& monitor) const {
 Result<std::vector<Solid>> Solid::components(const Monitor& monitor) const {
   return without_exceptions([&]() -> Result<std::vector<Solid>> {
     Surroundings surroundings(monitor);
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Volume3d> parts, components_of(surroundings.context, content()));
+    A3D_ASSIGN(std::vector<Volume3d> parts, components_of(surroundings.context, content()));
     std::vector<Solid> solids;
     solids.reserve(parts.size());
     for (Volume3d& part : parts) solids.push_back(ShapeAccess::outer(std::move(part)));
@@ -138,9 +138,9 @@ Result<Solid> symmetric_difference(const Solid& a, const Solid& b, const Monitor
 
 Result<SplitSolid> split(const Solid& solid, const Vec3& point, const Vec3& normal, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<SplitSolid> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Plane3d plane, detail::plane_through("split", point, normal));
+    A3D_ASSIGN(const Plane3d plane, detail::plane_through("split", point, normal));
     Surroundings surroundings(monitor);
-    ALGEBRA3D_ASSIGN_OR_RETURN(SolidParts parts, split(surroundings.context, ShapeAccess::content(solid), plane.plane));
+    A3D_ASSIGN(SolidParts parts, split(surroundings.context, ShapeAccess::content(solid), plane.plane));
     return SplitSolid{ShapeAccess::outer(std::move(parts.in_front)), ShapeAccess::outer(std::move(parts.behind))};
   });
 }

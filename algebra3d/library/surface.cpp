@@ -4,6 +4,7 @@
 #include "algebra3d/library/detail/surroundings.h"
 #include "algebra3d/library/shape_access.h"
 #include "algebra3d/values/constructions/solid_sets.h"
+#include "base/propagate.h"
 #include "base/without_exceptions.h"
 
 namespace algebra3d {
@@ -28,7 +29,7 @@ Surface boundary(const Solid& solid) {
 
 Result<Surface> section(const Solid& solid, const Vec3& point, const Vec3& normal, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<Surface> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Plane3d plane, detail::plane_through("section", point, normal));
+    A3D_ASSIGN(const Plane3d plane, detail::plane_through("section", point, normal));
     detail::Surroundings surroundings(monitor);
     return ShapeAccess::outer(section(surroundings.context, ShapeAccess::content(solid), plane.plane));
   });

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/float_range.h"
+#include "base/propagate.h"
 
 namespace mesh_formats {
 
@@ -52,7 +53,7 @@ Status check_faces(const std::filesystem::path& path, const PolygonSoup& soup) {
 }  // namespace
 
 Status check_soup(const std::filesystem::path& path, const PolygonSoup& soup, CoordinateRange range) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_points(path, soup, range));
+  A3D_TRY(check_points(path, soup, range));
   return check_faces(path, soup);
 }
 

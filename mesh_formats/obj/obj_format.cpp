@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "base/propagate.h"
 #include "mesh_formats/obj/obj_reader.h"
 #include "mesh_formats/obj/obj_statement.h"
 #include "mesh_formats/obj/obj_writer.h"
@@ -24,13 +25,13 @@ Match detect_obj(std::string_view head, std::size_t /*size*/) {
 
 Result<MeshContent> read_obj_content(std::string_view bytes, std::string_view file_name,
                                      const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(ReadMesh read, read_obj(bytes, file_name, cancel));
+  A3D_ASSIGN(ReadMesh read, read_obj(bytes, file_name, cancel));
   return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt};
 }
 
 Result<MeshContent> read_obj_with_attributes(std::string_view bytes, std::string_view file_name,
                                              const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(ReadMesh read, read_obj(bytes, file_name, cancel, ObjWanted::attributes));
+  A3D_ASSIGN(ReadMesh read, read_obj(bytes, file_name, cancel, ObjWanted::attributes));
   return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt};
 }
 

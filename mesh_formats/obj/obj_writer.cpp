@@ -11,6 +11,7 @@
 #include "base/atomic_file.h"
 #include "base/indices.h"
 #include "base/number_text.h"
+#include "base/propagate.h"
 #include "base/text.h"
 #include "mesh_formats/detail/soup_check.h"
 
@@ -38,7 +39,7 @@ Status append_faces(AtomicFile& file, const PolygonSoup& soup) {
   for (std::size_t i = 0; i < soup.face_count(); ++i) {
     line = "f";
     for (const std::uint32_t corner : soup.face(i)) append_number(line += ' ', corner + 1);
-    ALGEBRA3D_RETURN_IF_ERROR(file.append(line += '\n'));
+    A3D_TRY(file.append(line += '\n'));
   }
   return {};
 }
@@ -86,9 +87,9 @@ class NameStatements {
 
 Status append_with_attributes(AtomicFile& file, const PolygonSoup& soup) {
   const SoupAttributes& attributes = *soup.attributes;
-  for (const auto& texture : attributes.textures) ALGEBRA3D_RETURN_IF_ERROR(append_elements(file, "vt", texture));
+  for (const auto& texture : attributes.textures) A3D_TRY(append_elements(file, "vt", texture));
   for (const Vec3& normal : attributes.normals)
-    ALGEBRA3D_RETURN_IF_ERROR(append_elements(file, "vn", std::array{normal.x, normal.y, normal.z}));
+    A3D_TRY(append_elements(file, "vn", std::array{normal.x, normal.y, normal.z}));
   std::array names{NameStatements("o", attributes.objects), NameStatements("g", attributes.groups),
                    NameStatements("usemtl", attributes.materials)};
   std::string lines;
@@ -99,20 +100,20 @@ Status append_with_attributes(AtomicFile& file, const PolygonSoup& soup) {
     for (std::uint32_t i = soup.face_starts[face]; i < soup.face_starts[face + 1]; ++i)
       append_corner(lines, soup.corners[i], number_in(attributes.corner_textures, i),
                     number_in(attributes.corner_normals, i));
-    ALGEBRA3D_RETURN_IF_ERROR(file.append(lines += '\n'));
+    A3D_TRY(file.append(lines += '\n'));
   }
   return {};
 }
 
 Status append_obj(AtomicFile& file, const PolygonSoup& soup, std::string_view name) {
-  if (!name.empty()) ALGEBRA3D_RETURN_IF_ERROR(file.append(object_line(name)));
+  if (!name.empty()) A3D_TRY(file.append(object_line(name)));
   // Readers refuse a file without bytes.
-  if (name.empty() && soup.points.empty()) ALGEBRA3D_RETURN_IF_ERROR(file.append("# no vertices\n"));
+  if (name.empty() && soup.points.empty()) A3D_TRY(file.append("# no vertices\n"));
   std::string line;
   for (const Vec3& point : soup.points) {
     line = "v";
     for (std::size_t axis = 0; axis < 3; ++axis) append_number(line += ' ', point[axis]);
-    ALGEBRA3D_RETURN_IF_ERROR(file.append(line += '\n'));
+    A3D_TRY(file.append(line += '\n'));
   }
   return soup.attributes == nullptr ? append_faces(file, soup) : append_with_attributes(file, soup);
 }
@@ -120,14 +121,14 @@ Status append_obj(AtomicFile& file, const PolygonSoup& soup, std::string_view na
 Status write_obj(const OutputPath& path, const PolygonSoup& soup, std::string_view name) {
   auto file = AtomicFile::create(path);
   if (!file) return std::move(file).error();
-  ALGEBRA3D_RETURN_IF_ERROR(append_obj(*file, soup, one_line(name)));
+  A3D_TRY(append_obj(*file, soup, one_line(name)));
   return file->commit();
 }
 
 }  // namespace
 
 Status write_obj_file(const OutputPath& path, const PolygonSoup& soup, std::string_view name) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_soup(path.path(), soup, CoordinateRange::doubles));
+  A3D_TRY(check_soup(path.path(), soup, CoordinateRange::doubles));
   return write_obj(path, soup, name);
 }
 

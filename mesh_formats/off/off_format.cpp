@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "base/propagate.h"
 #include "mesh_formats/off/off_header.h"
 #include "mesh_formats/off/off_reader.h"
 #include "mesh_formats/off/off_writer.h"
@@ -26,7 +27,7 @@ Match detect_off(std::string_view head, std::size_t /*size*/) {
 
 Result<MeshContent> read_off_content(std::string_view bytes, std::string_view file_name,
                                      const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(ReadMesh read, read_off(bytes, file_name, cancel));
+  A3D_ASSIGN(ReadMesh read, read_off(bytes, file_name, cancel));
   const auto header = off_header(bytes);
   const Encoding encoding = header && header->is_binary ? Encoding::binary : Encoding::ascii;
   return MeshContent{std::move(read.soup), encoding, std::move(read.remarks), std::nullopt};

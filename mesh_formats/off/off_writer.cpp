@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "base/number_text.h"
+#include "base/propagate.h"
 #include "mesh_formats/detail/soup_check.h"
 
 namespace mesh_formats {
@@ -28,17 +29,17 @@ constexpr std::size_t kMostInBinaryOff = std::numeric_limits<std::int32_t>::max(
 
 Status append_ascii_off(AtomicFile& file, const PolygonSoup& soup) {
   std::string line = fmt::format("OFF\n{} {} 0\n", soup.points.size(), soup.face_count());
-  ALGEBRA3D_RETURN_IF_ERROR(file.append(line));
+  A3D_TRY(file.append(line));
   for (const Vec3& point : soup.points) {
     line.clear();
     for (std::size_t axis = 0; axis < 3; ++axis) append_number(axis == 0 ? line : line += ' ', point[axis]);
-    ALGEBRA3D_RETURN_IF_ERROR(file.append(line += '\n'));
+    A3D_TRY(file.append(line += '\n'));
   }
   for (std::size_t i = 0; i < soup.face_count(); ++i) {
     line.clear();
     append_number(line, static_cast<std::uint32_t>(soup.face(i).size()));
     for (const std::uint32_t corner : soup.face(i)) append_number(line += ' ', corner);
-    ALGEBRA3D_RETURN_IF_ERROR(file.append(line += '\n'));
+    A3D_TRY(file.append(line += '\n'));
   }
   return {};
 }
@@ -52,19 +53,19 @@ Status append_binary_off(AtomicFile& file, const PolygonSoup& soup) {
   append_word(bytes, static_cast<std::uint32_t>(soup.points.size()));
   append_word(bytes, static_cast<std::uint32_t>(soup.face_count()));
   append_word(bytes, 0);
-  ALGEBRA3D_RETURN_IF_ERROR(file.append(bytes));
+  A3D_TRY(file.append(bytes));
   for (const Vec3& point : soup.points) {
     bytes.clear();
     for (std::size_t axis = 0; axis < 3; ++axis)
       append_word(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(point[axis])));
-    ALGEBRA3D_RETURN_IF_ERROR(file.append(bytes));
+    A3D_TRY(file.append(bytes));
   }
   for (std::size_t i = 0; i < soup.face_count(); ++i) {
     bytes.clear();
     append_word(bytes, static_cast<std::uint32_t>(soup.face(i).size()));
     for (const std::uint32_t corner : soup.face(i)) append_word(bytes, corner);
     append_word(bytes, 0);
-    ALGEBRA3D_RETURN_IF_ERROR(file.append(bytes));
+    A3D_TRY(file.append(bytes));
   }
   return {};
 }
@@ -72,8 +73,7 @@ Status append_binary_off(AtomicFile& file, const PolygonSoup& soup) {
 Status write_off(const OutputPath& path, const PolygonSoup& soup, Encoding format) {
   auto file = AtomicFile::create(path);
   if (!file) return std::move(file).error();
-  ALGEBRA3D_RETURN_IF_ERROR(format == Encoding::binary ? append_binary_off(*file, soup)
-                                                       : append_ascii_off(*file, soup));
+  A3D_TRY(format == Encoding::binary ? append_binary_off(*file, soup) : append_ascii_off(*file, soup));
   return file->commit();
 }
 
@@ -85,8 +85,7 @@ Status write_off_file(const OutputPath& path, const PolygonSoup& soup, Encoding 
     return Error{ErrorCode::limit_exceeded,
                  "{}: {} points and {} faces, but a binary file holds at most 2147483647; ASCII holds more",
                  path.path().string(), soup.points.size(), soup.face_count()};
-  ALGEBRA3D_RETURN_IF_ERROR(
-      check_soup(path.path(), soup, is_binary ? CoordinateRange::floats : CoordinateRange::doubles));
+  A3D_TRY(check_soup(path.path(), soup, is_binary ? CoordinateRange::floats : CoordinateRange::doubles));
   return write_off(path, soup, format);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "base/propagate.h"
 #include "stl/stl_binary_reader.h"
 #include "stl/stl_reader.h"
 #include "stl/stl_writer.h"
@@ -34,7 +35,7 @@ Match detect_stl(std::string_view head, std::size_t size) {
 
 Result<MeshContent> read_stl_content(std::string_view bytes, std::string_view file_name,
                                      const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(ReadStl read, read_stl(bytes, file_name, cancel));
+  A3D_ASSIGN(ReadStl read, read_stl(bytes, file_name, cancel));
   return MeshContent{std::move(read.soup), read.format, std::move(read.remarks), read.wrong_count};
 }
 

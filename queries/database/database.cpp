@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/propagate.h"
 #include "base/temporary_folder.h"
 #include "base/without_exceptions.h"
 #include "queries/database/detail/engine.h"
@@ -22,19 +23,19 @@ Database& Database::operator=(Database&& other) noexcept = default;
 
 Result<Database> Database::open(const std::filesystem::path& file, const OpenOptions& options) {
   return without_exceptions([&]() -> Result<Database> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto engine, detail::Engine::open(file, options, {}));
+    A3D_ASSIGN(auto engine, detail::Engine::open(file, options, {}));
     return Database(std::move(engine));
   });
 }
 
 Result<Database> Database::temporary(const OpenOptions& options) {
   return without_exceptions([&]() -> Result<Database> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TemporaryFolder folder, TemporaryFolder::make());
+    A3D_ASSIGN(TemporaryFolder folder, TemporaryFolder::make());
     const std::filesystem::path file = folder.path() / "temporary.db";
     OpenOptions writing = options;
     writing.read_only = false;
     writing.creates = true;
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto engine, detail::Engine::open(file, writing, std::move(folder)));
+    A3D_ASSIGN(auto engine, detail::Engine::open(file, writing, std::move(folder)));
     return Database(std::move(engine));
   });
 }
@@ -42,9 +43,9 @@ Result<Database> Database::temporary(const OpenOptions& options) {
 Result<Rows> Database::query(std::string_view statement, const Parameters& parameters) {
   return without_exceptions([&]() -> Result<Rows> {
     if (engine_ == nullptr) return moved_from();
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto handover, engine_->start(statement, parameters, detail::Engine::Results::rows));
+    A3D_ASSIGN(auto handover, engine_->start(statement, parameters, detail::Engine::Results::rows));
     Rows rows(engine_, std::move(handover));
-    ALGEBRA3D_RETURN_IF_ERROR(rows.wait_for_columns());
+    A3D_TRY(rows.wait_for_columns());
     return rows;
   });
 }
@@ -52,10 +53,9 @@ Result<Rows> Database::query(std::string_view statement, const Parameters& param
 Result<Value> Database::value(std::string_view statement, const Parameters& parameters) {
   return without_exceptions([&]() -> Result<Value> {
     if (engine_ == nullptr) return moved_from();
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto handover,
-                               engine_->start(statement, parameters, detail::Engine::Results::single_value));
+    A3D_ASSIGN(auto handover, engine_->start(statement, parameters, detail::Engine::Results::single_value));
     Rows rows(engine_, std::move(handover));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Row> all, rows.all());  // one row with one value, or an error
+    A3D_ASSIGN(const std::vector<Row> all, rows.all());  // one row with one value, or an error
     return all.front()[0];
   });
 }
@@ -63,7 +63,7 @@ Result<Value> Database::value(std::string_view statement, const Parameters& para
 Status Database::execute(std::string_view script, const Parameters& parameters) {
   return without_exceptions([&]() -> Status {
     if (engine_ == nullptr) return moved_from();
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto handover, engine_->start(script, parameters, detail::Engine::Results::dropped));
+    A3D_ASSIGN(auto handover, engine_->start(script, parameters, detail::Engine::Results::dropped));
     Rows rows(engine_, std::move(handover));
     return rows.wait_for_columns();  // that is, until the end: there are none
   });

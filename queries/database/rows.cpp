@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/operators/registry/registry.h"
+#include "base/propagate.h"
 #include "queries/database/detail/engine.h"
 #include "queries/database/detail/value_content.h"
 
@@ -113,14 +114,14 @@ Status Rows::fetch() {
 }
 
 Result<std::optional<Row>> Rows::next() {
-  if (next_ == rows_.size()) ALGEBRA3D_RETURN_IF_ERROR(fetch());
+  if (next_ == rows_.size()) A3D_TRY(fetch());
   if (next_ == rows_.size()) return std::optional<Row>();
   return std::optional<Row>(std::move(rows_[next_++]));
 }
 
 Status Rows::for_each(const std::function<void(const Row&)>& visit) {
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<Row> row, next());
+    A3D_ASSIGN(const std::optional<Row> row, next());
     if (!row) return {};
     visit(*row);
   }
@@ -148,7 +149,7 @@ Result<std::vector<Row>> Rows::all() {
   std::vector<Row> rows;
   try {
     while (true) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<Row> row, next());
+      A3D_ASSIGN(std::optional<Row> row, next());
       if (!row) return rows;
       rows.push_back(*std::move(row));
     }

@@ -16,6 +16,7 @@
 #include "base/context.h"
 #include "base/diagnostics.h"
 #include "base/nearest_rounding.h"
+#include "base/propagate.h"
 #include "base/without_exceptions.h"
 #include "queries/database/detail/value_content.h"
 
@@ -175,17 +176,17 @@ Value Value::points(std::span<const Vec3> positions) {
 }
 
 Result<Value> Value::undefined(std::string_view type) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Type* known, type_named(type));
+  A3D_ASSIGN(const Type* known, type_named(type));
   return ValueAccess::outer(algebra3d::Value(*known));
 }
 
 Result<Value> Value::parse(std::string_view type, std::string_view notation) {
   return without_exceptions([&]() -> Result<Value> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Type* known, type_named(type));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(notation));
+    A3D_ASSIGN(const Type* known, type_named(type));
+    A3D_ASSIGN(const NestedList list, NestedList::parse(notation));
     Diagnostics diagnostics;
     Context context{diagnostics, nullptr, {}};
-    ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Value value, value_from_nested(*known, list, context));
+    A3D_ASSIGN(const algebra3d::Value value, value_from_nested(*known, list, context));
     return ValueAccess::outer(value, value.is_defined() ? "" : diagnostics.last_reason());
   });
 }
@@ -237,7 +238,7 @@ Result<std::string> Value::read() const {
 template <>
 Result<Vec3> Value::read() const {
   if (type_ == &TypeOf<Vector3d>::type()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Vector3d vector, content_of<Vector3d>(*this));
+    A3D_ASSIGN(const Vector3d vector, content_of<Vector3d>(*this));
     return vector.components.approx();
   }
   const auto point = content_of<Point3d>(*this);
@@ -247,7 +248,7 @@ Result<Vec3> Value::read() const {
 
 template <>
 Result<std::vector<Vec3>> Value::read() const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Points3d points, content_of<Points3d>(*this));
+  A3D_ASSIGN(const Points3d points, content_of<Points3d>(*this));
   std::vector<Vec3> positions;
   positions.reserve(points.points().size());
   for (const ExactPoint& point : points.points()) positions.push_back(point.approx());
@@ -261,25 +262,25 @@ Result<Box3> Value::read() const {
 
 template <>
 Result<Solid> Value::read() const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Volume3d volume, content_of<Volume3d>(*this));
+  A3D_ASSIGN(Volume3d volume, content_of<Volume3d>(*this));
   return algebra3d::detail::ShapeAccess::outer(std::move(volume));
 }
 
 template <>
 Result<Surface> Value::read() const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Surface3d surface, content_of<Surface3d>(*this));
+  A3D_ASSIGN(Surface3d surface, content_of<Surface3d>(*this));
   return algebra3d::detail::ShapeAccess::outer(std::move(surface));
 }
 
 template <>
 Result<Instant> Value::read() const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Instant instant, content_of<algebra3d::Instant>(*this));
+  A3D_ASSIGN(const algebra3d::Instant instant, content_of<algebra3d::Instant>(*this));
   return kFirstDay + Duration(instant.milliseconds);
 }
 
 template <>
 Result<Duration> Value::read() const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Duration duration, content_of<algebra3d::Duration>(*this));
+  A3D_ASSIGN(const algebra3d::Duration duration, content_of<algebra3d::Duration>(*this));
   return Duration(duration.milliseconds);
 }
 

@@ -1,5 +1,6 @@
 #include "queries/exchange/csv_presenter.h"
 
+#include "base/propagate.h"
 #include "queries/session/inquiry_table.h"
 #include "queries/streams/nested_relations.h"
 #include "queries/streams/relation.h"
@@ -14,13 +15,13 @@ std::string cell_of(const NestedList& list) {
 }  // namespace
 
 Status CsvPresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RelationPtr table, table_of(type, value));
+  A3D_ASSIGN(const RelationPtr table, table_of(type, value));
   if (table != nullptr) return present_relation(type.element(), *table, context);
   std::string csv;
   if (const auto* single = std::get_if<Value>(&value.content)) {
-    ALGEBRA3D_RETURN_IF_ERROR(values_.append_csv_result(*single, context, csv));
+    A3D_TRY(values_.append_csv_result(*single, context, csv));
   } else {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, value_list(type, value, context));
+    A3D_ASSIGN(const NestedList list, value_list(type, value, context));
     append_csv_text(csv, list.print());
   }
   out_ << csv << "\n";
@@ -28,7 +29,7 @@ Status CsvPresenter::present(const TypeExpr& type, const Datum& value, Context& 
 }
 
 Status CsvPresenter::present_relation(const TypeExpr& tuple, Relation& relation, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+  A3D_ASSIGN(const TupleStreamPtr tuples, relation.scan());
   const auto& attributes = tuple.attributes();
   for (const auto& [name, attribute] : attributes)
     if (attribute.is_nested_relation()) return no_nested_in_csv(name);
@@ -44,12 +45,12 @@ Status CsvPresenter::present_relation(const TypeExpr& tuple, Relation& relation,
 Status CsvPresenter::write_tuples(const TypeExpr& tuple, TupleStream& tuples, Context& context, std::string& csv) {
   const auto& attributes = tuple.attributes();
   while (out_) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, tuples.next());
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const TuplePtr next, tuples.next());
     if (next == nullptr) break;
     for (std::size_t i = 0; i < attributes.size(); ++i) {
       if (i > 0) csv += ',';
-      ALGEBRA3D_RETURN_IF_ERROR(values_.append_csv(next->attributes[i], attributes[i].name, context, csv));
+      A3D_TRY(values_.append_csv(next->attributes[i], attributes[i].name, context, csv));
     }
     csv += '\n';
     if (csv.size() < kBytesAtOnce) continue;

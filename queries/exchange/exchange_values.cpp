@@ -15,6 +15,7 @@
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
 #include "base/diagnostics.h"
+#include "base/propagate.h"
 #include "mesh_formats/mesh_format.h"
 #include "queries/exchange/json_text.h"
 
@@ -63,15 +64,13 @@ Result<algebra3d::ExportedSolid> export_faces(Context& context, const Value& val
   if (is_a<algebra3d::Volume3d>(value))
     return export_solid(context, command, value.get<algebra3d::Volume3d>(), name, file, form);
   if (is_a<algebra3d::Surface3d>(value)) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(
-        algebra3d::PolygonMesh mesh,
-        polygon_mesh_of(value.get<algebra3d::Surface3d>().mesh(), algebra3d::Merging::none, context.monitor()));
+    A3D_ASSIGN(algebra3d::PolygonMesh mesh,
+               polygon_mesh_of(value.get<algebra3d::Surface3d>().mesh(), algebra3d::Merging::none, context.monitor()));
     return export_mesh(context, command, algebra3d::Mesh3d(std::move(mesh)), name, file, form);
   }
   if (!form.format->stores_triangles)
     return export_mesh(context, command, value.get<algebra3d::Mesh3d>(), name, file, form);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Mesh3d triangles,
-                             triangulated(value.get<algebra3d::Mesh3d>(), context.monitor()));
+  A3D_ASSIGN(const algebra3d::Mesh3d triangles, triangulated(value.get<algebra3d::Mesh3d>(), context.monitor()));
   return export_mesh(context, command, triangles, name, file, form);
 }
 
@@ -90,7 +89,7 @@ Status written_or_error(Context& context, const Append& append) {
   using About = algebra3d::Diagnostics::About;
   algebra3d::Diagnostics own;
   Context writing = context.with(own);
-  ALGEBRA3D_RETURN_IF_ERROR(append(writing));
+  A3D_TRY(append(writing));
   const std::vector<std::string> lines = own.summary();
   if (own.count(About::unwritten) > 0 || own.count(About::undefined) > 0)
     return Error{ErrorCode::io_error, "--geometry-dir: not written: {}", fmt::join(lines, "; ")};
@@ -122,14 +121,13 @@ void append_csv_text(std::string& csv, std::string_view text) {
 
 Result<NestedList> ExchangeValues::written_file(const Value& value, const std::string& name, Context& context) {
   std::error_code error;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path folder, context.resolve(options_.folder));
+  A3D_ASSIGN(const std::filesystem::path folder, context.resolve(options_.folder));
   std::filesystem::create_directories(folder, error);
   if (error) return Error{ErrorCode::io_error, "--geometry-dir: '{}': {}", options_.folder.string(), error.message()};
   const std::string file =
       (options_.folder / fmt::format("{}_{}.{}", name, ++file_counts_[name], options_.mesh_ending)).string();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto exported,
-                             export_faces(context, loaded, name, file, form_of_ending(options_.mesh_ending)));
+  A3D_ASSIGN(const Value loaded, value.loaded());
+  A3D_ASSIGN(const auto exported, export_faces(context, loaded, name, file, form_of_ending(options_.mesh_ending)));
   return exported.refusal ? NestedList::symbol("undefined") : NestedList::text(file);
 }
 
@@ -137,10 +135,10 @@ Result<ExchangeValues::Form> ExchangeValues::form_of(const Value& value, const s
   using Geometry = ExchangeOptions::Geometry;
   if (is_summarised(value) && options_.geometry == Geometry::summary) return Form{{}, summary_json(value)};
   if (options_.geometry == Geometry::file && has_faces(value)) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(NestedList file, written_file(value, name, context));
+    A3D_ASSIGN(NestedList file, written_file(value, name, context));
     return Form{std::move(file), {}};
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  A3D_ASSIGN(const Value loaded, value.loaded());
   NestedList list = loaded.to_nested();
   return Form{options_.rounds_fractions ? with_doubles(std::move(list)) : std::move(list), {}};
 }
@@ -151,18 +149,18 @@ Status ExchangeValues::append_nested(const Value& relation, Context& context, st
     json += fmt::format(R"({{"type":"arel","tuples":{}}})", count);
     return {};
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, relation.loaded());
+  A3D_ASSIGN(const Value loaded, relation.loaded());
   const auto& attributes = algebra3d::as_nested_relation(loaded.type())->attributes();
   const auto& tuples = loaded.get<algebra3d::NestedRelation>();
   json += '[';
   for (std::size_t i = 0; i < tuples.size(); ++i) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    A3D_TRY(context.check_cancelled());
     json += i == 0 ? "{" : ",{";
     for (std::size_t k = 0; k < attributes.size(); ++k) {
       if (k > 0) json += ',';
       append_json_string(json, attributes[k].name);
       json += ':';
-      ALGEBRA3D_RETURN_IF_ERROR(append_json(tuples.tuple(i)[k], attributes[k].name, context, json));
+      A3D_TRY(append_json(tuples.tuple(i)[k], attributes[k].name, context, json));
     }
     json += '}';
   }
@@ -176,7 +174,7 @@ Status ExchangeValues::append_json(const Value& value, const std::string& name, 
     return {};
   }
   if (algebra3d::as_nested_relation(value.type()) != nullptr) return append_nested(value, context, json);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Form form, form_of(value, name, context));
+  A3D_ASSIGN(const Form form, form_of(value, name, context));
   if (form.json.empty())
     queries::append_json(json, form.list);
   else
@@ -187,7 +185,7 @@ Status ExchangeValues::append_json(const Value& value, const std::string& name, 
 Status ExchangeValues::append_csv(const Value& value, const std::string& name, Context& context, std::string& csv) {
   if (!value.is_defined()) return {};
   if (algebra3d::as_nested_relation(value.type()) != nullptr) return no_nested_in_csv(name);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Form form, form_of(value, name, context));
+  A3D_ASSIGN(const Form form, form_of(value, name, context));
   if (!form.json.empty())
     append_csv_text(csv, form.json);
   else if (!form.list.is_undefined())

@@ -1,5 +1,6 @@
 #include "queries/exchange/json_presenter.h"
 
+#include "base/propagate.h"
 #include "queries/exchange/json_text.h"
 #include "queries/session/inquiry_table.h"
 #include "queries/streams/nested_relations.h"
@@ -22,20 +23,20 @@ Status append_json_row(const TypeExpr& tuple, const Tuple& row, ExchangeValues& 
   for (std::size_t i = 0; i < row.attributes.size(); ++i) {
     const std::string& name = tuple.attributes()[i].name;
     append_key(json, i == 0, name);
-    ALGEBRA3D_RETURN_IF_ERROR(values.append_json(row.attributes[i], name, context, json));
+    A3D_TRY(values.append_json(row.attributes[i], name, context, json));
   }
   json += '}';
   return {};
 }
 
 Status JsonPresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RelationPtr table, table_of(type, value));
+  A3D_ASSIGN(const RelationPtr table, table_of(type, value));
   if (table != nullptr) return present_relation(type.element(), *table, context);
   std::string json;
   if (const auto* single = std::get_if<Value>(&value.content)) {
-    ALGEBRA3D_RETURN_IF_ERROR(values_.append_json_result(*single, context, json));
+    A3D_TRY(values_.append_json_result(*single, context, json));
   } else {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, value_list(type, value, context));
+    A3D_ASSIGN(const NestedList list, value_list(type, value, context));
     // A function is a text of the language; the parts of an index are names and a number.
     append_json(json, type.is_function() ? NestedList::text(list.print()) : list);
   }
@@ -52,7 +53,7 @@ void JsonPresenter::end_rows(std::string& json, bool is_empty) const {
 }
 
 Status JsonPresenter::present_relation(const TypeExpr& tuple, Relation& relation, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+  A3D_ASSIGN(const TupleStreamPtr tuples, relation.scan());
   std::string json;
   Status status = write_tuples(tuple, *tuples, context, json);
   // Rows read before an error are shown: an array that is not closed is noticed, nothing at all might not be.
@@ -64,12 +65,12 @@ Status JsonPresenter::present_relation(const TypeExpr& tuple, Relation& relation
 Status JsonPresenter::write_tuples(const TypeExpr& tuple, TupleStream& tuples, Context& context, std::string& json) {
   bool is_empty = true;
   while (out_) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, tuples.next());
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const TuplePtr next, tuples.next());
     if (next == nullptr) break;
     begin_row(json, is_empty);
     is_empty = false;
-    ALGEBRA3D_RETURN_IF_ERROR(append_json_row(tuple, *next, values_, context, json));
+    A3D_TRY(append_json_row(tuple, *next, values_, context, json));
     if (layout_ == Layout::lines) json += '\n';
     if (json.size() < kBytesAtOnce) continue;
     out_ << json;

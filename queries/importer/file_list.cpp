@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/values/types/utf8.h"
+#include "base/propagate.h"
 #include "mesh_formats/mesh_formats.h"
 
 namespace queries {
@@ -97,14 +98,14 @@ Status FileLister::add_existing(const fs::path& path, fs::file_status status) {
 
 Status FileLister::add_matches(const std::string& pattern) {
   bool any = false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(fs::path normal, normal_path(pattern));
+  A3D_ASSIGN(fs::path normal, normal_path(pattern));
   list_.patterns.push_back(std::move(normal));
   for (const fs::path& path : matches_of(pattern)) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::is_directory(status) && !fs::is_regular_file(status)) continue;
     any = true;
-    ALGEBRA3D_RETURN_IF_ERROR(add_existing(path, status));
+    A3D_TRY(add_existing(path, status));
   }
   if (!any)
     return Error{ErrorCode::file_missing, "{}: no such file, and no file matches this pattern", path_text(pattern)};
@@ -112,7 +113,7 @@ Status FileLister::add_matches(const std::string& pattern) {
 }
 
 Status FileLister::add_file(const fs::path& path) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(fs::path normal, normal_path(path));
+  A3D_ASSIGN(fs::path normal, normal_path(path));
   std::error_code error;
   const std::uintmax_t size = fs::file_size(normal, error);
   list_.files.push_back({std::move(normal), error ? 0 : std::uint64_t{size}});
@@ -120,7 +121,7 @@ Status FileLister::add_file(const fs::path& path) {
 }
 
 Status FileLister::add_folder(const fs::path& folder) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(fs::path normal, normal_path(folder));
+  A3D_ASSIGN(fs::path normal, normal_path(folder));
   list_.folders.push_back(without_last_slash(normal));
   std::vector<fs::path> waiting{list_.folders.back()};
   while (!waiting.empty()) {
@@ -173,7 +174,7 @@ FileList FileLister::finish() && {
 
 Result<FileList> list_files(std::span<const std::string> paths) {
   FileLister lister;
-  for (const std::string& path : paths) ALGEBRA3D_RETURN_IF_ERROR(lister.add(path));
+  for (const std::string& path : paths) A3D_TRY(lister.add(path));
   FileList list = std::move(lister).finish();
   if (!list.files.empty()) return list;
   if (!list.unread_folders.empty())

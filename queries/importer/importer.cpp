@@ -15,6 +15,7 @@
 
 #include "algebra3d/values/conversions/import_solid.h"
 #include "base/memory_limit.h"
+#include "base/propagate.h"
 #include "queries/importer/detail/import_summary.h"
 #include "queries/importer/detail/progress_display.h"
 #include "queries/importer/detail/relation_writer.h"
@@ -41,8 +42,7 @@ constexpr std::chrono::milliseconds kPatience{100};
 /// Reads files as the options say.
 SolidReader solid_reader(const algebra3d::RepairOptions& repair) {
   return [repair](const std::filesystem::path& file, const std::atomic<bool>* cancel) -> Result<SolidOrReason> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(algebra3d::ImportedSolid imported,
-                               algebra3d::import_solid(file, nullptr, repair, cancel));
+    A3D_ASSIGN(algebra3d::ImportedSolid imported, algebra3d::import_solid(file, nullptr, repair, cancel));
     return SolidOrReason{std::move(imported.solid), std::move(imported.status), imported.was_read, imported.measures};
   };
 }
@@ -108,12 +108,11 @@ int Import::run() {
 
 Status Import::take_in(const FileList& list) {
   is_new_database_ = makes_database(options_.database);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto store,
-                             Store::open(options_.database, OpenMode::open_or_create, host_.registry));
+  A3D_ASSIGN(const auto store, Store::open(options_.database, OpenMode::open_or_create, host_.registry));
   if (!store->opening_notice().empty()) host_.err << "note: " << store->opening_notice() << "\n";
   RelationWriter writer(*store, options_.relation,
                         {std::chrono::duration<double>(options_.batch_seconds), options_.batch_megabytes * 1e6});
-  ALGEBRA3D_RETURN_IF_ERROR(writer.prepare());
+  A3D_TRY(writer.prepare());
   is_new_relation_ = writer.is_new();
   if (writer.lacks_measures())
     host_.err << fmt::format(
@@ -145,13 +144,13 @@ Status Import::drop_gone(const FileList& list, RelationWriter& writer) {
     std::error_code error;
     return std::filesystem::status(file, error).type() == std::filesystem::file_type::not_found;
   };
-  ALGEBRA3D_ASSIGN_OR_RETURN(summary_.dropped_count, writer.drop(is_gone));
+  A3D_ASSIGN(summary_.dropped_count, writer.drop(is_gone));
   return {};
 }
 
 Status Import::pump(FileLoader& loader, RelationWriter& writer) {
   for (;;) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const FileLoader::Next next, loader.next(kPatience));
+    A3D_ASSIGN(const FileLoader::Next next, loader.next(kPatience));
     if (next.state == FileLoader::State::finished) return {};
     if (next.state == FileLoader::State::interrupted) {
       was_interrupted_ = true;
@@ -160,11 +159,11 @@ Status Import::pump(FileLoader& loader, RelationWriter& writer) {
     if (next.state == FileLoader::State::loaded) {
       auto written = RelationWriter::Written::known;
       if (!next.file.is_known) {
-        ALGEBRA3D_ASSIGN_OR_RETURN(written, writer.write(next.file));
+        A3D_ASSIGN(written, writer.write(next.file));
       }
       summary_.count(next.file, written);
     }
-    ALGEBRA3D_RETURN_IF_ERROR(writer.commit_if_due());
+    A3D_TRY(writer.commit_if_due());
     progress_.update(summary_, writer.pending_count());
   }
 }

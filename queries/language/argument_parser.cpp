@@ -1,5 +1,6 @@
 // The arguments of an operator as its syntax pattern declares them.
 
+#include "base/propagate.h"
 #include "queries/language/expression_parser.h"
 
 #include <utility>
@@ -17,8 +18,8 @@ Status ExpressionParser::places(const SyntaxPattern& pattern, std::string_view c
     const Place place = is_declared ? pattern.places[index] : Place{};
     const bool may_be_empty = place.kind == SyntaxPattern::PlaceKind::attributes && index + 1 < pattern.places.size();
     if (at(close) && !may_be_empty) break;
-    if (index > 0) ALGEBRA3D_RETURN_IF_ERROR(expect(is_declared && place.before == ';' ? ";" : ",", context));
-    ALGEBRA3D_ASSIGN_OR_RETURN(Argument next, argument(place));
+    if (index > 0) A3D_TRY(expect(is_declared && place.before == ';' ? ";" : ",", context));
+    A3D_ASSIGN(Argument next, argument(place));
     arguments.push_back(std::move(next));
     ++index;
     if (at(close) || at(",") || at(";")) continue;
@@ -36,27 +37,26 @@ Result<Argument> ExpressionParser::argument(const Place& place) {
   switch (place.kind) {
     case PlaceKind::value:
     case PlaceKind::function: {
-      ALGEBRA3D_ASSIGN_OR_RETURN(argument.value, expression());
+      A3D_ASSIGN(argument.value, expression());
       break;
     }
     case PlaceKind::attribute:
     case PlaceKind::name: {
-      ALGEBRA3D_ASSIGN_OR_RETURN(std::string word,
-                                 name(place.kind == PlaceKind::name ? "a name" : "an attribute name"));
+      A3D_ASSIGN(std::string word, name(place.kind == PlaceKind::name ? "a name" : "an attribute name"));
       argument.names = {std::move(word)};
       break;
     }
     case PlaceKind::attributes:
-      ALGEBRA3D_RETURN_IF_ERROR(attribute_names(argument, false));
+      A3D_TRY(attribute_names(argument, false));
       break;
     case PlaceKind::keys:
-      ALGEBRA3D_RETURN_IF_ERROR(attribute_names(argument, true));
+      A3D_TRY(attribute_names(argument, true));
       break;
     case PlaceKind::functions:
-      ALGEBRA3D_RETURN_IF_ERROR(function_list(argument));
+      A3D_TRY(function_list(argument));
       break;
     case PlaceKind::renames:
-      ALGEBRA3D_RETURN_IF_ERROR(rename_list(argument));
+      A3D_TRY(rename_list(argument));
       break;
   }
   return argument;
@@ -65,7 +65,7 @@ Result<Argument> ExpressionParser::argument(const Place& place) {
 Status ExpressionParser::attribute_names(Argument& argument, bool with_order) {
   if (at(";") || at("]")) return {};
   do {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string attribute, name("an attribute name"));
+    A3D_ASSIGN(std::string attribute, name("an attribute name"));
     argument.names.push_back(std::move(attribute));
     if (!with_order) continue;
     const bool is_descending = accept("desc");
@@ -79,9 +79,9 @@ Status ExpressionParser::function_list(Argument& argument) {
   if (at("]")) return {};
   do {
     NamedExpression function;
-    ALGEBRA3D_ASSIGN_OR_RETURN(function.name, name("the name of a new attribute"));
-    ALGEBRA3D_RETURN_IF_ERROR(expect(":", "after the name of the new attribute '" + function.name + "'"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(function.value, expression());
+    A3D_ASSIGN(function.name, name("the name of a new attribute"));
+    A3D_TRY(expect(":", "after the name of the new attribute '" + function.name + "'"));
+    A3D_ASSIGN(function.value, expression());
     argument.functions.push_back(std::move(function));
   } while (accept(","));
   return {};
@@ -89,8 +89,8 @@ Status ExpressionParser::function_list(Argument& argument) {
 
 Status ExpressionParser::rename_list(Argument& argument) {
   do {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string renamed, name("the new name of an attribute"));
-    ALGEBRA3D_RETURN_IF_ERROR(expect(":", "after the new name '" + renamed + "'"));
+    A3D_ASSIGN(std::string renamed, name("the new name of an attribute"));
+    A3D_TRY(expect(":", "after the new name '" + renamed + "'"));
     if (!scanner_.peek().is_name() && scanner_.peek().kind != Token::Kind::string)
       return unexpected("an attribute name");
     argument.names.push_back(std::move(renamed));

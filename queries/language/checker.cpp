@@ -1,6 +1,7 @@
 #include "queries/language/checker.h"
 
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/streams/value_operators.h"
 
 namespace queries {
@@ -42,7 +43,7 @@ Result<TypedPtr> Checker::check(const Literal& literal, const SourcePlace& place
 }
 
 Result<TypedPtr> Checker::check(const TypedLiteral& literal, const SourcePlace& place) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr type, resolve(literal.type));
+  A3D_ASSIGN(const TypeExpr type, resolve(literal.type));
   return constant(type, literal, place);
 }
 
@@ -58,7 +59,7 @@ Result<TypedPtr> Checker::check(const Application& application, const SourcePlac
   std::vector<TypeExpr> types;
   if (recorder_ == nullptr) return application_node(op, application, place, types);
   const std::size_t step = recorder_->begin(op.name);
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr node, application_node(op, application, place, types));
+  A3D_ASSIGN(TypedPtr node, application_node(op, application, place, types));
   recorder_->describe(step, {}, estimated_tuples(application));
   std::string signature = algebra3d::argument_list_text(types) + " -> " + node->type().text();
   return recorder_->finish(step, std::move(signature), std::move(node));
@@ -68,7 +69,7 @@ Result<TypedPtr> Checker::application_node(const Operator& op, const Application
                                            std::vector<TypeExpr>& types) {
   std::vector<TypedPtr> checked(application.arguments.size());
   if (application.is_call) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr call, call_of_function(application, place, checked));
+    A3D_ASSIGN(TypedPtr call, call_of_function(application, place, checked));
     if (call != nullptr) return call;
   }
   return takes_streams(op) ? stream_application(op, application, checked, place, types)
@@ -81,7 +82,7 @@ Result<TypedPtr> Checker::value_application(const Operator& op, const Applicatio
                                             std::vector<TypeExpr>& types) {
   for (std::size_t index = 0; index < checked.size(); ++index) {
     if (checked[index] == nullptr) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(checked[index], check(*application.arguments[index].value));
+      A3D_ASSIGN(checked[index], check(*application.arguments[index].value));
     }
     types.push_back(checked[index]->type());
   }
@@ -109,7 +110,7 @@ Status Checker::check_place_count(const Operator& op, const Application& applica
 Result<TypedPtr> Checker::stream_application(const Operator& op, const Application& application,
                                              const std::vector<TypedPtr>& checked, const SourcePlace& place,
                                              std::vector<TypeExpr>& shown_types) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_place_count(op, application, place));
+  A3D_TRY(check_place_count(op, application, place));
   const SyntaxPattern& pattern = registry_.syntax(op);
   static const std::vector<std::string> none;
   std::vector<TypedPtr> nodes;
@@ -123,7 +124,7 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
     ArgumentType type;
     TypedPtr known = checked[index];
     if (index == 0 && known == nullptr && op.name == "filter") {
-      ALGEBRA3D_ASSIGN_OR_RETURN(known, indexed_feed(application));
+      A3D_ASSIGN(known, indexed_feed(application));
     }
     auto node = checked_argument(application.arguments[index], known, functions, type);
     if (!node) {
@@ -153,7 +154,7 @@ Result<TypedPtr> Checker::checked_argument(const Argument& argument, const Typed
     case PlaceKind::value: {
       TypedPtr node = checked;
       if (node == nullptr) {
-        ALGEBRA3D_ASSIGN_OR_RETURN(node, check(*argument.value));
+        A3D_ASSIGN(node, check(*argument.value));
       }
       type.type = node->type();
       type.literal = int_literal(*argument.value);
@@ -167,14 +168,14 @@ Result<TypedPtr> Checker::checked_argument(const Argument& argument, const Typed
       return node;
     }
     case PlaceKind::function: {
-      ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr node, function_argument(*argument.value, function_place));
+      A3D_ASSIGN(TypedPtr node, function_argument(*argument.value, function_place));
       type.type = node->type();
       return node;
     }
     case PlaceKind::functions: {
       std::vector<TypedPtr> functions;
       for (const auto& [name, value] : argument.functions) {
-        ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr node, function_argument(*value, function_place));
+        A3D_ASSIGN(TypedPtr node, function_argument(*value, function_place));
         type.names.push_back(name);
         type.types.push_back(node->type());
         functions.push_back(std::move(node));

@@ -4,6 +4,7 @@
 #include "algebra3d/values/types/nested_relation.h"
 #include "algebra3d/values/types/utf8.h"
 #include "base/diagnostics.h"
+#include "base/propagate.h"
 #include "queries/language/checker.h"
 #include "queries/language/list_pieces.h"
 #include "queries/streams/relation.h"
@@ -83,7 +84,7 @@ Path wrong_element(const algebra3d::Type& type, const NestedList& list, const Co
 Result<TypedPtr> Checker::constant(const TypeExpr& type, const TypedLiteral& literal, const SourcePlace& place) {
   const NestedList& list = literal.list;
   if (type.is_relation()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Datum relation, relation_constant(type, literal, place));
+    A3D_ASSIGN(Datum relation, relation_constant(type, literal, place));
     return make_constant(type, std::move(relation), place);
   }
   const algebra3d::Type* value_type = registry_.value_type(type);
@@ -129,7 +130,7 @@ Result<Datum> Checker::relation_constant(const TypeExpr& type, const TypedLitera
 
 Result<TypeExpr> Checker::resolve(const TypeSyntax& syntax) {
   if (syntax.type_of != nullptr) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, check(*syntax.type_of));
+    A3D_ASSIGN(const TypedPtr node, check(*syntax.type_of));
     return node->type();
   }
   if (!syntax.attributes.empty()) {
@@ -139,7 +140,7 @@ Result<TypeExpr> Checker::resolve(const TypeSyntax& syntax) {
         if (earlier.name == name)
           return Error(ErrorCode::type_error, "tuple: duplicate attribute name '{}'; rename one of them", name)
               .at(syntax.place);
-      ALGEBRA3D_ASSIGN_OR_RETURN(TypeExpr type, resolve(attribute));
+      A3D_ASSIGN(TypeExpr type, resolve(attribute));
       if (registry_.value_type(type) == nullptr)
         return Error(ErrorCode::type_error, "tuple: attribute '{}': expected a type of kind DATA, got {}{}", name,
                      type.text(), type.is_relation() ? "; a relation in a tuple is an arel" : "")
@@ -150,17 +151,17 @@ Result<TypeExpr> Checker::resolve(const TypeSyntax& syntax) {
   }
   std::vector<TypeExpr> arguments;
   for (const TypeSyntax& argument : syntax.arguments) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypeExpr type, resolve(argument));
+    A3D_ASSIGN(TypeExpr type, resolve(argument));
     arguments.push_back(std::move(type));
   }
   TypeExpr type(syntax.name, std::move(arguments));
   if (type.arguments().empty() && registry_.find_type(type.name()) == nullptr) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto named, objects_.named_type(type.name()));
+    A3D_ASSIGN(const auto named, objects_.named_type(type.name()));
     if (named) return *named;
     // SECONDO's name for ints of 64 bits.
     if (type.is("longint")) return TypeExpr("int");
   }
-  ALGEBRA3D_RETURN_IF_ERROR(check_type_name(type, syntax.place));
+  A3D_TRY(check_type_name(type, syntax.place));
   return type;
 }
 

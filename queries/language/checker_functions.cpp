@@ -1,6 +1,7 @@
 // The part of the checker that makes functions, and calls of functions.
 #include "algebra3d/operators/registry/conversion.h"
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/language/checker.h"
 
 namespace queries {
@@ -31,7 +32,7 @@ bool takes(const TypeExpr& parameter, const TypeExpr& argument) {
 // decide.
 Result<TypedPtr> Checker::call_of_function(const Application& application, const SourcePlace& place,
                                            std::vector<TypedPtr>& checked) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr function, find(application.name, place));
+  A3D_ASSIGN(TypedPtr function, find(application.name, place));
   if (function == nullptr || !function->type().is_function()) return TypedPtr();
   const std::vector<TypeExpr> parameters = function->type().function_parameters();
   if (parameters.size() != checked.size()) return TypedPtr();
@@ -42,7 +43,7 @@ Result<TypedPtr> Checker::call_of_function(const Application& application, const
       fits = fits && (argument.value != nullptr || argument.as_operand != nullptr);
       continue;
     }
-    ALGEBRA3D_ASSIGN_OR_RETURN(checked[index], check(*argument.value));
+    A3D_ASSIGN(checked[index], check(*argument.value));
     fits = fits && takes(parameters[index], checked[index]->type());
   }
   if (!fits) return TypedPtr();
@@ -50,10 +51,9 @@ Result<TypedPtr> Checker::call_of_function(const Application& application, const
   for (std::size_t index = 0; index < arguments.size(); ++index) {
     const Argument& argument = application.arguments[index];
     if (arguments[index] == nullptr) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(arguments[index], check(argument.value ? *argument.value : *argument.as_operand));
+      A3D_ASSIGN(arguments[index], check(argument.value ? *argument.value : *argument.as_operand));
     }
-    ALGEBRA3D_ASSIGN_OR_RETURN(arguments[index],
-                               fitted(std::move(arguments[index]), parameters[index], application.name));
+    A3D_ASSIGN(arguments[index], fitted(std::move(arguments[index]), parameters[index], application.name));
   }
   return make_function_call(std::move(function), std::move(arguments), place);
 }
@@ -70,7 +70,7 @@ Result<TypedPtr> Checker::function_argument(const Expression& expression, const 
   Scope scope;
   scope.is_implicit = true;
   for (const std::string& pseudo : place.pseudo_types) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypeExpr type, pseudo_type(pseudo, place.operands));
+    A3D_ASSIGN(TypeExpr type, pseudo_type(pseudo, place.operands));
     scope.parameters.push_back({"", std::move(type)});
   }
   return make_checked_function(std::move(scope), expression, expression.place);
@@ -114,7 +114,7 @@ Result<TypedPtr> Checker::check(const FunctionLiteral& function, const SourcePla
 }
 
 Result<TypedPtr> Checker::check(const FunctionReference& reference, const SourcePlace& place) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr node, check(NameUse{reference.name}, place));
+  A3D_ASSIGN(TypedPtr node, check(NameUse{reference.name}, place));
   if (!node->type().is_function())
     return Error(ErrorCode::type_error, "fun {}: expected a function, got {}", reference.name, node->type().text())
         .at(place);
@@ -152,8 +152,8 @@ Result<TypedPtr> Checker::check(const FunctionCall& call, const SourcePlace& pla
         .at(place);
   std::vector<TypedPtr> arguments;
   for (std::size_t index = 0; index < parameters.size(); ++index) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr argument, check(*call.arguments[index]));
-    ALGEBRA3D_ASSIGN_OR_RETURN(argument, fitted(std::move(argument), parameters[index], call.name));
+    A3D_ASSIGN(TypedPtr argument, check(*call.arguments[index]));
+    A3D_ASSIGN(argument, fitted(std::move(argument), parameters[index], call.name));
     arguments.push_back(std::move(argument));
   }
   return make_function_call(std::move(function).value(), std::move(arguments), place);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/diagnostics.h"
+#include "base/propagate.h"
 #include "queries/language/checker.h"
 #include "queries/language/index_condition.h"
 #include "queries/language/index_feed.h"
@@ -64,7 +65,7 @@ Result<TypedPtr> Checker::indexed_feed(const Application& filter) {
   const auto conditions = index_conditions(*filter.arguments[1].value, registry_,
                                            [this](const std::string& each) { return is_function_object(each); });
   if (conditions.empty()) return TypedPtr();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto indexes, objects_.indexes_of(name));
+  A3D_ASSIGN(const auto indexes, objects_.indexes_of(name));
   std::vector<IndexChoice> choices;
   for (const IndexCondition& condition : conditions)
     for (const auto& index : indexes) {
@@ -73,7 +74,7 @@ Result<TypedPtr> Checker::indexed_feed(const Application& filter) {
     }
   if (choices.empty()) return TypedPtr();
   add_closed_ranges(choices);
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr source, check(*relation));
+  A3D_ASSIGN(TypedPtr source, check(*relation));
   return recorded_feed(std::move(source), std::move(choices), relation->place);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/language/checker.h"
 
 namespace queries {
@@ -23,7 +24,7 @@ bool has_attribute(const TypeExpr& type, const std::string& name) {
 }  // namespace
 
 Result<TypedPtr> Checker::check(const NameUse& use, const SourcePlace& place) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr found, find(use.name, place));
+  A3D_ASSIGN(TypedPtr found, find(use.name, place));
   if (found == nullptr) return unknown_name(use.name, place);
   return found;
 }
@@ -36,7 +37,7 @@ Result<TypedPtr> Checker::find(const std::string& name, const SourcePlace& place
     if (found != scope.parameters.end())
       return make_parameter(found->type, level, static_cast<std::size_t>(found - scope.parameters.begin()), place);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto type, objects_.type_of(name));
+  A3D_ASSIGN(const auto type, objects_.type_of(name));
   return type ? make_object(*type, name, objects_, place) : TypedPtr();
 }
 
@@ -58,7 +59,7 @@ Result<TypedPtr> Checker::implicit_parameter(int number, const SourcePlace& plac
 
 Result<TypedPtr> Checker::check(const AttributeUse& use, const SourcePlace& place) {
   const std::string shown = (use.parameter == 2 ? ".." : ".") + use.name;
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr tuple, implicit_parameter(use.parameter, place, shown));
+  A3D_ASSIGN(TypedPtr tuple, implicit_parameter(use.parameter, place, shown));
   if (!tuple->type().is_tuple())
     return Error(ErrorCode::type_error, "'{}': expected a tuple, got {}", shown, tuple->type().text()).at(place);
   auto index = attribute_index(tuple->type(), use.name);

@@ -6,6 +6,7 @@
 
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/types/file_atom.h"
+#include "base/propagate.h"
 #include "queries/language/parser.h"
 
 namespace queries {
@@ -97,18 +98,18 @@ const Operator* ExpressionParser::operator_at(Shape shape) {
 
 // Precedence climbing; all operators group to the left.
 Result<ExpressionPtr> ExpressionParser::binary(int lowest_precedence) {
-  ALGEBRA3D_RETURN_IF_ERROR(deeper());
+  A3D_TRY(deeper());
   ++depth_;
-  ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr left, chain());
-  ALGEBRA3D_RETURN_IF_ERROR(check_height(*left));
+  A3D_ASSIGN(ExpressionPtr left, chain());
+  A3D_TRY(check_height(*left));
   for (const Operator* op = operator_at(Shape::infix); op != nullptr; op = operator_at(Shape::infix)) {
     const int precedence = precedence_of(op->name);
     if (precedence < lowest_precedence) break;
     const SourcePlace place = scanner_.take().place;
-    ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr right, binary(precedence + 1));
+    A3D_ASSIGN(ExpressionPtr right, binary(precedence + 1));
     left =
         make(place, Application{op->name, {value_argument(std::move(left)), value_argument(std::move(right))}, false});
-    ALGEBRA3D_RETURN_IF_ERROR(check_height(*left));
+    A3D_TRY(check_height(*left));
   }
   --depth_;
   return left;
@@ -117,7 +118,7 @@ Result<ExpressionPtr> ExpressionParser::binary(int lowest_precedence) {
 Result<ExpressionPtr> ExpressionParser::chain() {
   if (at("-") && !is_number(scanner_.peek(1))) return negation();
   const auto outer_suspicion = std::exchange(suspicion_, std::nullopt);
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<ExpressionPtr> found, operands());
+  A3D_ASSIGN(std::vector<ExpressionPtr> found, operands());
   if (found.size() > 1) return suspicion_ ? *suspicion_ : not_an_operator(found[1]);
   suspicion_ = outer_suspicion;
   return std::move(found.front());
@@ -125,13 +126,13 @@ Result<ExpressionPtr> ExpressionParser::chain() {
 
 // A minus before anything but a number: `-` with one operand. It binds looser than postfix operators.
 Result<ExpressionPtr> ExpressionParser::negation() {
-  ALGEBRA3D_RETURN_IF_ERROR(deeper());
+  A3D_TRY(deeper());
   ++depth_;
   const SourcePlace place = scanner_.take().place;
-  ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr operand, chain());
+  A3D_ASSIGN(ExpressionPtr operand, chain());
   --depth_;
   ExpressionPtr negated = make(place, Application{"-", {value_argument(std::move(operand))}, false});
-  ALGEBRA3D_RETURN_IF_ERROR(check_height(*negated));
+  A3D_TRY(check_height(*negated));
   return negated;
 }
 
@@ -140,12 +141,12 @@ Result<std::vector<ExpressionPtr>> ExpressionParser::operands() {
   std::vector<ExpressionPtr> found;
   while (true) {
     if (const Operator* op = postfix_operator_at(found.size()); op != nullptr) {
-      ALGEBRA3D_RETURN_IF_ERROR(postfix_application(*op, found));
+      A3D_TRY(postfix_application(*op, found));
     } else if (at("{") && !found.empty()) {
-      ALGEBRA3D_RETURN_IF_ERROR(annotation(found.back()));
+      A3D_TRY(annotation(found.back()));
     } else if (found.empty() || starts_operand()) {
       suspect_operator(found.size());
-      ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr operand, primary());
+      A3D_ASSIGN(ExpressionPtr operand, primary());
       found.push_back(std::move(operand));
     } else {
       return found;
@@ -197,7 +198,7 @@ Result<ExpressionPtr> ExpressionParser::primary() {
     case Kind::parameter:
       return make(place, ParameterUse{scanner_.take().parameter});
     case Kind::constant: {
-      ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionNode constant, parameter_constant(parameters_, scanner_.take()));
+      A3D_ASSIGN(ExpressionNode constant, parameter_constant(parameters_, scanner_.take()));
       return make(place, std::move(constant));
     }
     case Kind::word:
@@ -210,8 +211,8 @@ Result<ExpressionPtr> ExpressionParser::primary() {
   if (at("-") || at("+")) return signed_number();
   if (at("[")) return list();
   if (accept("(")) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr inner, expression());
-    ALGEBRA3D_RETURN_IF_ERROR(expect(")", "to close the bracket"));
+    A3D_ASSIGN(ExpressionPtr inner, expression());
+    A3D_TRY(expect(")", "to close the bracket"));
     return inner;
   }
   return unexpected("an operand");
@@ -236,7 +237,7 @@ Result<ExpressionPtr> ExpressionParser::word_primary() {
 
 // `rect2region(r)` for `r rect2region`.
 Result<ExpressionPtr> ExpressionParser::call_of_postfix(const Operator& op, const SourcePlace& place) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ExpressionPtr written, function_call(op.name, place));
+  A3D_ASSIGN(const ExpressionPtr written, function_call(op.name, place));
   Application application{op.name, {}, true};
   for (const ExpressionPtr& operand : std::get<FunctionCall>(written->node).arguments)
     application.arguments.push_back(value_argument(operand));
@@ -256,7 +257,7 @@ Result<ExpressionPtr> ExpressionParser::name_or_call(const Token& token) {
 Result<ExpressionPtr> ExpressionParser::prefix_application(const Operator& op, SourcePlace place) {
   scanner_.take();
   Application application{op.name, {}, true};
-  ALGEBRA3D_RETURN_IF_ERROR(places(registry_.syntax(op), ")", application.arguments));
+  A3D_TRY(places(registry_.syntax(op), ")", application.arguments));
   return make(std::move(place), std::move(application));
 }
 
@@ -264,11 +265,11 @@ Result<ExpressionPtr> ExpressionParser::function_call(std::string function, Sour
   scanner_.take();
   FunctionCall call{std::move(function), {}};
   while (!at(")")) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr argument, expression());
+    A3D_ASSIGN(ExpressionPtr argument, expression());
     call.arguments.push_back(std::move(argument));
     if (!accept(",")) break;
   }
-  ALGEBRA3D_RETURN_IF_ERROR(expect(")", "to close the arguments of '" + call.name + "'"));
+  A3D_TRY(expect(")", "to close the arguments of '" + call.name + "'"));
   return make(std::move(place), std::move(call));
 }
 
@@ -283,8 +284,8 @@ Status ExpressionParser::postfix_application(const Operator& op, std::vector<Exp
   // `_ rduph[...]`: where nothing must stand in the brackets they may be left out.
   const bool may_leave_out = pattern.places.empty() && !at("[");
   if (pattern.has_brackets && !may_leave_out) {
-    ALGEBRA3D_RETURN_IF_ERROR(expect("[", "after '" + op.name + "' (syntax: " + op.syntax + ")"));
-    ALGEBRA3D_RETURN_IF_ERROR(places(pattern, "]", application.arguments));
+    A3D_TRY(expect("[", "after '" + op.name + "' (syntax: " + op.syntax + ")"));
+    A3D_TRY(places(pattern, "]", application.arguments));
   }
   operands.push_back(make(place, std::move(application)));
   return check_height(*operands.back());
@@ -300,7 +301,7 @@ Status ExpressionParser::annotation(ExpressionPtr& operand) {
     argument.names = {first.text};
     argument.place = first.place;
     operand = make(place, Application{"rename", {value_argument(operand), std::move(argument)}, false});
-    ALGEBRA3D_RETURN_IF_ERROR(check_height(*operand));
+    A3D_TRY(check_height(*operand));
   } else {
     const bool is_memory = first.kind == Kind::word;
     if (!is_memory && first.kind != Kind::integer && first.kind != Kind::real)

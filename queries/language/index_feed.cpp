@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/diagnostics.h"
+#include "base/propagate.h"
 #include "queries/streams/index_object.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
@@ -62,15 +63,14 @@ struct Found {
 Result<std::optional<Found>> found_by_index(const Relation& relation, const std::vector<IndexChoice>& choices,
                                             const std::vector<std::optional<IndexQuestion>>& questions,
                                             ObjectSource& objects) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t count, relation.count());
+  A3D_ASSIGN(const std::int64_t count, relation.count());
   const auto tuple_count = static_cast<std::uint64_t>(count);
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (!questions[i]) continue;
     // An index that cannot be read is passed over: the relation is there.
     const Result<Datum> index = objects.current_index(choices[i].index.name);
     if (!index) continue;
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto tuples,
-                               index_candidates(*index, choices[i].index.type, *questions[i], tuple_count));
+    A3D_ASSIGN(auto tuples, index_candidates(*index, choices[i].index.type, *questions[i], tuple_count));
     if (tuples && pays(tuples->ids.size(), tuple_count))
       return std::optional(Found{*std::move(tuples), choices[i].index.name});
   }
@@ -80,7 +80,7 @@ Result<std::optional<Found>> found_by_index(const Relation& relation, const std:
 /// The tuples of a relation that an index has found. Each must be as the index says: the filter would pass over one
 /// that is not.
 Result<TupleStreamPtr> selected(Relation& relation, IndexCandidates found) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr tuples, relation.select(std::exchange(found.ids, {})));
+  A3D_ASSIGN(TupleStreamPtr tuples, relation.select(std::exchange(found.ids, {})));
   const auto& attributes = relation.tuple_type().attributes();
   const auto attribute = static_cast<std::size_t>(
       std::ranges::find(attributes, found.attribute, &TypeExpr::Attribute::name) - attributes.begin());
@@ -88,7 +88,7 @@ Result<TupleStreamPtr> selected(Relation& relation, IndexCandidates found) {
     return Error{ErrorCode::internal, "{}: the relation has no attribute '{}'", relation.name(), found.attribute};
   return make_stream(
       [tuples = std::move(tuples), found = std::move(found), attribute, name = relation.name()]() -> Result<TuplePtr> {
-        ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, tuples->next());
+        A3D_ASSIGN(TuplePtr tuple, tuples->next());
         if (tuple == nullptr || fits(found, tuple->attributes[attribute])) return tuple;
         return index_disagrees(name, found.attribute, tuple->id, true);
       });
@@ -97,7 +97,7 @@ Result<TupleStreamPtr> selected(Relation& relation, IndexCandidates found) {
 /// The tuples of a relation that an index finds, or all of them.
 Result<TupleStreamPtr> tuples_of(Relation& relation, const std::vector<IndexChoice>& choices,
                                  const std::vector<std::optional<IndexQuestion>>& questions, ObjectSource& objects) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto found, found_by_index(relation, choices, questions, objects));
+  A3D_ASSIGN(auto found, found_by_index(relation, choices, questions, objects));
   return found ? selected(relation, std::move(found->tuples)) : relation.scan();
 }
 
@@ -122,26 +122,25 @@ IndexFeedNode::IndexFeedNode(TypeExpr stream, std::vector<IndexChoice> choices, 
 
 // The index is asked when the first tuple is wanted, so that it shows the same state as a scan.
 Result<Datum> IndexFeedNode::evaluate(const Frame* frame, Context& context) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Datum relation, relation_->evaluate(frame, context));
+  A3D_ASSIGN(const Datum relation, relation_->evaluate(frame, context));
   auto self = std::static_pointer_cast<const IndexFeedNode>(shared_from_this());
   return Datum{make_stream([self = std::move(self), relation = relation.relation(), &context,
                             questions = questions_of(choices_, frame, context), tuples = TupleStreamPtr(),
                             step = 0U]() mutable -> Result<TuplePtr> {
-    if (++step % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    if (++step % 256 == 0) A3D_TRY(context.check_cancelled());
     if (tuples == nullptr) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(tuples, tuples_of(*relation, self->choices_, questions, self->objects_));
+      A3D_ASSIGN(tuples, tuples_of(*relation, self->choices_, questions, self->objects_));
     }
     return tuples->next();
   })};
 }
 
 Result<IndexFeedPlan> IndexFeedNode::plan(Context& context) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, relation_->evaluate(nullptr, context));
+  A3D_ASSIGN(const Datum datum, relation_->evaluate(nullptr, context));
   const Relation& relation = *datum.relation();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto found,
-                             found_by_index(relation, choices_, questions_of(choices_, nullptr, context), objects_));
+  A3D_ASSIGN(const auto found, found_by_index(relation, choices_, questions_of(choices_, nullptr, context), objects_));
   if (found) return IndexFeedPlan{found->tuples.ids.size(), fmt::format("by the index {}", found->index)};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t count, relation.count());
+  A3D_ASSIGN(const std::int64_t count, relation.count());
   return IndexFeedPlan{static_cast<std::uint64_t>(count),
                        fmt::format("a scan: not {}, which would find too many tuples or cannot decide", text())};
 }

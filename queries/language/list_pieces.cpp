@@ -5,6 +5,7 @@
 #include "algebra3d/values/types/file_atom.h"
 #include "algebra3d/values/types/utf8.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace queries {
 namespace {
@@ -57,7 +58,7 @@ Result<std::optional<std::string_view>> ListPieces::next() {
 }
 
 Result<NestedList> ListPieces::read(std::string_view what) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto piece, next());
+  A3D_ASSIGN(const auto piece, next());
   if (!piece) return error(what);
   return parse(*piece);
 }

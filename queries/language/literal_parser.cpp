@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/propagate.h"
 #include "queries/language/parser.h"
 
 namespace queries {
@@ -41,7 +42,7 @@ Result<ExpressionPtr> ExpressionParser::signed_number() {
 Result<ExpressionPtr> ExpressionParser::list() {
   const SourcePlace place = scanner_.take().place;
   if (at("const")) {
-    ALGEBRA3D_RETURN_IF_ERROR(deeper());
+    A3D_TRY(deeper());
     return typed_literal();
   }
   ListExpression content;
@@ -53,20 +54,20 @@ Result<ExpressionPtr> ExpressionParser::list() {
       scanner_.take();
     }
     ++depth_;
-    ALGEBRA3D_RETURN_IF_ERROR(deeper());
+    A3D_TRY(deeper());
     if (const auto second = scanner_.peek(1); !is_named && (second.is("asc") || second.is("desc"))) {
       const Token key = scanner_.take();
       const Token order = scanner_.take();
       item.value = make(key.place, NameUse{key.text});
       item.modifier = make(order.place, NameUse{order.text});
     } else {
-      ALGEBRA3D_ASSIGN_OR_RETURN(item.value, expression());
+      A3D_ASSIGN(item.value, expression());
     }
     --depth_;
     content.items.push_back(std::move(item));
     if (!accept(",")) break;
   }
-  ALGEBRA3D_RETURN_IF_ERROR(expect("]", "to close the list"));
+  A3D_TRY(expect("]", "to close the list"));
   return make(place, std::move(content));
 }
 
@@ -74,8 +75,8 @@ Result<ExpressionPtr> ExpressionParser::list() {
 Result<ExpressionPtr> ExpressionParser::typed_literal() {
   const SourcePlace place = scanner_.take().place;
   TypedLiteral literal;
-  ALGEBRA3D_ASSIGN_OR_RETURN(literal.type, type());
-  ALGEBRA3D_RETURN_IF_ERROR(expect("value", "after the type of a constant"));
+  A3D_ASSIGN(literal.type, type());
+  A3D_TRY(expect("value", "after the type of a constant"));
   const SourcePlace list_place = scanner_.peek().place;
   const auto raw = scanner_.take_raw_until(']');
   if (scanner_.error()) return *scanner_.error();
@@ -85,18 +86,18 @@ Result<ExpressionPtr> ExpressionParser::typed_literal() {
   literal.list = std::move(list).value();
   if (raw->size() <= kLongestKeptLiteral) literal.written = std::make_shared<const std::string>(*raw);
   literal.list_place = list_place;
-  ALGEBRA3D_RETURN_IF_ERROR(expect("]", "after the value of a constant"));
+  A3D_TRY(expect("]", "after the value of a constant"));
   return make(place, std::move(literal));
 }
 
 Result<ExpressionPtr> ExpressionParser::function_literal() {
   const SourcePlace place = scanner_.take().place;
   if (scanner_.peek().is_name()) return make(place, FunctionReference{scanner_.take().text});
-  ALGEBRA3D_RETURN_IF_ERROR(expect("(", "or the name of a function object after 'fun'"));
+  A3D_TRY(expect("(", "or the name of a function object after 'fun'"));
   FunctionLiteral function;
   while (!at(")")) {
     const SourcePlace parameter_place = scanner_.peek().place;
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string parameter, name("a parameter name"));
+    A3D_ASSIGN(std::string parameter, name("a parameter name"));
     if (means_implicit_parameter(parameter))
       return Error(ErrorCode::reserved_name, "'{}' stands for an implicit parameter and cannot name another one",
                    parameter)
@@ -104,13 +105,13 @@ Result<ExpressionPtr> ExpressionParser::function_literal() {
     if (is_reserved(parameter))
       return Error(ErrorCode::reserved_name, "'{}' is a word of the language and cannot name a parameter", parameter)
           .at(parameter_place);
-    ALGEBRA3D_RETURN_IF_ERROR(expect(":", "after the parameter '" + parameter + "'"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax parameter_type, type());
+    A3D_TRY(expect(":", "after the parameter '" + parameter + "'"));
+    A3D_ASSIGN(TypeSyntax parameter_type, type());
     function.parameters.push_back({std::move(parameter), std::move(parameter_type)});
     if (!accept(",")) break;
   }
-  ALGEBRA3D_RETURN_IF_ERROR(expect(")", "to close the parameters"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(function.body, expression());
+  A3D_TRY(expect(")", "to close the parameters"));
+  A3D_ASSIGN(function.body, expression());
   return make(place, std::move(function));
 }
 

@@ -6,6 +6,7 @@
 #include "algebra3d/values/types/expression_list.h"
 #include "algebra3d/values/types/file_atom.h"
 #include "base/number_text.h"
+#include "base/propagate.h"
 #include "queries/language/parser.h"
 #include "queries/language/scanner.h"
 
@@ -85,7 +86,7 @@ Result<ExpressionPtr> NestedReader::make(ExpressionNode node) const {
 Result<ExpressionPtr> NestedReader::expression(const NestedList& list) {
   if (is_in_spare_parentheses(list)) return expression(list.elements().front());
   const Deeper level(*this);
-  ALGEBRA3D_RETURN_IF_ERROR(level.check(place_));
+  A3D_TRY(level.check(place_));
   if (list.is_symbol()) return symbol(list.as_symbol());
   if (!list.is_list()) return make(Literal{list});
   return list_expression(list);
@@ -141,7 +142,7 @@ bool NestedReader::is_type_head(const NestedList& head) const {
 
 Result<ExpressionPtr> NestedReader::constant(const NestedList& type_list, const NestedList& value) {
   TypedLiteral literal;
-  ALGEBRA3D_ASSIGN_OR_RETURN(literal.type, type(type_list));
+  A3D_ASSIGN(literal.type, type(type_list));
   literal.list = value;
   algebra3d::read_large_integers_as_reals(literal.list);
   return make(std::move(literal));
@@ -162,7 +163,7 @@ Result<ExpressionPtr> NestedReader::application(const Operator& op, const List& 
     const bool is_bracket_value =
         index >= pattern.operand_count && pattern.has_brackets && place.kind == PlaceKind::value;
     const NestedList& item = is_bracket_value ? in_brackets(items[index + 1]) : items[index + 1];
-    ALGEBRA3D_ASSIGN_OR_RETURN(Argument next, argument(op.name, place, item));
+    A3D_ASSIGN(Argument next, argument(op.name, place, item));
     result.arguments.push_back(std::move(next));
   }
   return make(std::move(result));
@@ -181,12 +182,12 @@ Result<Argument> NestedReader::argument(const std::string& op, const Place& plac
   argument.kind = place.kind;
   argument.place = place_;
   if (place.kind == PlaceKind::value || place.kind == PlaceKind::function) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(argument.value, expression(item));
+    A3D_ASSIGN(argument.value, expression(item));
     return argument;
   }
   // Lists of functions hold expressions, which would be read twice on every level.
   if (place.kind == PlaceKind::functions && has_form_of_functions(item)) {
-    ALGEBRA3D_RETURN_IF_ERROR(functions(op, item, argument));
+    A3D_TRY(functions(op, item, argument));
     return argument;
   }
   Status read = names_at(op, item, argument);
@@ -245,7 +246,7 @@ Status NestedReader::functions(const std::string& op, const NestedList& item, Ar
   for (const NestedList& element : item.elements()) {
     if (name_in(element.elements()[0]).empty()) return error(op + ": (name function)", element);
     NamedExpression function{name_in(element.elements()[0]), nullptr};
-    ALGEBRA3D_ASSIGN_OR_RETURN(function.value, expression(element.elements()[1]));
+    A3D_ASSIGN(function.value, expression(element.elements()[1]));
     argument.functions.push_back(std::move(function));
   }
   return {};
@@ -260,11 +261,11 @@ Result<ExpressionPtr> NestedReader::function(const List& items) {
   for (std::size_t index = 1; index + 1 < items.size(); ++index) {
     if (!is_pair(items[index]) || !is_identifier(symbol_in(items[index].elements()[0])))
       return error("(parameter type)", items[index]);
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax parameter_type, type(items[index].elements()[1]));
+    A3D_ASSIGN(TypeSyntax parameter_type, type(items[index].elements()[1]));
     bound_.push_back(items[index].elements()[0].as_symbol());
     result.parameters.push_back({bound_.back(), std::move(parameter_type)});
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.body, expression(items.back()));
+  A3D_ASSIGN(result.body, expression(items.back()));
   bound_.resize(bound_before);
   return make(std::move(result));
 }
@@ -273,7 +274,7 @@ Result<ExpressionPtr> NestedReader::function(const List& items) {
 Result<ExpressionPtr> NestedReader::function_call(const List& items) {
   FunctionCall call{items.front().as_symbol(), {}};
   for (std::size_t index = 1; index < items.size(); ++index) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr argument, expression(items[index]));
+    A3D_ASSIGN(ExpressionPtr argument, expression(items[index]));
     call.arguments.push_back(std::move(argument));
   }
   return make(std::move(call));
@@ -292,20 +293,20 @@ Result<TypeSyntax> NestedReader::type(const NestedList& list) {
   syntax.name = items.front().as_symbol();
   if (syntax.name == "typeOf" && items.size() == 2) {
     syntax.name.clear();
-    ALGEBRA3D_ASSIGN_OR_RETURN(syntax.type_of, expression(items[1]));
+    A3D_ASSIGN(syntax.type_of, expression(items[1]));
     return syntax;
   }
   if (syntax.name == "tuple") {
     if (items.size() != 2 || !items[1].is_list()) return error("(tuple ((Name type) ...))", list);
     for (const NestedList& element : items[1].elements()) {
       if (!is_pair(element) || !is_identifier(symbol_in(element.elements()[0]))) return error("(Name type)", element);
-      ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax attribute, type(element.elements()[1]));
+      A3D_ASSIGN(TypeSyntax attribute, type(element.elements()[1]));
       syntax.attributes.push_back({element.elements()[0].as_symbol(), std::move(attribute)});
     }
     return syntax;
   }
   for (std::size_t index = 1; index < items.size(); ++index) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax argument, type(items[index]));
+    A3D_ASSIGN(TypeSyntax argument, type(items[index]));
     syntax.arguments.push_back(std::move(argument));
   }
   return syntax;

@@ -5,6 +5,7 @@
 
 #include "algebra3d/values/types/expression_list.h"
 #include "algebra3d/values/types/utf8.h"
+#include "base/propagate.h"
 #include "queries/language/detail/command_parser.h"
 #include "queries/language/expression_parser.h"
 #include "queries/language/nested_reader.h"
@@ -115,9 +116,9 @@ Error too_high(const SourcePlace& place) {
 // A command never begins with a parenthesis, so one that does is a nested list.
 Result<Command> parse_command(std::string_view text, const Registry& registry, const SourcePlace& start,
                               const SessionParameters* parameters) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_text(text, start));
+  A3D_TRY(check_text(text, start));
   if (is_nested_list(text)) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, algebra3d::parse_expression_list(text, start));
+    A3D_ASSIGN(const NestedList list, algebra3d::parse_expression_list(text, start));
     return command_of(list, registry, start);
   }
   Scanner scanner(text, start);
@@ -128,11 +129,11 @@ Result<Command> parse_command(std::string_view text, const Registry& registry, c
 }
 
 Result<ExpressionPtr> parse_expression(std::string_view text, const Registry& registry, const SourcePlace& start) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_text(text, start));
+  A3D_TRY(check_text(text, start));
   Scanner scanner(text, start);
   ExpressionParser parser(scanner, registry);
-  ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr expression, parser.expression());
-  ALGEBRA3D_RETURN_IF_ERROR(parser.expect_end());
+  A3D_ASSIGN(ExpressionPtr expression, parser.expression());
+  A3D_TRY(parser.expect_end());
   return expression;
 }
 

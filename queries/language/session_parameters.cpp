@@ -4,6 +4,7 @@
 
 #include "algebra3d/values/types/utf8.h"
 #include "base/diagnostics.h"
+#include "base/propagate.h"
 #include "queries/language/scanner.h"
 #include "queries/streams/plain_text.h"
 
@@ -94,17 +95,17 @@ std::string_view literal_type(const NestedList& list) {
 // Whether it is a value of the type is found now, not by the first command that uses it.
 Result<SessionParameter> session_parameter(std::string_view type_name, std::string_view value,
                                            const Registry& registry) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Type* type, known_type(type_name, registry));
-  ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, list_of_text(*type, value));
+  A3D_ASSIGN(const Type* type, known_type(type_name, registry));
+  A3D_ASSIGN(NestedList list, list_of_text(*type, value));
   algebra3d::Diagnostics reasons;  // come again when it is used
   algebra3d::Context context{reasons, nullptr, {}};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Value checked, algebra3d::value_from_nested(*type, list, context));
+  A3D_ASSIGN(const algebra3d::Value checked, algebra3d::value_from_nested(*type, list, context));
   return SessionParameter(WrittenConstant{std::string(checked.type().name()), std::move(list)});
 }
 
 Result<std::pair<std::string, SessionParameter>> parse_session_parameter(std::string_view text,
                                                                          const Registry& registry) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_is_text(text));
+  A3D_TRY(check_is_text(text));
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) return wrong_parameter(text, "expected NAME=VALUE or NAME:TYPE=VALUE");
   const std::string_view left = text.substr(0, equals);
@@ -124,7 +125,7 @@ Result<std::pair<std::string, SessionParameter>> parse_session_parameter(std::st
 }
 
 Result<ExpressionNode> parameter_constant(const SessionParameters* parameters, const Token& token) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SessionParameter* parameter, find_parameter(parameters, token));
+  A3D_ASSIGN(const SessionParameter* parameter, find_parameter(parameters, token));
   WrittenConstant constant = written(*parameter);
   // A plain literal also counts where an operator asks for one that it can see before it runs.
   if (constant.type == literal_type(constant.list)) return ExpressionNode(Literal{std::move(constant.list)});
@@ -136,7 +137,7 @@ Result<ExpressionNode> parameter_constant(const SessionParameters* parameters, c
 }
 
 Result<std::string> parameter_text(const SessionParameters* parameters, const Token& token) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SessionParameter* parameter, find_parameter(parameters, token));
+  A3D_ASSIGN(const SessionParameter* parameter, find_parameter(parameters, token));
   const WrittenConstant constant = written(*parameter);
   if (constant.list.is_string()) return constant.list.as_string();
   if (constant.list.is_text()) return constant.list.as_text();

@@ -1,4 +1,5 @@
 // The part of the parser that reads types.
+#include "base/propagate.h"
 #include "queries/language/expression_parser.h"
 
 namespace queries {
@@ -25,21 +26,21 @@ Result<TypeSyntax> ExpressionParser::type() {
   TypeSyntax syntax;
   syntax.place = scanner_.peek().place;
   if (accept("typeOf")) {
-    ALGEBRA3D_RETURN_IF_ERROR(expect("(", "after typeOf"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(syntax.type_of, expression());
-    ALGEBRA3D_RETURN_IF_ERROR(expect(")", "to close typeOf"));
+    A3D_TRY(expect("(", "after typeOf"));
+    A3D_ASSIGN(syntax.type_of, expression());
+    A3D_TRY(expect(")", "to close typeOf"));
     return syntax;
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(syntax.name, name("a type"));
+  A3D_ASSIGN(syntax.name, name("a type"));
   if (!accept("(")) return syntax;
   ++depth_;
-  ALGEBRA3D_RETURN_IF_ERROR(deeper());
+  A3D_TRY(deeper());
   do {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax argument, type());
+    A3D_ASSIGN(TypeSyntax argument, type());
     syntax.arguments.push_back(std::move(argument));
   } while (accept(","));
   --depth_;
-  ALGEBRA3D_RETURN_IF_ERROR(expect(")", "to close the arguments of the type '" + syntax.name + "'"));
+  A3D_TRY(expect(")", "to close the arguments of the type '" + syntax.name + "'"));
   // tuple([A: int]) is a tuple with attributes, not a term over a list.
   if (syntax.name == "tuple" && syntax.arguments.size() == 1 && !syntax.arguments[0].attributes.empty())
     return std::move(syntax.arguments[0]);
@@ -52,15 +53,15 @@ Result<TypeSyntax> ExpressionParser::bracketed_type() {
   syntax.name = "tuple";
   syntax.place = scanner_.take().place;
   ++depth_;
-  ALGEBRA3D_RETURN_IF_ERROR(deeper());
+  A3D_TRY(deeper());
   do {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string attribute, name("an attribute name"));
-    ALGEBRA3D_RETURN_IF_ERROR(expect(":", "after the attribute '" + attribute + "'"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax attribute_type, type());
+    A3D_ASSIGN(std::string attribute, name("an attribute name"));
+    A3D_TRY(expect(":", "after the attribute '" + attribute + "'"));
+    A3D_ASSIGN(TypeSyntax attribute_type, type());
     syntax.attributes.push_back({std::move(attribute), std::move(attribute_type)});
   } while (accept(","));
   --depth_;
-  ALGEBRA3D_RETURN_IF_ERROR(expect("]", "to close the attributes"));
+  A3D_TRY(expect("]", "to close the attributes"));
   return syntax;
 }
 

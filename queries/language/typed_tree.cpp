@@ -11,6 +11,7 @@
 #include "algebra3d/operators/registry/conversion.h"
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 #include "queries/streams/value_operators.h"
 
 namespace queries {
@@ -23,7 +24,7 @@ Result<std::vector<Datum>> evaluate_all(const std::vector<TypedPtr>& nodes, cons
   std::vector<Datum> values;
   values.reserve(nodes.size());
   for (const TypedPtr& node : nodes) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Datum value, node->evaluate(frame, context));
+    A3D_ASSIGN(Datum value, node->evaluate(frame, context));
     values.push_back(std::move(value));
   }
   return values;
@@ -34,7 +35,7 @@ class ValueNode : public TypedNode {
  public:
   using TypedNode::TypedNode;
   Result<Datum> evaluate(const Frame* frame, Context& context) const final {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value value, evaluate_value(frame, context));
+    A3D_ASSIGN(Value value, evaluate_value(frame, context));
     return Datum{std::move(value)};
   }
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override = 0;
@@ -107,7 +108,7 @@ class AttributeNode final : public ValueNode {
       : ValueNode(std::move(type), std::move(place)), tuple_(std::move(tuple)), index_(index) {}
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
     if (const Datum* const tuple = tuple_->find(frame)) return tuple->tuple()->attributes[index_];
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum tuple, tuple_->evaluate(frame, context));
+    A3D_ASSIGN(const Datum tuple, tuple_->evaluate(frame, context));
     return tuple.tuple()->attributes[index_];
   }
 
@@ -122,7 +123,7 @@ class Arguments {
   Result<std::span<Value>> evaluate(const std::vector<TypedPtr>& nodes, const Frame* frame, Context& context) {
     values_.reserve(nodes.size());
     for (const TypedPtr& node : nodes) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(Value value, node->evaluate_value(frame, context));
+      A3D_ASSIGN(Value value, node->evaluate_value(frame, context));
       values_.push_back(std::move(value));
     }
     return std::span<Value>(values_);
@@ -142,7 +143,7 @@ class ValueCallNode final : public ValueNode {
       : ValueNode(call.overload->result_type(), std::move(place)), call_(call), arguments_(std::move(arguments)) {}
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
     Arguments arguments;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::span<Value> values, arguments.evaluate(arguments_, frame, context));
+    A3D_ASSIGN(const std::span<Value> values, arguments.evaluate(arguments_, frame, context));
     auto value = Registry::call(call_, values, context);
     if (!value) return std::move(value).error().at(place());
     return value;
@@ -169,7 +170,7 @@ class ShortCircuitNode final : public ValueNode {
         first_(std::move(first)),
         second_(std::move(second)) {}
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value first, first_->evaluate_value(frame, context));
+    A3D_ASSIGN(const Value first, first_->evaluate_value(frame, context));
     if (!first.is_defined() || first.get<bool>() == decisive_) return first;
     return second_->evaluate_value(frame, context);
   }
@@ -187,7 +188,7 @@ class TableCallNode final : public TypedNode {
       : TypedNode(call.overload->result_type(), std::move(place)), call_(call), arguments_(std::move(arguments)) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override {
     Arguments arguments;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::span<Value> values, arguments.evaluate(arguments_, frame, context));
+    A3D_ASSIGN(const std::span<Value> values, arguments.evaluate(arguments_, frame, context));
     auto rows = Registry::rows(call_, values, context);
     if (!rows) return std::move(rows).error().at(place());
     return stream_of(std::move(rows).value(), *call_.overload, context);
@@ -203,8 +204,8 @@ class StreamCallNode final : public TypedNode {
   StreamCallNode(const algebra3d::Operator& op, BoundOperator bound, std::vector<TypedPtr> arguments, SourcePlace place)
       : TypedNode(bound.type, std::move(place)), op_(op), bound_(std::move(bound)), arguments_(std::move(arguments)) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override {
-    if (op_.changes_relations) ALGEBRA3D_RETURN_IF_ERROR(context.check_changing(op_.name + " changes a relation"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Datum> values, evaluate_all(arguments_, frame, context));
+    if (op_.changes_relations) A3D_TRY(context.check_changing(op_.name + " changes a relation"));
+    A3D_ASSIGN(std::vector<Datum> values, evaluate_all(arguments_, frame, context));
     auto result = bound_.run(std::move(values), context);
     if (!result) return std::move(result).error().at(place());
     return result;
@@ -221,7 +222,7 @@ class ListNode final : public TypedNode {
   ListNode(std::vector<TypedPtr> elements, SourcePlace place)
       : TypedNode("list", std::move(place)), elements_(std::move(elements)) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Datum> values, evaluate_all(elements_, frame, context));
+    A3D_ASSIGN(std::vector<Datum> values, evaluate_all(elements_, frame, context));
     return Datum{DatumList(std::move(values))};
   }
 
@@ -274,13 +275,13 @@ class Closure final : public Function {
   }
   Result<Datum> call(std::span<const Datum> arguments) const override {
     const CallLevels levels(node_->height());
-    ALGEBRA3D_RETURN_IF_ERROR(check_call());
+    A3D_TRY(check_call());
     const Frame frame = frame_of(arguments);
     return node_->body().evaluate(&frame, context_);
   }
   Result<Value> call_for_value(std::span<const Datum> arguments) const override {
     const CallLevels levels(node_->height());
-    ALGEBRA3D_RETURN_IF_ERROR(check_call());
+    A3D_TRY(check_call());
     const Frame frame = frame_of(arguments);
     return node_->body().evaluate_value(&frame, context_);
   }
@@ -316,8 +317,8 @@ class FunctionCallNode final : public TypedNode {
         function_(std::move(function)),
         arguments_(std::move(arguments)) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum function, function_->evaluate(frame, context));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Datum> values, evaluate_all(arguments_, frame, context));
+    A3D_ASSIGN(const Datum function, function_->evaluate(frame, context));
+    A3D_ASSIGN(const std::vector<Datum> values, evaluate_all(arguments_, frame, context));
     return function.function().call(values);
   }
 
@@ -331,7 +332,7 @@ class ConversionNode final : public ValueNode {
   ConversionNode(TypedPtr argument, const algebra3d::Type& to)
       : ValueNode(to.term(), argument->place()), argument_(std::move(argument)), to_(to) {}
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, argument_->evaluate_value(frame, context));
+    A3D_ASSIGN(const Value value, argument_->evaluate_value(frame, context));
     return algebra3d::converted(value, to_);
   }
   bool is_always_defined() const override { return argument_->is_always_defined(); }
@@ -344,7 +345,7 @@ class ConversionNode final : public ValueNode {
 }  // namespace
 
 Result<Value> TypedNode::evaluate_value(const Frame* frame, Context& context) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Datum datum, evaluate(frame, context));
+  A3D_ASSIGN(Datum datum, evaluate(frame, context));
   return std::get<Value>(std::move(datum.content));
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/polled_input.h"
+#include "base/propagate.h"
 #include "base/temporary_folder.h"
 #include "queries/server/detail/api.h"
 #include "queries/server/detail/http_listener.h"
@@ -54,7 +55,7 @@ Result<std::string> token_of(const ServerOptions& options, const std::atomic<boo
 Status prepare_database(const ServerOptions& options, const algebra3d::Registry& registry,
                         const std::function<void(const std::string&)>& note) {
   Session session(registry, {.read_only = options.read_only});
-  ALGEBRA3D_RETURN_IF_ERROR(session.open_file(options.database));
+  A3D_TRY(session.open_file(options.database));
   if (const std::string notice = session.store()->opening_notice(); !notice.empty()) note(notice);
   if (session.has_made_database())
     note("there was no database '" + options.database.string() + "'; a new, empty one was made");
@@ -86,7 +87,7 @@ Status serve(const ServerOptions& options, const algebra3d::Registry& registry, 
              const std::function<void(const std::string&)>& ready,
              const std::function<void(const std::string&)>& note) {
   const ServerLimits limits;
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string token, token_of(options, stop));
+  A3D_ASSIGN(std::string token, token_of(options, stop));
   if (!is_loopback(options.listen) && token.empty())
     return Error{ErrorCode::wrong_usage,
                  "--listen {}: without a token the server listens to loopback addresses only; give one by --token-file "
@@ -94,14 +95,13 @@ Status serve(const ServerOptions& options, const algebra3d::Registry& registry, 
                  options.listen};
   std::vector<SiteName> further_names;
   for (const std::string& text : options.hosts) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(SiteName name, site_name(text));
+    A3D_ASSIGN(SiteName name, site_name(text));
     further_names.push_back(std::move(name));
   }
-  ALGEBRA3D_RETURN_IF_ERROR(prepare_database(options, registry, note));
-  ALGEBRA3D_ASSIGN_OR_RETURN(DatabaseIdentity database, DatabaseIdentity::of(options.database));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto listener,
-                             HttpListener::bind(options.listen, options.port, limits_of_connections(limits)));
-  ALGEBRA3D_ASSIGN_OR_RETURN(algebra3d::TemporaryFolder uploads, algebra3d::TemporaryFolder::make());
+  A3D_TRY(prepare_database(options, registry, note));
+  A3D_ASSIGN(DatabaseIdentity database, DatabaseIdentity::of(options.database));
+  A3D_ASSIGN(const auto listener, HttpListener::bind(options.listen, options.port, limits_of_connections(limits)));
+  A3D_ASSIGN(algebra3d::TemporaryFolder uploads, algebra3d::TemporaryFolder::make());
   Api api(registry, options, limits, token, site_names(options.listen, listener->port(), std::move(further_names)),
           std::move(uploads), std::move(database));
   auto tended = std::chrono::steady_clock::now();

@@ -1,6 +1,7 @@
 // The commands of a session that hold other commands, and those that set options.
 #include <map>
 
+#include "base/propagate.h"
 #include "queries/language/checker.h"
 #include "queries/language/syntax_tree.h"
 #include "queries/session/detail/objects.h"
@@ -10,21 +11,21 @@ namespace queries {
 
 Result<Value> Session::evaluate_alone(const Expression& expression, Context& context) {
   std::optional<Value> result;
-  ALGEBRA3D_RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
+  A3D_TRY(in_transaction(false, [&]() -> Status {
     Objects objects(registry_, store_.get(), context);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(expression));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, node->evaluate(nullptr, context));
+    A3D_ASSIGN(const TypedPtr node, Checker(registry_, objects, context).check(expression));
+    A3D_ASSIGN(const Datum datum, node->evaluate(nullptr, context));
     const auto* value = std::get_if<Value>(&datum.content);
     if (value == nullptr)
       return Error(ErrorCode::type_error, "expected a value, got {}", node->type().text()).at(expression.place);
-    ALGEBRA3D_ASSIGN_OR_RETURN(result, value->loaded());
+    A3D_ASSIGN(result, value->loaded());
     return {};
   }));
   return *std::move(result);
 }
 
 Result<bool> Session::holds(const Expression& condition, std::string_view command, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, evaluate_alone(condition, context));
+  A3D_ASSIGN(const Value value, evaluate_alone(condition, context));
   if (value.type().name() != "bool")
     return Error(ErrorCode::type_error, "{}: expected a condition of type bool, got {}", command, value.type().name())
         .at(condition.place);
@@ -34,7 +35,7 @@ Result<bool> Session::holds(const Expression& condition, std::string_view comman
 }
 
 Status Session::run(const Conditional& command, Presenter& presenter, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_true, holds(*command.condition, "if", context));
+  A3D_ASSIGN(const bool is_true, holds(*command.condition, "if", context));
   if (is_true) return run(*command.then_branch, presenter, context);
   if (command.else_branch != nullptr) return run(*command.else_branch, presenter, context);
   return {};
@@ -42,10 +43,10 @@ Status Session::run(const Conditional& command, Presenter& presenter, Context& c
 
 Status Session::run(const Loop& command, Presenter& presenter, Context& context) {
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_true, holds(*command.condition, "while", context));
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const bool is_true, holds(*command.condition, "while", context));
     if (!is_true) return {};
-    ALGEBRA3D_RETURN_IF_ERROR(run(*command.body, presenter, context));
+    A3D_TRY(run(*command.body, presenter, context));
     if (has_failed_by_result(presenter)) return {};
   }
 }
@@ -87,7 +88,7 @@ Status Session::run(const SetOption& command, Presenter&, Context& context) {
       {"timing", &SessionOptions::shows_timing},
       {"paging", &SessionOptions::uses_pager},
       {"restoreReads", &SessionOptions::restore_reads}};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, evaluate_alone(*command.value, context));
+  A3D_ASSIGN(const Value value, evaluate_alone(*command.value, context));
   if (command.name == "memory") return set_memory(value, command.value->place);
   const auto found = switches.find(command.name);
   if (found == switches.end()) {

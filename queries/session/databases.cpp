@@ -1,6 +1,7 @@
 // The commands of a session that create, open, close and delete databases.
 #include <algorithm>
 
+#include "base/propagate.h"
 #include "queries/session/session.h"
 #include "queries/store/database_creation.h"
 #include "queries/store/store_options.h"
@@ -31,17 +32,17 @@ Result<std::filesystem::path> Session::database_file(const std::string& name) co
 }
 
 Status Session::run(const CreateDatabase& command, Presenter&, Context&) {
-  ALGEBRA3D_RETURN_IF_ERROR(require_closed());
+  A3D_TRY(require_closed());
   if (options_.read_only) return Error{ErrorCode::database_read_only, "create database: the session is read-only"};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto file, database_file(command.name));
-  ALGEBRA3D_RETURN_IF_ERROR(Store::open(file, OpenMode::create, registry_));
+  A3D_ASSIGN(const auto file, database_file(command.name));
+  A3D_TRY(Store::open(file, OpenMode::create, registry_));
   return {};
 }
 
 Status Session::run(const OpenDatabase& command, Presenter&, Context& context) {
-  ALGEBRA3D_RETURN_IF_ERROR(require_closed());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto file, database_file(command.name));
-  ALGEBRA3D_RETURN_IF_ERROR(open_store(file, options_.read_only ? OpenMode::read_only : OpenMode::read_write));
+  A3D_TRY(require_closed());
+  A3D_ASSIGN(const auto file, database_file(command.name));
+  A3D_TRY(open_store(file, options_.read_only ? OpenMode::read_only : OpenMode::read_write));
   if (!store_->opening_notice().empty()) context.diagnostics.report(store_->opening_notice());
   return {};
 }
@@ -51,7 +52,7 @@ Status Session::run(const CloseDatabase&, Presenter&, Context&) {
     damaged_.reset();
     return {};
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Store* const store, required_store());
+  A3D_ASSIGN(const Store* const store, required_store());
   if (store->is_in_explicit_transaction())
     return Error{ErrorCode::wrong_usage,
                  "a transaction is running; end it with `commit transaction` or `abort transaction` first"};
@@ -60,14 +61,14 @@ Status Session::run(const CloseDatabase&, Presenter&, Context&) {
 }
 
 Status Session::run(const DeleteDatabase& command, Presenter&, Context&) {
-  ALGEBRA3D_RETURN_IF_ERROR(require_closed());
+  A3D_TRY(require_closed());
   if (options_.read_only) return Error{ErrorCode::database_read_only, "delete database: the session is read-only"};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto file, database_file(command.name));
+  A3D_ASSIGN(const auto file, database_file(command.name));
   return delete_database_file(file);
 }
 
 Status Session::run(const TransactionStep& command, Presenter&, Context&) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  A3D_ASSIGN(Store * store, required_store());
   switch (command.step) {
     case TransactionStep::Step::begin:
       return store->begin_transaction();
@@ -88,8 +89,8 @@ Result<std::vector<Finding>> Session::findings(Presenter& presenter, Context& co
     if (found && found->empty()) found->push_back({.message = "the catalogue: " + damaged_->error.message});
     return found;
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(store->begin(false));
+  A3D_ASSIGN(Store * store, required_store());
+  A3D_TRY(store->begin(false));
   auto found = store->check(context, report);
   store->rollback();
   return found;
@@ -97,7 +98,7 @@ Result<std::vector<Finding>> Session::findings(Presenter& presenter, Context& co
 
 // (inquiry (findings ((object tuple attribute 'what is wrong') ...))); a database with findings is an error.
 Status Session::run(const CheckDatabase&, Presenter& presenter, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Finding> found, findings(presenter, context));
+  A3D_ASSIGN(const std::vector<Finding> found, findings(presenter, context));
   const bool is_shown = presenter.shows_inquiries();
   NestedList::List rows;
   for (const Finding& finding : found) {
@@ -106,7 +107,7 @@ Status Session::run(const CheckDatabase&, Presenter& presenter, Context& context
                                     NestedList(finding.attribute), NestedList::text(finding.message)));
   }
   const std::size_t count = rows.size();
-  ALGEBRA3D_RETURN_IF_ERROR(presenter.present_inquiry(NestedList::list(
+  A3D_TRY(presenter.present_inquiry(NestedList::list(
       NestedList::symbol("inquiry"), NestedList::list(NestedList::symbol("findings"), NestedList(std::move(rows))))));
   if (count == 0) return {};
   return Error{ErrorCode::database_corrupt, "check database: {} finding{}; they are {}", count, count == 1 ? "" : "s",

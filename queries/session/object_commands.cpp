@@ -3,6 +3,7 @@
 
 #include "algebra3d/operators/registry/conversion.h"
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/language/checker.h"
 #include "queries/language/parser.h"
 #include "queries/language/syntax_tree.h"
@@ -28,7 +29,7 @@ Error cannot_be_stored(std::string_view command, const TypeExpr& type) {
 // may be deleted.
 Result<std::string> function_text(const Expression& value, Store& store, const algebra3d::Registry& registry) {
   if (const auto* use = std::get_if<NameUse>(&value.node)) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto named, store.find(use->name));
+    A3D_ASSIGN(const auto named, store.find(use->name));
     if (named && !named->function_text.empty()) return named->function_text;
   }
   return text_to_keep(value, registry);
@@ -40,7 +41,7 @@ std::string named_in_note(const std::vector<std::string>& names) {
 }
 
 Status check_derivable(const Expression& value, Store& store, const algebra3d::Registry& registry) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto change, find_change(value, store, registry));
+  A3D_ASSIGN(const auto change, find_change(value, store, registry));
   if (!change) return {};
   return Error{ErrorCode::wrong_usage,
                "derive: the expression {}, which it would do again whenever it is evaluated; use let", change->text()};
@@ -70,11 +71,11 @@ Status Session::check_new_name(const std::string& name, const SourcePlace& place
 }
 
 Status Session::run(const CreateObject& command, Presenter&, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, command.name_place));
+  A3D_ASSIGN(Store * store, required_store());
+  A3D_TRY(check_new_name(command.name, command.name_place));
   return in_transaction(true, [&]() -> Status {
     Objects objects(registry_, store, context);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
+    A3D_ASSIGN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
     if (!can_be_stored(type, registry_) || type.is_function() || is_index(type))
       return cannot_be_stored("create", type);
     return at_name(store->create(command.name, type), command.name_place);
@@ -82,10 +83,10 @@ Status Session::run(const CreateObject& command, Presenter&, Context& context) {
 }
 
 Status Session::run(const LetObject& command, Presenter&, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, command.name_place));
+  A3D_ASSIGN(Store * store, required_store());
+  A3D_TRY(check_new_name(command.name, command.name_place));
   return in_transaction(true, [&]() -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    A3D_ASSIGN(const auto existing, store->find(command.name));
     if (!existing) return define(command.name, *command.value, false, context);
     if (!command.replaces)
       return Error(ErrorCode::name_exists, "there is an object '{}' already; delete it first, or use let_",
@@ -94,18 +95,18 @@ Status Session::run(const LetObject& command, Presenter&, Context& context) {
     // The new value may come out of the old one, so it is made under another name before the old one goes.
     const std::string interim = " " + command.name;
     return change_definitions("let_", context, [&]() -> Status {
-      ALGEBRA3D_RETURN_IF_ERROR(define(command.name, *command.value, false, context, interim));
-      ALGEBRA3D_RETURN_IF_ERROR(remove(command.name, false, "let_", context));
+      A3D_TRY(define(command.name, *command.value, false, context, interim));
+      A3D_TRY(remove(command.name, false, "let_", context));
       return store->rename(interim, command.name);
     });
   });
 }
 
 Status Session::run(const DeriveObject& command, Presenter&, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, command.name_place));
+  A3D_ASSIGN(Store * store, required_store());
+  A3D_TRY(check_new_name(command.name, command.name_place));
   return in_transaction(true, [&]() -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    A3D_ASSIGN(const auto existing, store->find(command.name));
     if (existing)
       return Error(ErrorCode::name_exists, "there is an object '{}' already; delete it first", command.name)
           .at(command.name_place);
@@ -117,7 +118,7 @@ Status Session::run(const DeriveObject& command, Presenter&, Context& context) {
 Result<TypedPtr> Session::checked_definition(const Expression& value, bool is_derived, Objects& objects,
                                              Context& context) {
   auto node = Checker(registry_, objects, context).check(value);
-  if (!node && is_derived) ALGEBRA3D_RETURN_IF_ERROR(check_derivable(value, *store_, registry_));
+  if (!node && is_derived) A3D_TRY(check_derivable(value, *store_, registry_));
   return node;
 }
 
@@ -134,37 +135,36 @@ Status Session::define(const std::string& final_name, const Expression& value, b
   const TypeExpr& type = (*node)->type();
   if (!can_be_stored(type, registry_)) return cannot_be_stored(is_derived ? "derive" : "let", type);
   if (is_derived || type.is_function())
-    ALGEBRA3D_RETURN_IF_ERROR(
-        check_no_circle({final_name, is_derived && !type.is_function(), used_names(value)}, *store_, registry_));
+    A3D_TRY(check_no_circle({final_name, is_derived && !type.is_function(), used_names(value)}, *store_, registry_));
   if (type.is_function()) {
-    ALGEBRA3D_RETURN_IF_ERROR(check_operator_name(final_name, value, *store_, registry_));
+    A3D_TRY(check_operator_name(final_name, value, *store_, registry_));
     report_operator(registry_.find_operator(final_name), is_derived ? "derive" : "let", context);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::string text, function_text(value, *store_, registry_));
+    A3D_ASSIGN(const std::string text, function_text(value, *store_, registry_));
     return store_->create_function(name, type, text);
   }
   std::string kept_text;
   if (is_derived) {
-    ALGEBRA3D_RETURN_IF_ERROR(check_derivable(value, *store_, registry_));
-    ALGEBRA3D_ASSIGN_OR_RETURN(kept_text, text_to_keep(value, registry_));
+    A3D_TRY(check_derivable(value, *store_, registry_));
+    A3D_ASSIGN(kept_text, text_to_keep(value, registry_));
   }
   const OwnResult result(context);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, (*node)->evaluate(nullptr, own));
+  A3D_ASSIGN(const Datum datum, (*node)->evaluate(nullptr, own));
   judge(result, datum);
-  ALGEBRA3D_RETURN_IF_ERROR(is_derived ? store_->create_derived(name, type, kept_text) : store_->create(name, type));
+  A3D_TRY(is_derived ? store_->create_derived(name, type, kept_text) : store_->create(name, type));
   return store_->assign(name, datum, own);
 }
 
 Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  A3D_ASSIGN(Store * store, required_store());
   return in_transaction(true, [&]() -> Status {
     Objects objects(registry_, store, context);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    A3D_ASSIGN(const auto existing, store->find(command.name));
     if (!existing) return no_object(command.name, *store, "; use let to create one");
     if (!existing->derived_text.empty())
       return Error{ErrorCode::wrong_usage,
                    "update: '{}' is derived from other objects; delete it and use let for a value of its own",
                    command.name};
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr node, Checker(registry_, objects, context).check(*command.value));
+    A3D_ASSIGN(TypedPtr node, Checker(registry_, objects, context).check(*command.value));
     if (const bool are_characters = existing->type.is("string") || existing->type.is("text");
         are_characters && algebra3d::conversion_cost(node->type(), existing->type.name()))
       node = make_conversion(std::move(node), *registry_.find_type(existing->type.name()));
@@ -172,14 +172,14 @@ Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
       return Error{ErrorCode::type_error, "update: '{}' is of type {}, the new value of type {}", command.name,
                    existing->type.text(), node->type().text()};
     if (existing->type.is_function()) {
-      ALGEBRA3D_RETURN_IF_ERROR(check_no_circle({command.name, false, used_names(*command.value)}, *store, registry_));
-      ALGEBRA3D_RETURN_IF_ERROR(check_operator_name(command.name, *command.value, *store, registry_));
-      ALGEBRA3D_ASSIGN_OR_RETURN(const std::string text, function_text(*command.value, *store, registry_));
-      ALGEBRA3D_RETURN_IF_ERROR(store->remove(command.name));
+      A3D_TRY(check_no_circle({command.name, false, used_names(*command.value)}, *store, registry_));
+      A3D_TRY(check_operator_name(command.name, *command.value, *store, registry_));
+      A3D_ASSIGN(const std::string text, function_text(*command.value, *store, registry_));
+      A3D_TRY(store->remove(command.name));
       return store->create_function(command.name, existing->type, text);
     }
     const OwnResult result(context);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
+    A3D_ASSIGN(const Datum value, node->evaluate(nullptr, context));
     judge(result, value);
     return store->assign(command.name, value, context);
   });
@@ -187,11 +187,11 @@ Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
 
 // Indexes go with their relation.
 Status Session::remove(const std::string& name, bool kills, std::string_view command, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto before, store_->objects());
-  ALGEBRA3D_RETURN_IF_ERROR(kills ? store_->kill(name) : store_->remove(name));
+  A3D_ASSIGN(const auto before, store_->objects());
+  A3D_TRY(kills ? store_->kill(name) : store_->remove(name));
   std::vector<std::string> gone;
   for (const ObjectInfo& info : before) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto found, store_->find(info.name));
+    A3D_ASSIGN(const auto found, store_->find(info.name));
     if (!found && info.name != name) gone.push_back(info.name);
   }
   if (!gone.empty())
@@ -201,17 +201,17 @@ Status Session::remove(const std::string& name, bool kills, std::string_view com
 
 // Functions and derived objects stay when something that they need goes.
 Status Session::change_definitions(std::string_view command, Context& context, const std::function<Status()>& change) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto objects, store_->objects());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const UnusableDefinitions before, unusable_definitions(context));
-  ALGEBRA3D_RETURN_IF_ERROR(change());
+  A3D_ASSIGN(const auto objects, store_->objects());
+  A3D_ASSIGN(const UnusableDefinitions before, unusable_definitions(context));
+  A3D_TRY(change());
   GoneNames gone;
   for (const ObjectInfo& info : objects) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto found, store_->find(info.name));
+    A3D_ASSIGN(const auto found, store_->find(info.name));
     if (found) continue;
     gone.all.insert(info.name);
     if (info.type.is_function()) gone.functions.insert(info.name);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const UnusableDefinitions now, unusable_definitions(context, gone));
+  A3D_ASSIGN(const UnusableDefinitions now, unusable_definitions(context, gone));
   const UnusableDefinitions newly = newly_unusable(before, now);
   if (!newly.functions.empty())
     context.diagnostics.show(
@@ -224,9 +224,9 @@ Status Session::change_definitions(std::string_view command, Context& context, c
 }
 
 Status Session::run(const DeleteObject& command, Presenter&, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  A3D_ASSIGN(Store * store, required_store());
   return in_transaction(true, [&]() -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    A3D_ASSIGN(const auto existing, store->find(command.name));
     if (!existing) return no_object(command.name, *store);
     const std::string_view verb = command.kills ? "kill" : "delete";
     return change_definitions(verb, context, [&] { return remove(command.name, command.kills, verb, context); });
@@ -234,35 +234,35 @@ Status Session::run(const DeleteObject& command, Presenter&, Context& context) {
 }
 
 Status Session::run(const RenameObject& command, Presenter&, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.new_name, command.new_name_place));
+  A3D_ASSIGN(Store * store, required_store());
+  A3D_TRY(check_new_name(command.new_name, command.new_name_place));
   return in_transaction(true, [&]() -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.old_name));
+    A3D_ASSIGN(const auto existing, store->find(command.old_name));
     if (!existing) return no_object(command.old_name, *store);
     return change_definitions("changename", context, [&]() -> Status {
-      ALGEBRA3D_RETURN_IF_ERROR(at_name(store->rename(command.old_name, command.new_name), command.new_name_place));
+      A3D_TRY(at_name(store->rename(command.old_name, command.new_name), command.new_name_place));
       return check_no_circle(command.new_name, *store, registry_);
     });
   });
 }
 
 Status Session::run(const DefineType& command, Presenter&, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, command.name_place, "a type"));
+  A3D_ASSIGN(Store * store, required_store());
+  A3D_TRY(check_new_name(command.name, command.name_place, "a type"));
   if (registry_.find_type(command.name) != nullptr || command.name == "longint")
     return Error(ErrorCode::name_exists, "there is a type '{}' already", command.name).at(command.name_place);
   return in_transaction(true, [&]() -> Status {
     Objects objects(registry_, store, context);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
+    A3D_ASSIGN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
     return at_name(store->create_type(command.name, type), command.name_place);
   });
 }
 
 // Objects keep the type that the name stood for; only what is written down keeps the name.
 Status Session::run(const DeleteType& command, Presenter&, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  A3D_ASSIGN(Store * store, required_store());
   return in_transaction(true, [&]() -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find_type(command.name));
+    A3D_ASSIGN(const auto existing, store->find_type(command.name));
     if (!existing) return no_type(command.name, *store);
     return change_definitions("delete type", context, [&] { return store->remove_type(command.name); });
   });

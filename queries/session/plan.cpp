@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/propagate.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
 
@@ -15,8 +16,8 @@ Status exhaust(const Datum& value, const Context& context) {
     return for_each_tuple(**tuples, context, [](const TuplePtr&) { return Status(); });
   const auto* values = std::get_if<ValueStreamPtr>(&value.content);
   while (values != nullptr) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto next, (*values)->next());
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const auto next, (*values)->next());
     if (!next) break;
   }
   return {};
@@ -41,7 +42,7 @@ std::string how_text(const PlanStep& step) {
 }  // namespace
 
 Status run_to_end(const TypedNode& node, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Datum value, node.evaluate(nullptr, context));
+  A3D_ASSIGN(const Datum value, node.evaluate(nullptr, context));
   return exhaust(value, context);
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/values/types/file_atom.h"
+#include "base/propagate.h"
 #include "queries/language/checker.h"
 #include "queries/language/list_pieces.h"
 #include "queries/language/nested_reader.h"
@@ -135,80 +136,80 @@ class Session::Restorer {
 
 Result<std::string> Session::Restorer::symbol(std::string_view what) {
   const SourcePlace place = pieces_.place();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, pieces_.read(what));
+  A3D_ASSIGN(const NestedList list, pieces_.read(what));
   if (list.is_symbol()) return list.as_symbol();
   return Error(ErrorCode::invalid_value, "expected {}, found {}", what, list.print_short()).at(place);
 }
 
 Result<TypeExpr> Session::Restorer::type() {
   const SourcePlace place = pieces_.place();
-  ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, pieces_.read("a type"));
+  A3D_ASSIGN(NestedList list, pieces_.read("a type"));
   // Types without arguments may stand in parentheses.
   if (list.is_list() && list.elements().size() == 1) list = NestedList(list.elements().front());
   // Types of indexes are made by operators and never written, so that the checker knows none.
   if (auto index = TypeExpr::from_nested(list); index && is_index(*index)) return index;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeSyntax syntax, NestedReader(registry_, place).type(list));
+  A3D_ASSIGN(const TypeSyntax syntax, NestedReader(registry_, place).type(list));
   return Checker(registry_, objects_, context_).resolve(syntax);
 }
 
 Status Session::Restorer::database() {
-  ALGEBRA3D_RETURN_IF_ERROR(pieces_.enter());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string head, symbol("DATABASE"));
+  A3D_TRY(pieces_.enter());
+  A3D_ASSIGN(const std::string head, symbol("DATABASE"));
   if (head != "DATABASE")
     return Error{ErrorCode::invalid_value, "restore: expected a list (DATABASE ...), found ({} ...)", head};
-  ALGEBRA3D_RETURN_IF_ERROR(symbol("the name of the database"));
-  ALGEBRA3D_RETURN_IF_ERROR(pieces_.read("(DESCRIPTIVE ALGEBRA)"));
-  ALGEBRA3D_RETURN_IF_ERROR(section());
-  ALGEBRA3D_RETURN_IF_ERROR(section());
-  ALGEBRA3D_RETURN_IF_ERROR(pieces_.leave());
+  A3D_TRY(symbol("the name of the database"));
+  A3D_TRY(pieces_.read("(DESCRIPTIVE ALGEBRA)"));
+  A3D_TRY(section());
+  A3D_TRY(section());
+  A3D_TRY(pieces_.leave());
   return dependent_objects();
 }
 
 // `(TYPES (TYPE name type)...)` or `(OBJECTS (OBJECT ...)...)`
 Status Session::Restorer::section() {
-  ALGEBRA3D_RETURN_IF_ERROR(pieces_.enter());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string head, symbol("TYPES or OBJECTS"));
+  A3D_TRY(pieces_.enter());
+  A3D_ASSIGN(const std::string head, symbol("TYPES or OBJECTS"));
   if (head != "TYPES" && head != "OBJECTS")
     return Error{ErrorCode::invalid_value, "restore: expected TYPES or OBJECTS, found {}", head};
   while (pieces_.enter()) {
-    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
-    ALGEBRA3D_RETURN_IF_ERROR(head == "TYPES" ? named_type() : object_content({}));
+    A3D_TRY(context_.check_cancelled());
+    A3D_TRY(head == "TYPES" ? named_type() : object_content({}));
   }
   return pieces_.leave();
 }
 
 Status Session::Restorer::named_type() {
-  ALGEBRA3D_RETURN_IF_ERROR(symbol("TYPE"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, symbol("the name of a type"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr named, type());
-  ALGEBRA3D_RETURN_IF_ERROR(store_.create_type(name, named));
+  A3D_TRY(symbol("TYPE"));
+  A3D_ASSIGN(const std::string name, symbol("the name of a type"));
+  A3D_ASSIGN(const TypeExpr named, type());
+  A3D_TRY(store_.create_type(name, named));
   return pieces_.leave();
 }
 
 Status Session::Restorer::object(const std::string& new_name) {
-  ALGEBRA3D_RETURN_IF_ERROR(pieces_.enter());
-  ALGEBRA3D_RETURN_IF_ERROR(object_content(new_name));
+  A3D_TRY(pieces_.enter());
+  A3D_TRY(object_content(new_name));
   return dependent_objects();
 }
 
 // The content between the parentheses of an object, and the closing one.
 Status Session::Restorer::object_content(std::string name) {
   const SourcePlace place = pieces_.place();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string head, symbol("OBJECT or DERIVED"));
+  A3D_ASSIGN(const std::string head, symbol("OBJECT or DERIVED"));
   if (head != "OBJECT" && head != "DERIVED")
     return Error(ErrorCode::invalid_value, "expected OBJECT or DERIVED, found {}", head).at(place);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string saved_name, symbol("the name of an object"));
+  A3D_ASSIGN(const std::string saved_name, symbol("the name of an object"));
   if (name.empty()) name = saved_name;
   if (is_reserved(name))
     return Error(ErrorCode::reserved_name, "'{}' is a word of the language and cannot name an object", name).at(place);
   if (head == "DERIVED") {
-    ALGEBRA3D_ASSIGN_OR_RETURN(NestedList expression, pieces_.read("an expression"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto mark, pieces_.next());
+    A3D_ASSIGN(NestedList expression, pieces_.read("an expression"));
+    A3D_ASSIGN(const auto mark, pieces_.next());
     dependents_.push_back({name, std::move(expression), std::nullopt, place, mark == kWasDefined});
     return mark ? rest_of_object() : pieces_.leave();
   }
-  ALGEBRA3D_RETURN_IF_ERROR(pieces_.read("the name of the type, or ()"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr object_type, type());
+  A3D_TRY(pieces_.read("the name of the type, or ()"));
+  A3D_ASSIGN(const TypeExpr object_type, type());
   auto status = value_of(name, object_type);
   if (!status) {
     Error error = std::move(status).error();
@@ -221,7 +222,7 @@ Status Session::Restorer::object_content(std::string name) {
 // Further elements say how the object was stored elsewhere.
 Status Session::Restorer::rest_of_object() {
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto piece, pieces_.next());
+    A3D_ASSIGN(const auto piece, pieces_.next());
     if (!piece) return pieces_.leave();
   }
 }
@@ -229,18 +230,18 @@ Status Session::Restorer::rest_of_object() {
 Status Session::Restorer::value_of(const std::string& name, const TypeExpr& type) {
   if (type.is_relation()) return relation_value(name, type);
   const SourcePlace place = pieces_.place();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto piece, pieces_.next());
+  A3D_ASSIGN(const auto piece, pieces_.next());
   if (!piece) return store_.create(name, type);
-  ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, pieces_.parse(*piece));
+  A3D_ASSIGN(NestedList list, pieces_.parse(*piece));
   if (is_index(type)) {
     dependents_.push_back({name, std::move(list), type, place, false});
     return {};
   }
   if (type.is_function()) return restore_function(name, type, list, place);
-  ALGEBRA3D_RETURN_IF_ERROR(store_.create(name, type));
+  A3D_TRY(store_.create(name, type));
   const algebra3d::Type* value_type = registry_.value_type(type);
   if (value_type == nullptr) return Error{ErrorCode::unknown_name, "unknown type {}", type.text()};
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value value, read_value(*value_type, list));
+  A3D_ASSIGN(Value value, read_value(*value_type, list));
   return store_.assign(name, Datum{std::move(value)}, context_);
 }
 
@@ -254,15 +255,15 @@ Result<Value> Session::Restorer::read_value(const algebra3d::Type& type, const N
 
 Status Session::Restorer::restore_function(const std::string& name, const TypeExpr& type, const NestedList& list,
                                            const SourcePlace& place) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr function, NestedReader(registry_, place).expression(list));
+  A3D_ASSIGN(ExpressionPtr function, NestedReader(registry_, place).expression(list));
   functions_.emplace_back(name, std::move(function));
   return store_.create_function(name, type, list.print());
 }
 
 Status Session::Restorer::relation_value(const std::string& name, const TypeExpr& type) {
-  ALGEBRA3D_RETURN_IF_ERROR(store_.create(name, type));
+  A3D_TRY(store_.create(name, type));
   if (!pieces_.enter()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto piece, pieces_.next());
+    A3D_ASSIGN(const auto piece, pieces_.next());
     if (!piece) return {};  // created and never given a value
     return Error{ErrorCode::invalid_value, "expected a list of tuples, found {}", piece->substr(0, 40)};
   }
@@ -270,10 +271,10 @@ Status Session::Restorer::relation_value(const std::string& name, const TypeExpr
   for (const auto& attribute : type.element().attributes()) types.push_back(registry_.value_type(attribute.type));
   std::size_t number = 0;
   const auto tuples = make_stream([&]() -> Result<TuplePtr> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto piece, pieces_.next());
+    A3D_ASSIGN(const auto piece, pieces_.next());
     if (!piece) return TuplePtr();
     ++number;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList row, pieces_.parse(*piece));
+    A3D_ASSIGN(const NestedList row, pieces_.parse(*piece));
     if (!row.is_list() || row.elements().size() != types.size())
       return Error{ErrorCode::invalid_value, "tuple {}: expected a list of {} values, got {}", number, types.size(),
                    row.print_short()};
@@ -287,7 +288,7 @@ Status Session::Restorer::relation_value(const std::string& name, const TypeExpr
     }
     return TuplePtr(std::move(tuple));
   });
-  ALGEBRA3D_RETURN_IF_ERROR(store_.assign(name, Datum{tuples}, context_));
+  A3D_TRY(store_.assign(name, Datum{tuples}, context_));
   return pieces_.leave();
 }
 
@@ -295,7 +296,7 @@ Status Session::Restorer::relation_value(const std::string& name, const TypeExpr
 // cannot, since something that it uses was renamed, made anew without a value, or lies in a file that is gone, must not
 // keep the rest away.
 Status Session::Restorer::dependent_objects() {
-  ALGEBRA3D_RETURN_IF_ERROR(tell_of_functions());
+  A3D_TRY(tell_of_functions());
   std::vector<std::string> reasons;
   for (bool is_new = true; is_new;) {
     is_new = false;
@@ -305,7 +306,7 @@ Status Session::Restorer::dependent_objects() {
       const std::size_t refusals_before = guard_.refusal_count();
       const auto evaluated = evaluate(dependent);
       if (evaluated) {
-        ALGEBRA3D_RETURN_IF_ERROR(store(dependent, *evaluated));
+        A3D_TRY(store(dependent, *evaluated));
         is_new = true;
         continue;
       }
@@ -340,7 +341,7 @@ void Session::Restorer::leave_out(const std::string& name, const std::string& re
 // call fails.
 Status Session::Restorer::tell_of_functions() {
   for (const auto& [name, function] : functions_) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto change, find_change(*function, store_, registry_));
+    A3D_ASSIGN(const auto change, find_change(*function, store_, registry_));
     if (!change) continue;
     const Status callable = check_operator_name(name, *function, store_, registry_);
     context_.diagnostics.show(callable ? "restore: the function '" + name + "' " + change->text() + " when it is called"
@@ -351,12 +352,11 @@ Status Session::Restorer::tell_of_functions() {
 
 Result<Session::Restorer::Evaluated> Session::Restorer::evaluate(const Dependent& dependent) {
   Objects objects(registry_, &store_, context_);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ExpressionPtr expression,
-                             NestedReader(registry_, dependent.place).expression(dependent.expression));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto change, find_change(*expression, store_, registry_));
+  A3D_ASSIGN(const ExpressionPtr expression, NestedReader(registry_, dependent.place).expression(dependent.expression));
+  A3D_ASSIGN(const auto change, find_change(*expression, store_, registry_));
   if (change) return Error{ErrorCode::wrong_usage, "its expression {}", change->text()};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context_).check(*expression));
-  ALGEBRA3D_ASSIGN_OR_RETURN(Datum value, node->evaluate(nullptr, context_));
+  A3D_ASSIGN(const TypedPtr node, Checker(registry_, objects, context_).check(*expression));
+  A3D_ASSIGN(Datum value, node->evaluate(nullptr, context_));
   const auto* single = std::get_if<Value>(&value.content);
   if (dependent.was_defined && single != nullptr && !single->is_defined())
     return Error{ErrorCode::invalid_value, "it had a value when it was saved and is undefined now"};
@@ -364,27 +364,26 @@ Result<Session::Restorer::Evaluated> Session::Restorer::evaluate(const Dependent
 }
 
 Status Session::Restorer::store(const Dependent& dependent, const Evaluated& evaluated) {
-  ALGEBRA3D_RETURN_IF_ERROR(dependent.index_type
-                                ? store_.create(dependent.name, evaluated.type)
-                                : store_.create_derived(dependent.name, evaluated.type, dependent.expression.print()));
+  A3D_TRY(dependent.index_type ? store_.create(dependent.name, evaluated.type)
+                               : store_.create_derived(dependent.name, evaluated.type, dependent.expression.print()));
   return store_.assign(dependent.name, evaluated.value, context_);
 }
 
 Status Session::run(const RestoreObject& command, Presenter&, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, command.name_place));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(command.file));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(path, command.file, context.cancel));
+  A3D_ASSIGN(Store * store, required_store());
+  A3D_TRY(check_new_name(command.name, command.name_place));
+  A3D_ASSIGN(const std::filesystem::path path, context.resolve(command.file));
+  A3D_ASSIGN(const SavedText saved, SavedText::open(path, command.file, context.cancel));
   return in_transaction(true, [&]() -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    A3D_ASSIGN(const auto existing, store->find(command.name));
     if (existing)
       return Error(ErrorCode::name_exists, "there is an object '{}' already; delete it first", command.name)
           .at(command.name_place);
     ListPieces pieces(saved.text(), saved.name());
     RestoreGuard guard(saved, options_.restore_reads);
     Restorer restorer(registry_, *store, pieces, guard, context);
-    ALGEBRA3D_RETURN_IF_ERROR(restorer.object(command.name));
-    ALGEBRA3D_RETURN_IF_ERROR(guard.verdict(options_.is_shared, context));
+    A3D_TRY(restorer.object(command.name));
+    A3D_TRY(guard.verdict(options_.is_shared, context));
     if (restorer.left_out().empty()) return {};
     return Error{ErrorCode::not_evaluable, "restore: '{}' cannot be derived again; nothing was restored", command.name};
   });
@@ -394,17 +393,17 @@ Status Session::run(const RestoreObject& command, Presenter&, Context& context) 
 // transaction. Either way it is open afterwards. Objects that cannot be derived again are missing in a new database,
 // and the command fails all the same; in place of an existing one that still has their values it does nothing.
 Status Session::run(const RestoreDatabase& command, Presenter&, Context& context) {
-  ALGEBRA3D_RETURN_IF_ERROR(require_closed());
+  A3D_TRY(require_closed());
   if (options_.read_only) return Error{ErrorCode::database_read_only, "restore database: the session is read-only"};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(command.file));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(path, command.file, context.cancel));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto file, database_file(command.name));
+  A3D_ASSIGN(const std::filesystem::path path, context.resolve(command.file));
+  A3D_ASSIGN(const SavedText saved, SavedText::open(path, command.file, context.cancel));
+  A3D_ASSIGN(const auto file, database_file(command.name));
   std::error_code error;
   const bool is_new = !std::filesystem::exists(file, error);
-  if (!is_new) ALGEBRA3D_RETURN_IF_ERROR(check_not_open_elsewhere(file, "restore"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto left_out, is_new ? restore_new(file, saved, context)
-                                                         : restore_into(file, OpenMode::read_write, saved, context));
-  ALGEBRA3D_ASSIGN_OR_RETURN(store_, Store::open(file, OpenMode::read_write, registry_));
+  if (!is_new) A3D_TRY(check_not_open_elsewhere(file, "restore"));
+  A3D_ASSIGN(const auto left_out,
+             is_new ? restore_new(file, saved, context) : restore_into(file, OpenMode::read_write, saved, context));
+  A3D_ASSIGN(store_, Store::open(file, OpenMode::read_write, registry_));
   if (left_out.empty()) return {};
   return Error{ErrorCode::not_evaluable,
                "restore: the database '{}' was restored and is open, without these objects, which cannot be derived "
@@ -415,25 +414,25 @@ Status Session::run(const RestoreDatabase& command, Presenter&, Context& context
 Result<std::vector<std::string>> Session::restore_new(const std::filesystem::path& file, const SavedText& saved,
                                                       Context& context) {
   remove_database_leftovers(file);
-  ALGEBRA3D_ASSIGN_OR_RETURN(DatabaseDraft draft, DatabaseDraft::create(file, kRestoreEnding));
+  A3D_ASSIGN(DatabaseDraft draft, DatabaseDraft::create(file, kRestoreEnding));
   auto left_out = restore_into(draft.path(), OpenMode::draft, saved, context);
   if (!left_out) return told_of(file, draft.path(), std::move(left_out).error());
-  ALGEBRA3D_RETURN_IF_ERROR(draft.publish(false));
+  A3D_TRY(draft.publish(false));
   return left_out;
 }
 
 Result<std::vector<std::string>> Session::restore_into(const std::filesystem::path& file, OpenMode mode,
                                                        const SavedText& saved, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(store_, Store::open(file, mode, registry_));
+  A3D_ASSIGN(store_, Store::open(file, mode, registry_));
   std::vector<std::string> left_out;
   const Status status = in_transaction(true, [&]() -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto before, store_->objects());
-    ALGEBRA3D_RETURN_IF_ERROR(empty_database());
+    A3D_ASSIGN(const auto before, store_->objects());
+    A3D_TRY(empty_database());
     ListPieces pieces(saved.text(), saved.name());
     RestoreGuard guard(saved, options_.restore_reads);
     Restorer restorer(registry_, *store_, pieces, guard, context);
-    ALGEBRA3D_RETURN_IF_ERROR(restorer.database());
-    ALGEBRA3D_RETURN_IF_ERROR(guard.verdict(false, context));
+    A3D_TRY(restorer.database());
+    A3D_TRY(guard.verdict(false, context));
     left_out = restorer.left_out();
     const bool loses_some = std::ranges::any_of(
         before, [&](const ObjectInfo& info) { return std::ranges::find(left_out, info.name) != left_out.end(); });
@@ -449,13 +448,13 @@ Result<std::vector<std::string>> Session::restore_into(const std::filesystem::pa
 }
 
 Status Session::empty_database() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto objects, store_->objects());
+  A3D_ASSIGN(const auto objects, store_->objects());
   for (const ObjectInfo& info : objects) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto present, store_->find(info.name));  // indexes go with their relation
-    if (present) ALGEBRA3D_RETURN_IF_ERROR(store_->kill(info.name));
+    A3D_ASSIGN(const auto present, store_->find(info.name));  // indexes go with their relation
+    if (present) A3D_TRY(store_->kill(info.name));
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto types, store_->types());
-  for (const NamedType& type : types) ALGEBRA3D_RETURN_IF_ERROR(store_->remove_type(type.name));
+  A3D_ASSIGN(const auto types, store_->types());
+  for (const NamedType& type : types) A3D_TRY(store_->remove_type(type.name));
   return {};
 }
 

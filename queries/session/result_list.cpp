@@ -1,4 +1,5 @@
 // Results as nested lists.
+#include "base/propagate.h"
 #include "queries/session/session.h"
 #include "queries/streams/ordered_index.h"
 
@@ -9,7 +10,7 @@ Result<NestedList> tuple_list(const Tuple& tuple) {
   NestedList::List values;
   values.reserve(tuple.attributes.size());
   for (const Value& attribute : tuple.attributes) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, attribute.loaded());
+    A3D_ASSIGN(const Value loaded, attribute.loaded());
     values.push_back(loaded.to_nested());
   }
   return NestedList(std::move(values));
@@ -17,19 +18,19 @@ Result<NestedList> tuple_list(const Tuple& tuple) {
 
 template <typename Index>
 Result<NestedList> index_list(const Index& index) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t size, index.size());
+  A3D_ASSIGN(const std::size_t size, index.size());
   return NestedList::list(NestedList::symbol(index.is_definition() ? index.relation() : "frozen"),
                           NestedList::symbol(index.attribute()), NestedList(static_cast<std::int64_t>(size)));
 }
 
 Result<NestedList> relation_list(Relation& relation, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+  A3D_ASSIGN(const TupleStreamPtr tuples, relation.scan());
   NestedList::List rows;
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const TuplePtr tuple, tuples->next());
     if (tuple == nullptr) return NestedList(std::move(rows));
-    ALGEBRA3D_ASSIGN_OR_RETURN(NestedList row, tuple_list(*tuple));
+    A3D_ASSIGN(NestedList row, tuple_list(*tuple));
     rows.push_back(std::move(row));
   }
 }
@@ -43,12 +44,12 @@ Result<NestedList> value_list(const TypeExpr& type, const Datum& value, Context&
   if (type.is("btree")) return index_list(*value.ordered_index());
   if (!std::holds_alternative<Value>(value.content))
     return Error{ErrorCode::not_evaluable, "a result of type {} cannot be shown", type.text()};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.value().loaded());
+  A3D_ASSIGN(const Value loaded, value.value().loaded());
   return loaded.to_nested();
 }
 
 Result<NestedList> result_list(const TypeExpr& type, const Datum& value, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, value_list(type, value, context));
+  A3D_ASSIGN(NestedList list, value_list(type, value, context));
   return NestedList::list(type.to_nested(), std::move(list));
 }
 

@@ -1,6 +1,7 @@
 #include "queries/session/result_text.h"
 
 #include "algebra3d/values/types/value_text.h"
+#include "base/propagate.h"
 
 namespace queries {
 namespace {
@@ -8,7 +9,7 @@ namespace {
 Status append_tuple(const Tuple& tuple, std::string& text) {
   text += '(';
   for (std::size_t i = 0; i < tuple.attributes.size(); ++i) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, tuple.attributes[i].loaded());
+    A3D_ASSIGN(const Value loaded, tuple.attributes[i].loaded());
     if (i > 0) text += ' ';
     algebra3d::append_text(loaded, text);
   }
@@ -17,14 +18,14 @@ Status append_tuple(const Tuple& tuple, std::string& text) {
 }
 
 Result<std::string> relation_text(Relation& relation, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+  A3D_ASSIGN(const TupleStreamPtr tuples, relation.scan());
   std::string text = "(";
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const TuplePtr tuple, tuples->next());
     if (tuple == nullptr) return text + ")";
     if (text.size() > 1) text += ' ';
-    ALGEBRA3D_RETURN_IF_ERROR(append_tuple(*tuple, text));
+    A3D_TRY(append_tuple(*tuple, text));
   }
 }
 
@@ -33,17 +34,17 @@ Result<std::string> relation_text(Relation& relation, Context& context) {
 Result<std::string> value_text(const TypeExpr& type, const Datum& value, Context& context) {
   if (type.is_relation()) return relation_text(*value.relation(), context);
   if (const auto* const single = std::get_if<Value>(&value.content)) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, single->loaded());
+    A3D_ASSIGN(const Value loaded, single->loaded());
     std::string text;
     algebra3d::append_text(loaded, text);
     return text;
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, value_list(type, value, context));
+  A3D_ASSIGN(const NestedList list, value_list(type, value, context));
   return list.print();
 }
 
 Result<std::string> result_text(const TypeExpr& type, const Datum& value, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string text, value_text(type, value, context));
+  A3D_ASSIGN(const std::string text, value_text(type, value, context));
   return "(" + type.to_nested().print() + " " + text + ")";
 }
 

@@ -6,6 +6,7 @@
 
 #include "algebra3d/values/types/value_text.h"
 #include "base/atomic_file.h"
+#include "base/propagate.h"
 #include "queries/language/scanner.h"
 #include "queries/session/detail/objects.h"
 #include "queries/session/detail/saved_list.h"
@@ -59,17 +60,17 @@ class ObjectWriter {
   ObjectWriter(Store& store, ListFile& file, Context& context) : store_(store), file_(file), context_(context) {}
 
   Status write(const ObjectInfo& info) {
-    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+    A3D_TRY(context_.check_cancelled());
     if (!info.derived_text.empty()) return write_derived(info);
-    ALGEBRA3D_RETURN_IF_ERROR(file_.write("    (OBJECT ", info.name, " () ", info.type.text()));
-    if (info.has_value) ALGEBRA3D_RETURN_IF_ERROR(write_value(info));
+    A3D_TRY(file_.write("    (OBJECT ", info.name, " () ", info.type.text()));
+    if (info.has_value) A3D_TRY(write_value(info));
     return file_.write(")\n");
   }
 
  private:
   Status write_derived(const ObjectInfo& info) {
-    ALGEBRA3D_RETURN_IF_ERROR(file_.write("    (DERIVED ", info.name, " ", info.derived_text));
-    if (is_defined(info)) ALGEBRA3D_RETURN_IF_ERROR(file_.write(" ", kWasDefined));
+    A3D_TRY(file_.write("    (DERIVED ", info.name, " ", info.derived_text));
+    if (is_defined(info)) A3D_TRY(file_.write(" ", kWasDefined));
     return file_.write(")\n");
   }
 
@@ -83,14 +84,14 @@ class ObjectWriter {
 
   Status write_value(const ObjectInfo& info) {
     if (info.type.is_function()) return file_.write(" ", info.function_text, " ()");
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum value, store_.read(info.name));
+    A3D_ASSIGN(const Datum value, store_.read(info.name));
     if (info.type.is_relation()) {
       warn_of_tuple_numbers(info);
       return write_relation(*value.relation());
     }
     if (info.type.is("rtree3")) return write_index(info, *value.index(), "creatertree");
     if (info.type.is("btree")) return write_index(info, *value.ordered_index(), "createbtree");
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.value().loaded());
+    A3D_ASSIGN(const Value loaded, value.value().loaded());
     std::string text;
     append_text(loaded, text);
     return file_.write(" ", text, " ()");
@@ -104,19 +105,19 @@ class ObjectWriter {
   }
 
   Status write_relation(Relation& relation) {
-    ALGEBRA3D_RETURN_IF_ERROR(file_.write(" ("));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+    A3D_TRY(file_.write(" ("));
+    A3D_ASSIGN(const TupleStreamPtr tuples, relation.scan());
     while (true) {
-      ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
-      ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+      A3D_TRY(context_.check_cancelled());
+      A3D_ASSIGN(const TuplePtr tuple, tuples->next());
       if (tuple == nullptr) return file_.write(") ()");
       std::string row;
       for (const Value& attribute : tuple->attributes) {
-        ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, attribute.loaded());
+        A3D_ASSIGN(const Value loaded, attribute.loaded());
         if (!row.empty()) row += ' ';
         append_text(loaded, row);
       }
-      ALGEBRA3D_RETURN_IF_ERROR(file_.write("\n      (", row, ")"));
+      A3D_TRY(file_.write("\n      (", row, ")"));
     }
   }
 
@@ -139,7 +140,7 @@ class ObjectWriter {
 
 // Their values are not saved, as those of no derived object are.
 Status Session::note_underivable(const std::string& name, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(UnusableDefinitions unusable, unusable_definitions(context));
+  A3D_ASSIGN(UnusableDefinitions unusable, unusable_definitions(context));
   if (!name.empty()) std::erase_if(unusable.underivable, [&](const Underivable& each) { return each.name != name; });
   if (unusable.underivable.empty()) return {};
   context.diagnostics.show(
@@ -151,34 +152,33 @@ Status Session::note_underivable(const std::string& name, Context& context) {
 }
 
 Status Session::run(const SaveDatabase& command, Presenter&, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::OutputPath path, context.resolve_output(command.file));
-  ALGEBRA3D_ASSIGN_OR_RETURN(ListFile file, ListFile::create(path));
+  A3D_ASSIGN(Store * store, required_store());
+  A3D_ASSIGN(const algebra3d::OutputPath path, context.resolve_output(command.file));
+  A3D_ASSIGN(ListFile file, ListFile::create(path));
   Status status = in_transaction(false, [&]() -> Status {
-    ALGEBRA3D_RETURN_IF_ERROR(note_underivable({}, context));
-    ALGEBRA3D_RETURN_IF_ERROR(
+    A3D_TRY(note_underivable({}, context));
+    A3D_TRY(
         file.write(kSavedHere, "\n(DATABASE ", word_of_database(store->file()), "\n  (DESCRIPTIVE ALGEBRA)\n  (TYPES"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto types, store->types());
-    for (const NamedType& type : types)
-      ALGEBRA3D_RETURN_IF_ERROR(file.write("\n    (TYPE ", type.name, " ", type.type.text(), ")"));
-    ALGEBRA3D_RETURN_IF_ERROR(file.write(")\n  (OBJECTS\n"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto objects, store->objects());
+    A3D_ASSIGN(const auto types, store->types());
+    for (const NamedType& type : types) A3D_TRY(file.write("\n    (TYPE ", type.name, " ", type.type.text(), ")"));
+    A3D_TRY(file.write(")\n  (OBJECTS\n"));
+    A3D_ASSIGN(const auto objects, store->objects());
     ObjectWriter writer(*store, file, context);
-    for (const ObjectInfo& info : objects) ALGEBRA3D_RETURN_IF_ERROR(writer.write(info));
+    for (const ObjectInfo& info : objects) A3D_TRY(writer.write(info));
     return file.write("  ))\n");
   });
   return status ? file.finish() : status;
 }
 
 Status Session::run(const SaveObject& command, Presenter&, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::OutputPath path, context.resolve_output(command.file));
-  ALGEBRA3D_ASSIGN_OR_RETURN(ListFile file, ListFile::create(path));
+  A3D_ASSIGN(Store * store, required_store());
+  A3D_ASSIGN(const algebra3d::OutputPath path, context.resolve_output(command.file));
+  A3D_ASSIGN(ListFile file, ListFile::create(path));
   Status status = in_transaction(false, [&]() -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto info, store->find(command.name));
+    A3D_ASSIGN(const auto info, store->find(command.name));
     if (!info) return no_object(command.name, *store);
-    ALGEBRA3D_RETURN_IF_ERROR(note_underivable(command.name, context));
-    ALGEBRA3D_RETURN_IF_ERROR(file.write(kSavedHere, "\n"));
+    A3D_TRY(note_underivable(command.name, context));
+    A3D_TRY(file.write(kSavedHere, "\n"));
     return ObjectWriter(*store, file, context).write(*info);
   });
   return status ? file.finish() : status;

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 #include "queries/language/checker.h"
 #include "queries/language/parser.h"
 #include "queries/session/detail/failure_report.h"
@@ -46,11 +47,11 @@ Session::Session(const algebra3d::Registry& registry, SessionOptions options)
 Session::~Session() = default;
 
 Status Session::open_file(const std::filesystem::path& file) {
-  ALGEBRA3D_RETURN_IF_ERROR(require_closed());
+  A3D_TRY(require_closed());
   const OpenMode writing = options_.creates ? OpenMode::open_or_create : OpenMode::read_write;
   const OpenMode mode = options_.read_only ? OpenMode::read_only : writing;
   const bool makes = mode == OpenMode::open_or_create && makes_database(file);
-  ALGEBRA3D_RETURN_IF_ERROR(open_store(file, mode));
+  A3D_TRY(open_store(file, mode));
   has_made_database_ = makes;
   return {};
 }
@@ -87,7 +88,7 @@ Status Session::execute(std::string_view text, const SourcePlace& start, Present
 Status Session::run_caught(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context) {
   try {
     const algebra3d::InterruptionScope interruption(context.cancel);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Command command, parse_command(text, registry_, start, &options_.parameters));
+    A3D_ASSIGN(const Command command, parse_command(text, registry_, start, &options_.parameters));
     if (presenter.takes_queries_only() && !std::holds_alternative<Query>(command.content))
       return Error(ErrorCode::type_error, "expected a query; other commands have no value").at(command.place);
     presenter.begin(command);
@@ -130,7 +131,7 @@ Status Session::run(const Command& command, Presenter& presenter, Context& conte
 Status Session::in_transaction(bool writes, const std::function<Status()>& work) {
   if (damaged_) return damaged_->error;
   if (store_ == nullptr) return work();
-  ALGEBRA3D_RETURN_IF_ERROR(store_->begin(writes));
+  A3D_TRY(store_->begin(writes));
   Status status = algebra3d::as_interrupted(work);
   const algebra3d::UninterruptedScope uninterrupted;
   if (status) status = store_->commit();
@@ -157,12 +158,12 @@ Status Session::run(const Query& command, Presenter& presenter, Context& context
   bool has_shown = false;
   const auto work = [&]() -> Status {
     Objects objects(registry_, store_.get(), context);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(*command.value));
+    A3D_ASSIGN(const TypedPtr node, Checker(registry_, objects, context).check(*command.value));
     if ((node->type().is_stream() && !presenter.takes_streams()) || node->type().is_tuple())
       return Error{ErrorCode::not_evaluable, "a result of type {} cannot be shown; end a stream with consume or count",
                    node->type().text()};
     const OwnResult result(context);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
+    A3D_ASSIGN(const Datum value, node->evaluate(nullptr, context));
     judge(result, value);
     has_shown = true;
     return presenter.present(node->type(), value, context);
@@ -180,20 +181,20 @@ Status Session::run(const Explain& command, Presenter& presenter, Context& conte
     Context own = context;
     if (!command.runs) own.unchanging = "`explain` without `query` runs nothing";
     Objects objects(registry_, store_.get(), own);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, own, &recorder).check(*command.value));
-    if (command.runs) ALGEBRA3D_RETURN_IF_ERROR(run_to_end(*node, own));
+    A3D_ASSIGN(const TypedPtr node, Checker(registry_, objects, own, &recorder).check(*command.value));
+    if (command.runs) A3D_TRY(run_to_end(*node, own));
     return presenter.present_inquiry(plan_list(recorder));
   });
 }
 
 Status Session::run(const Inquiry& command, Presenter& presenter, Context&) {
   if (command.subject == Inquiry::Subject::objects || command.subject == Inquiry::Subject::types)
-    ALGEBRA3D_RETURN_IF_ERROR(required_store());
+    A3D_TRY(required_store());
   if (!command.algebra.empty() && command.algebra != kAlgebra)
     return Error{ErrorCode::unknown_name, "there is no algebra '{}'; the only one is {}", command.algebra, kAlgebra};
   NestedList result;
-  ALGEBRA3D_RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(result, inquire(command.subject, registry_, store_.get(), options_.folder));
+  A3D_TRY(in_transaction(false, [&]() -> Status {
+    A3D_ASSIGN(result, inquire(command.subject, registry_, store_.get(), options_.folder));
     return {};
   }));
   return presenter.present_inquiry(result);

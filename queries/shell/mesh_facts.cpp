@@ -12,6 +12,7 @@
 #include "algebra3d/kernel/repair/scaled_triangles.h"
 #include "algebra3d/kernel/search/boxes.h"
 #include "algebra3d/values/conversions/import_solid.h"
+#include "base/propagate.h"
 #include "queries/shell/detail/mesh_commands.h"
 #include "queries/shell/detail/mesh_input.h"
 #include "queries/shell/detail/screen.h"
@@ -83,27 +84,26 @@ std::string repair_text(const ImportedSolid& imported) {
 Result<std::string> measures(const ImportedSolid& imported, const FileFacts& facts, const MeshConsole& console) {
   if (!imported.solid) return row("area", facts.area.text(10) + ", of the triangles");
   const algebra3d::TriangleMesh& mesh = imported.solid->mesh();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Amount volume, algebra3d::measured_volume(mesh, console.cancel));
+  A3D_ASSIGN(const algebra3d::Amount volume, algebra3d::measured_volume(mesh, console.cancel));
   const algebra3d::Amount area = area_of(mesh, algebra3d::BinaryScale(largest_coordinate(mesh)));
   const std::string when = imported.repair ? " after the repair" : "";
   return row("volume", volume.text(10) + when) + row("area", area.text(10) + when);
 }
 
 Status show_mesh_file(const std::string& name, const MeshConsole& console) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshInput input, MeshInput::open(name, console.cancel));
-  ALGEBRA3D_ASSIGN_OR_RETURN(MeshFile mesh, algebra3d::read_mesh(input.bytes(), input.name(), nullptr, console.cancel));
+  A3D_ASSIGN(const MeshInput input, MeshInput::open(name, console.cancel));
+  A3D_ASSIGN(MeshFile mesh, algebra3d::read_mesh(input.bytes(), input.name(), nullptr, console.cancel));
   const FileFacts facts = facts_of(mesh, input.bytes().size());
   const std::vector<std::string> remarks = mesh.remarks;
   console.out << printable(input.name()) << "\n"
               << row("format", facts.form) << row("triangles", std::to_string(facts.triangle_count))
               << row("box", size_text(facts.box)) << std::flush;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ImportedSolid imported,
-                             algebra3d::import_solid(std::move(mesh), {}, console.cancel));
+  A3D_ASSIGN(const ImportedSolid imported, algebra3d::import_solid(std::move(mesh), {}, console.cancel));
   const bool is_valid = imported.solid && !imported.repair;
   const std::string remark = imported.status == "ok" ? "" : " (" + imported.status + ")";
   console.out << row("validity", is_valid ? "a valid solid" + remark : imported.found.defects());
   if (!is_valid) console.out << row("repair", repair_text(imported));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string measured, measures(imported, facts, console));
+  A3D_ASSIGN(const std::string measured, measures(imported, facts, console));
   console.out << measured;
   for (const std::string& note : remarks) console.out << row("note", note);
   if (!is_valid && imported.solid && name != "-")

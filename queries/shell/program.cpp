@@ -16,6 +16,7 @@
 #include "base/interruption_scope.h"
 #include "base/memory_limit.h"
 #include "base/polled_input.h"
+#include "base/propagate.h"
 #include "base/signal_block.h"
 #include "base/stack_thread.h"
 #include "base/work_memory.h"
@@ -145,7 +146,7 @@ Result<SessionParameters> session_parameters(const std::vector<std::string>& giv
                                              const algebra3d::Registry& registry) {
   SessionParameters parameters;
   for (const std::string& text : given) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto parameter, parse_session_parameter(text, registry));
+    A3D_ASSIGN(auto parameter, parse_session_parameter(text, registry));
     if (!parameters.values.insert(parameter).second)
       return Error{ErrorCode::wrong_usage, "-p {}: the parameter is given twice", parameter.first};
   }

@@ -9,6 +9,7 @@
 
 #include "base/file_error.h"
 #include "base/open_databases.h"
+#include "base/propagate.h"
 #include "queries/store/database_draft.h"
 #include "queries/store/detail/database_file.h"
 
@@ -44,7 +45,7 @@ bool lock_out_others(int descriptor) {
 // A database appears under its name only when it is complete, so that a process which is killed meanwhile leaves no
 // half of one.
 Status create_database_file(const fs::path& file, bool replaces_empty) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(DatabaseDraft draft, DatabaseDraft::create(file, kNewEnding));
+  A3D_ASSIGN(DatabaseDraft draft, DatabaseDraft::create(file, kNewEnding));
   Status status = draft.publish(replaces_empty);
   if (status || status.error().code == ErrorCode::database_exists) return {};
   return status;
@@ -81,7 +82,7 @@ Status delete_database_file(const fs::path& name) {
   if (algebra3d::open_database_with(file)) return open_elsewhere(file, "delete");
   const Status known = check_database_header(file);
   if (!known && known.error().code == ErrorCode::database_missing) return deleted_already(name);
-  ALGEBRA3D_RETURN_IF_ERROR(known);
+  A3D_TRY(known);
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);  // NOLINT(*-vararg)
   if (descriptor < 0) return errno == ENOENT ? deleted_already(name) : algebra3d::write_error(file, errno);
   Status status = lock_out_others(descriptor) ? Status() : open_elsewhere(file, "delete");

@@ -17,6 +17,7 @@
 
 #include "base/file_error.h"
 #include "base/open_databases.h"
+#include "base/propagate.h"
 #include "queries/store/detail/sqlite_connection.h"
 #include "queries/store/detail/tables.h"
 
@@ -71,12 +72,12 @@ Status take_mark_away(const fs::path& file, int descriptor) {
 /// The bytes of a database without objects that is marked as a draft. Made in memory and written at once: so the mark
 /// is there from the first byte on, and SQLite needs no journal.
 Result<std::string> draft_bytes() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto connection, SqliteConnection::open_temporary());
-  ALGEBRA3D_RETURN_IF_ERROR(connection->execute("BEGIN"));
-  ALGEBRA3D_RETURN_IF_ERROR(connection->execute(fmt::format("PRAGMA application_id = {}", kDraftApplicationId)));
-  ALGEBRA3D_RETURN_IF_ERROR(connection->execute(fmt::format("PRAGMA user_version = {}", kDatabaseVersion)));
-  for (const char* table : kCreateTables) ALGEBRA3D_RETURN_IF_ERROR(connection->execute(table));
-  ALGEBRA3D_RETURN_IF_ERROR(connection->execute("COMMIT"));
+  A3D_ASSIGN(const auto connection, SqliteConnection::open_temporary());
+  A3D_TRY(connection->execute("BEGIN"));
+  A3D_TRY(connection->execute(fmt::format("PRAGMA application_id = {}", kDraftApplicationId)));
+  A3D_TRY(connection->execute(fmt::format("PRAGMA user_version = {}", kDatabaseVersion)));
+  for (const char* table : kCreateTables) A3D_TRY(connection->execute(table));
+  A3D_TRY(connection->execute("COMMIT"));
   return connection->image();
 }
 
@@ -167,12 +168,11 @@ Status check_name_length(const fs::path& file) {
 }
 
 Result<DatabaseDraft> DatabaseDraft::create(const fs::path& file, std::string_view ending) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_name_length(file));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string bytes, draft_bytes());
-  ALGEBRA3D_ASSIGN_OR_RETURN(DraftFile made,
-                             DraftFile::create(file, file.filename().string() + std::string(ending), ""));
+  A3D_TRY(check_name_length(file));
+  A3D_ASSIGN(const std::string bytes, draft_bytes());
+  A3D_ASSIGN(DraftFile made, DraftFile::create(file, file.filename().string() + std::string(ending), ""));
   DatabaseDraft draft(file, std::move(made));
-  ALGEBRA3D_RETURN_IF_ERROR(write_all(file, draft.draft_.descriptor(), bytes));
+  A3D_TRY(write_all(file, draft.draft_.descriptor(), bytes));
   return draft;
 }
 
@@ -202,7 +202,7 @@ Status finish_database(const fs::path& file, int busy_milliseconds) {
   if (algebra3d::open_database_with(file)) return {};
   const auto end = Clock::now() + std::chrono::milliseconds(busy_milliseconds);
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const DraftState state, finish_ownerless(file));
+    A3D_ASSIGN(const DraftState state, finish_ownerless(file));
     if (state != DraftState::owned) return {};
     if (Clock::now() >= end)
       return Error{ErrorCode::database_busy,

@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/propagate.h"
 #include "queries/store/detail/shape_levels.h"
 #include "queries/store/detail/stored_value.h"
 
@@ -30,11 +31,11 @@ Result<bool> is_there(SqliteConnection& connection, const StoredBytes& value) {
 /// Writes within a transaction. False if the value is gone.
 Result<bool> write_checked(SqliteConnection& connection, const StoredBytes& value, std::uint64_t number,
                            std::string_view bytes) {
-  ALGEBRA3D_RETURN_IF_ERROR(connection.execute("BEGIN IMMEDIATE"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool can_be_kept, is_there(connection, value));
+  A3D_TRY(connection.execute("BEGIN IMMEDIATE"));
+  A3D_ASSIGN(const bool can_be_kept, is_there(connection, value));
   if (!can_be_kept) return false;
-  ALGEBRA3D_RETURN_IF_ERROR(write_level(connection, {value.level_place(), value.checksum(), number}, bytes));
-  ALGEBRA3D_RETURN_IF_ERROR(connection.execute("COMMIT"));
+  A3D_TRY(write_level(connection, {value.level_place(), value.checksum(), number}, bytes));
+  A3D_TRY(connection.execute("COMMIT"));
   return true;
 }
 
@@ -46,10 +47,10 @@ bool is_stored(const Value& value) {
 
 Result<std::optional<std::string>> level_of(const Value& value, std::uint64_t number) {
   std::string copy;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_there, with_level(value, number, [&](std::string_view bytes) -> Status {
-                               copy = bytes;
-                               return {};
-                             }));
+  A3D_ASSIGN(const bool is_there, with_level(value, number, [&](std::string_view bytes) -> Status {
+               copy = bytes;
+               return {};
+             }));
   return is_there ? std::optional(std::move(copy)) : std::nullopt;
 }
 
@@ -57,19 +58,19 @@ Result<bool> with_level(const Value& value, std::uint64_t number,
                         const std::function<Status(std::string_view bytes)>& visit) {
   const auto stored = stored_bytes(value);
   if (stored == nullptr) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto connection, stored->database()->another_connection(false, kLongestWait));
+  A3D_ASSIGN(const auto connection, stored->database()->another_connection(false, kLongestWait));
   Status visited;
   const auto found = read_level(*connection, {stored->level_place(), stored->checksum(), number},
                                 [&](std::string_view bytes) { visited = visit(bytes); });
   if (!found && found.error().code == ErrorCode::database_corrupt) return false;
-  ALGEBRA3D_RETURN_IF_ERROR(visited);
+  A3D_TRY(visited);
   return found;
 }
 
 Result<bool> keep_level(const Value& value, std::uint64_t number, std::string_view bytes) {
   const auto stored = stored_bytes(value);
   if (stored == nullptr || stored->database()->is_read_only() || bytes.size() > kMaxLevelBytes) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto connection, stored->database()->another_connection(true, kLongestWait));
+  A3D_ASSIGN(const auto connection, stored->database()->another_connection(true, kLongestWait));
   auto kept = write_checked(*connection, *stored, number, bytes);
   if (connection->in_transaction()) static_cast<void>(connection->execute("ROLLBACK"));
   if (!kept && (kept.error().code == ErrorCode::database_busy || kept.error().code == ErrorCode::database_corrupt))

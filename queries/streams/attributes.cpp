@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/changed_tuples.h"
 #include "queries/streams/mapping.h"
@@ -13,7 +14,7 @@ namespace {
 Result<BoundOperator> map_attr(std::span<const ArgumentType> arguments) {
   const MappingCheck check("attr", arguments);
   if (!check[0].type.is_tuple()) return check.expected("a tuple", check[0].type);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t index, check.attribute(1, check[0].type));
+  A3D_ASSIGN(const std::size_t index, check.attribute(1, check[0].type));
   return BoundOperator{check[0].type.attributes()[index].type,
                        [index](std::vector<Datum> given, Context&) -> Result<Datum> {
                          return Datum{given[0].tuple()->attributes[index]};
@@ -30,15 +31,15 @@ BoundOperator projection(const TypeExpr& tuple, const std::vector<std::size_t>& 
 
 Result<BoundOperator> map_project(std::span<const ArgumentType> arguments) {
   const MappingCheck check("project", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto indices, check.distinct_attributes(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const auto indices, check.distinct_attributes(1, tuple));
   return projection(tuple, indices);
 }
 
 Result<BoundOperator> map_remove(std::span<const ArgumentType> arguments) {
   const MappingCheck check("remove", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto removed, check.distinct_attributes(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const auto removed, check.distinct_attributes(1, tuple));
   std::vector<std::size_t> kept;
   for (std::size_t index = 0; index < tuple.attributes().size(); ++index)
     if (std::ranges::find(removed, index) == removed.end()) kept.push_back(index);
@@ -53,7 +54,7 @@ BoundOperator same_tuples(std::vector<TypeExpr::Attribute> attributes) {
 
 Result<BoundOperator> map_rename(std::span<const ArgumentType> arguments) {
   const MappingCheck check("rename", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
   std::vector<TypeExpr::Attribute> attributes = tuple.attributes();
   for (auto& attribute : attributes) attribute.name += "_" + check[1].names[0];
   return same_tuples(std::move(attributes));
@@ -61,11 +62,11 @@ Result<BoundOperator> map_rename(std::span<const ArgumentType> arguments) {
 
 Result<BoundOperator> map_rename_attributes(std::span<const ArgumentType> arguments) {
   const MappingCheck check("renameAttr", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
   std::vector<TypeExpr::Attribute> attributes = tuple.attributes();
   std::vector<bool> is_renamed(attributes.size());
   for (std::size_t i = 0; i < check[1].names.size(); ++i) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t index, check.attribute_named(check[1].modifiers[i], tuple));
+    A3D_ASSIGN(const std::size_t index, check.attribute_named(check[1].modifiers[i], tuple));
     if (is_renamed[index]) return check.error("the attribute '" + check[1].modifiers[i] + "' is renamed twice");
     is_renamed[index] = true;
     attributes[index].name = check[1].names[i];
@@ -80,15 +81,15 @@ Result<BoundOperator> map_rename_attributes(std::span<const ArgumentType> argume
 // `R feedproject[A]` is `R feed project[A]`.
 Result<BoundOperator> map_feedproject(std::span<const ArgumentType> arguments) {
   const MappingCheck check("feedproject", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto indices, check.distinct_attributes(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.relation(0));
+  A3D_ASSIGN(const auto indices, check.distinct_attributes(1, tuple));
   return BoundOperator{
       TypeExpr::stream(projected(tuple, indices)),
       [indices](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr tuples, given[0].relation()->scan());
+        A3D_ASSIGN(TupleStreamPtr tuples, given[0].relation()->scan());
         return changed_tuples(
             tuples, [indices, &context, step = 0U](const TuplePtr& from, std::vector<Value>& to) mutable -> Status {
-              if (++step % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+              if (++step % 256 == 0) A3D_TRY(context.check_cancelled());
               return append_attributes(*from, indices, to);
             });
       }};

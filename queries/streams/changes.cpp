@@ -3,6 +3,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/block_join.h"
 #include "queries/streams/detail/relation_changes.h"
@@ -12,7 +13,7 @@ namespace {
 
 Result<BoundOperator> map_inserttuple(std::span<const ArgumentType> arguments) {
   const MappingCheck check("inserttuple", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
+  A3D_ASSIGN(const TypeExpr tuple, check.relation(0));
   const auto& attributes = tuple.attributes();
   if (check.count() != attributes.size() + 1)
     return check.error(
@@ -25,7 +26,7 @@ Result<BoundOperator> map_inserttuple(std::span<const ArgumentType> arguments) {
       return check.expected(attributes[i].type.text() + " for the attribute '" + attributes[i].name + "'", given);
     conversions.push_back(*conversion);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
+  A3D_ASSIGN(const TypeExpr result, check.with_id(tuple));
   return BoundOperator{TypeExpr::stream(result), [conversions](std::vector<Datum> given, Context&) -> Result<Datum> {
                          Tuple row;
                          for (std::size_t i = 0; i < conversions.size(); ++i)
@@ -34,7 +35,7 @@ Result<BoundOperator> map_inserttuple(std::span<const ArgumentType> arguments) {
                                                    is_done = false]() mutable -> Result<TuplePtr> {
                            if (is_done) return TuplePtr();
                            is_done = true;
-                           ALGEBRA3D_ASSIGN_OR_RETURN(const TupleId id, relation->insert(row));
+                           A3D_ASSIGN(const TupleId id, relation->insert(row));
                            return tuple_with_id(row, id);
                          })};
                        }};
@@ -42,24 +43,24 @@ Result<BoundOperator> map_inserttuple(std::span<const ArgumentType> arguments) {
 
 /// The type of the result of an operator whose operands are a stream and a relation of the same tuples.
 Result<TypeExpr> changed_type(const MappingCheck& check) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr given, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
+  A3D_ASSIGN(const TypeExpr given, check.stream(0));
+  A3D_ASSIGN(const TypeExpr tuple, check.relation(1));
   if (!(given == tuple)) return check.expected("a stream of " + tuple.text(), given);
   return check.with_id(tuple);
 }
 
 // Tuples come out with the ids that they have in the relation now.
 Result<TupleStreamPtr> insert_all(TupleStream& tuples, Relation& relation, const Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleBuffer input, buffered(tuples, context));
+  A3D_ASSIGN(const TupleBuffer input, buffered(tuples, context));
   std::vector<TupleId> ids;
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*input.scan(), context, [&](const TuplePtr& tuple) -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TupleId id, relation.insert(*tuple));
+  A3D_TRY(for_each_tuple(*input.scan(), context, [&](const TuplePtr& tuple) -> Status {
+    A3D_ASSIGN(const TupleId id, relation.insert(*tuple));
     ids.push_back(id);
     return {};
   }));
   return make_stream(
       [scan = input.scan(), ids = std::move(ids), position = std::size_t{0}]() mutable -> Result<TuplePtr> {
-        ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, scan->next());
+        A3D_ASSIGN(const TuplePtr next, scan->next());
         return next == nullptr ? next : tuple_with_id(*next, ids[position++]);
       });
 }
@@ -79,7 +80,7 @@ Result<std::vector<Conversion>> tuple_conversions(const MappingCheck& check, con
 TupleStreamPtr converted_tuples(const TupleStreamPtr& tuples, const std::vector<Conversion>& conversions) {
   if (std::ranges::all_of(conversions, [](Conversion each) { return each == nullptr; })) return tuples;
   return make_stream([tuples, conversions]() -> Result<TuplePtr> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    A3D_ASSIGN(const TuplePtr tuple, tuples->next());
     if (tuple == nullptr) return tuple;
     Tuple result;
     for (std::size_t i = 0; i < conversions.size(); ++i)
@@ -90,10 +91,10 @@ TupleStreamPtr converted_tuples(const TupleStreamPtr& tuples, const std::vector<
 
 Result<BoundOperator> map_insert(std::span<const ArgumentType> arguments) {
   const MappingCheck check("insert", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr given_tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto conversions, tuple_conversions(check, tuple, given_tuple));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
+  A3D_ASSIGN(const TypeExpr given_tuple, check.stream(0));
+  A3D_ASSIGN(const TypeExpr tuple, check.relation(1));
+  A3D_ASSIGN(const auto conversions, tuple_conversions(check, tuple, given_tuple));
+  A3D_ASSIGN(const TypeExpr result, check.with_id(tuple));
   return BoundOperator{
       TypeExpr::stream(result), [conversions](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return Datum{
@@ -115,7 +116,7 @@ class WantedTuples {
   Result<bool> contains(const Tuple& tuple) const {
     const auto [first, last] = tuples_.equal_range(quick_hash(tuple));
     for (auto candidate = first; candidate != last; ++candidate) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const bool equal, are_equal(*candidate->second, tuple));
+      A3D_ASSIGN(const bool equal, are_equal(*candidate->second, tuple));
       if (equal) return true;
     }
     return false;
@@ -139,12 +140,12 @@ Result<TupleBuffer> equal_tuples(const TupleStreamPtr& wanted, Relation& relatio
   StreamBlocks blocks(wanted);
   WantedTuples part(context);
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_last, blocks.fill(part, context));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr all, relation.scan());
-    ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*all, context, [&](const TuplePtr& tuple) -> Status {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_wanted, part.contains(*tuple));
+    A3D_ASSIGN(const bool is_last, blocks.fill(part, context));
+    A3D_ASSIGN(const TupleStreamPtr all, relation.scan());
+    A3D_TRY(for_each_tuple(*all, context, [&](const TuplePtr& tuple) -> Status {
+      A3D_ASSIGN(const bool is_wanted, part.contains(*tuple));
       if (!is_wanted || !known.insert(tuple->id).second) return {};
-      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr loaded, loaded_tuple(*tuple));
+      A3D_ASSIGN(TuplePtr loaded, loaded_tuple(*tuple));
       return found.add(std::move(loaded));
     }));
     if (is_last) return found;
@@ -154,44 +155,42 @@ Result<TupleBuffer> equal_tuples(const TupleStreamPtr& wanted, Relation& relatio
 
 /// Erases the tuples, and passes them on with their ids.
 Result<TupleStreamPtr> erase_all(const TupleBuffer& doomed, Relation& relation, const Context& context) {
-  ALGEBRA3D_RETURN_IF_ERROR(
-      for_each_tuple(*doomed.scan(), context, [&](const TuplePtr& tuple) { return relation.erase(tuple->id); }));
+  A3D_TRY(for_each_tuple(*doomed.scan(), context, [&](const TuplePtr& tuple) { return relation.erase(tuple->id); }));
   return tuples_with_ids(doomed);
 }
 
 Result<BoundOperator> map_deletesearch(std::span<const ArgumentType> arguments) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, changed_type(MappingCheck("deletesearch", arguments)));
-  return BoundOperator{
-      TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        return Datum{made_when_asked(
-            [tuples = given[0].tuples(), relation = given[1].relation(), &context]() -> Result<TupleStreamPtr> {
-              ALGEBRA3D_ASSIGN_OR_RETURN(const TupleBuffer doomed, equal_tuples(tuples, *relation, context));
-              return erase_all(doomed, *relation, context);
-            })};
-      }};
-}
-
-Result<BoundOperator> map_deletedirect(std::span<const ArgumentType> arguments) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, changed_type(MappingCheck("deletedirect", arguments)));
+  A3D_ASSIGN(const TypeExpr result, changed_type(MappingCheck("deletesearch", arguments)));
   return BoundOperator{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          return Datum{made_when_asked([tuples = given[0].tuples(), relation = given[1].relation(),
                                                        &context]() -> Result<TupleStreamPtr> {
-                           ALGEBRA3D_ASSIGN_OR_RETURN(const TupleBuffer doomed,
-                                                      own_tuples(*tuples, *relation, "deletedirect", context));
+                           A3D_ASSIGN(const TupleBuffer doomed, equal_tuples(tuples, *relation, context));
                            return erase_all(doomed, *relation, context);
                          })};
                        }};
 }
 
+Result<BoundOperator> map_deletedirect(std::span<const ArgumentType> arguments) {
+  A3D_ASSIGN(const TypeExpr result, changed_type(MappingCheck("deletedirect", arguments)));
+  return BoundOperator{
+      TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        return Datum{made_when_asked(
+            [tuples = given[0].tuples(), relation = given[1].relation(), &context]() -> Result<TupleStreamPtr> {
+              A3D_ASSIGN(const TupleBuffer doomed, own_tuples(*tuples, *relation, "deletedirect", context));
+              return erase_all(doomed, *relation, context);
+            })};
+      }};
+}
+
 Result<BoundOperator> map_deletebyid(std::span<const ArgumentType> arguments) {
   const MappingCheck check("deletebyid", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
-  ALGEBRA3D_RETURN_IF_ERROR(check.id_argument(1));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.relation(0));
+  A3D_TRY(check.id_argument(1));
+  A3D_ASSIGN(const TypeExpr result, check.with_id(tuple));
   return BoundOperator{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          return Datum{made_when_asked([relation = given[0].relation(), id = given[1].value(),
                                                        &context]() -> Result<TupleStreamPtr> {
-                           ALGEBRA3D_ASSIGN_OR_RETURN(const TupleBuffer doomed, tuple_by_id(id, *relation));
+                           A3D_ASSIGN(const TupleBuffer doomed, tuple_by_id(id, *relation));
                            return erase_all(doomed, *relation, context);
                          })};
                        }};

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "algebra3d/values/types/described_type.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/any_stream.h"
 #include "queries/streams/detail/kept_elements.h"
@@ -68,8 +69,8 @@ enum class CollectionKind : std::uint8_t { set, multiset, vector };
 // A collection is a value, which stands in memory as long as the statement needs it; while it is made it is bounded.
 Result<Value> collected(ValueStream& values, CollectionKind kind, const std::string& op, const Context& context) {
   KeptElements<ValueStream> kept(op, context);
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_element(values, context, [&](const std::optional<Value>& value) -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value loaded, value->loaded());
+  A3D_TRY(for_each_element(values, context, [&](const std::optional<Value>& value) -> Status {
+    A3D_ASSIGN(Value loaded, value->loaded());
     return kept.add(std::move(loaded));
   }));
   Collection collection;
@@ -100,12 +101,12 @@ TypeMapping map_collect(const CollectionTexts& texts) {
     const TypeExpr& type = check[0].type;
     if (!type.is_stream() || !is_value_type(type.element()))
       return check.expected("a stream of values (see projecttransformstream)", type);
-    return BoundOperator{
-        TypeExpr(texts.type, {type.element()}), [texts](std::vector<Datum> given, Context& context) -> Result<Datum> {
-          const std::string op = std::string("collect_") + texts.type;
-          ALGEBRA3D_ASSIGN_OR_RETURN(Value value, collected(*given[0].values(), texts.kind, op, context));
-          return Datum{std::move(value)};
-        }};
+    return BoundOperator{TypeExpr(texts.type, {type.element()}),
+                         [texts](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                           const std::string op = std::string("collect_") + texts.type;
+                           A3D_ASSIGN(Value value, collected(*given[0].values(), texts.kind, op, context));
+                           return Datum{std::move(value)};
+                         }};
   };
 }
 

@@ -7,6 +7,7 @@
 
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/csv_layout.h"
 #include "queries/streams/detail/import_columns.h"
@@ -36,7 +37,7 @@ class CsvTuples final : public TupleStream {
 
   Result<TuplePtr> next() override {
     while (true) {
-      ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+      A3D_TRY(context_.check_cancelled());
       const auto has_record = reader_.next(record_);
       if (!has_record) return in_file(name_, has_record.error());
       if (!*has_record) return TuplePtr();
@@ -59,7 +60,7 @@ class CsvTuples final : public TupleStream {
     Tuple made;
     made.attributes.reserve(types_.size());
     for (std::size_t i = 0; i < types_.size(); ++i) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(Value value, value_at(layout_.sources[i], *types_[i]));
+      A3D_ASSIGN(Value value, value_at(layout_.sources[i], *types_[i]));
       made.attributes.push_back(std::move(value));
     }
     return std::make_shared<const Tuple>(std::move(made));
@@ -105,7 +106,7 @@ Result<Datum> run_csv_import(const Value& file, const CsvOptions& options, const
                              const std::optional<CsvLayout>& guessed, Context& context) {
   if (!file.is_defined()) return Datum{no_csv_tuples()};
   const std::string& name = algebra3d::characters_of(file);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(name));
+  A3D_ASSIGN(const std::filesystem::path path, context.resolve(name));
   auto layout = guessed ? Result<CsvLayout>(*guessed) : stated_csv_layout(path, options, tuple);
   if (!layout) return in_file(name, layout.error());
   auto reader = open_csv(path, layout->separator, options);
@@ -117,14 +118,14 @@ Result<Datum> run_csv_import(const Value& file, const CsvOptions& options, const
 
 Result<BoundOperator> map_import_csv(std::span<const ArgumentType> arguments, Context& context) {
   const MappingCheck check("importCSV", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ImportArguments given, import_arguments(check));
+  A3D_ASSIGN(const ImportArguments given, import_arguments(check));
   const auto options = parse_csv_options(given.options);
   if (!options) return check.error(options.error().message);
   std::optional<CsvLayout> guessed;
   TypeExpr tuple = given.tuple.value_or(TypeExpr());
   if (!given.tuple) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, constant_file_name(check, "importCSV"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(name));
+    A3D_ASSIGN(const std::string name, constant_file_name(check, "importCSV"));
+    A3D_ASSIGN(const std::filesystem::path path, context.resolve(name));
     auto layout = guess_csv_layout(path, *options, context);
     if (!layout) return in_file(name, layout.error());
     guessed = std::move(layout).value();

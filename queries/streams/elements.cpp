@@ -1,5 +1,6 @@
 // transformstream and its relatives: how streams of values become tuples, and tuples values.
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
 
@@ -8,7 +9,7 @@ namespace {
 
 Datum values_as_tuples(const ValueStreamPtr& values) {
   return Datum{make_stream([values]() -> Result<TuplePtr> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto value, values->next());
+    A3D_ASSIGN(auto value, values->next());
     if (!value) return TuplePtr();
     return TuplePtr(std::make_shared<const Tuple>(Tuple{{std::move(*value)}}));
   })};
@@ -16,7 +17,7 @@ Datum values_as_tuples(const ValueStreamPtr& values) {
 
 Datum tuples_as_values(const TupleStreamPtr& tuples, std::size_t attribute) {
   return Datum{make_value_stream([tuples, attribute]() -> Result<std::optional<Value>> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    A3D_ASSIGN(const TuplePtr tuple, tuples->next());
     return tuple == nullptr ? std::optional<Value>() : std::optional(tuple->attributes[attribute]);
   })};
 }
@@ -46,8 +47,8 @@ Result<BoundOperator> map_namedtransformstream(std::span<const ArgumentType> arg
 
 Result<BoundOperator> map_projecttransformstream(std::span<const ArgumentType> arguments) {
   const MappingCheck check("projecttransformstream", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t attribute, check.attribute(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const std::size_t attribute, check.attribute(1, tuple));
   return BoundOperator{TypeExpr::stream(tuple.attributes()[attribute].type),
                        [attribute](std::vector<Datum> given, Context&) -> Result<Datum> {
                          return tuples_as_values(given[0].tuples(), attribute);

@@ -1,5 +1,6 @@
 // hashjoin, itHashJoin, mergejoin, sortmergejoin, smouterjoin: pairs of tuples with equal keys.
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/hash_join.h"
 #include "queries/streams/detail/merge_join.h"
@@ -10,10 +11,10 @@ namespace {
 // hashjoin and itHashJoin are two names of one operator: the original's differ in what they do when memory is short.
 Result<BoundOperator> map_hashjoin(const char* op, std::span<const ArgumentType> arguments) {
   const MappingCheck check(op, arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const JoinTypes types, join_types(check));
-  ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(4, 5));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const JoinKeys keys, join_keys(check, types));
-  if (check.count() == 5) ALGEBRA3D_RETURN_IF_ERROR(check.type(4, "int"));
+  A3D_ASSIGN(const JoinTypes types, join_types(check));
+  A3D_TRY(check.argument_count(4, 5));
+  A3D_ASSIGN(const JoinKeys keys, join_keys(check, types));
+  if (check.count() == 5) A3D_TRY(check.type(4, "int"));
   return BoundOperator{
       TypeExpr::stream(types.joined), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return Datum{TupleStreamPtr(
@@ -32,19 +33,18 @@ TypeMapping map_merge_join(MergeVariant variant) {
   return [variant](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check(variant.name, arguments);
     MergeJoinParameters parameters{{}, {}, variant.is_outer, variant.name};
-    ALGEBRA3D_ASSIGN_OR_RETURN(parameters.types, join_types(check));
-    ALGEBRA3D_ASSIGN_OR_RETURN(parameters.keys, join_keys(check, parameters.types));
-    return BoundOperator{
-        TypeExpr::stream(parameters.types.joined),
-        [parameters, variant](std::vector<Datum> given, Context& context) -> Result<Datum> {
-          TupleStreamPtr left = given[0].tuples();
-          TupleStreamPtr right = given[1].tuples();
-          if (variant.sorts) {
-            ALGEBRA3D_ASSIGN_OR_RETURN(left, sorted(*left, ascending({parameters.keys.left}), context));
-            ALGEBRA3D_ASSIGN_OR_RETURN(right, sorted(*right, ascending({parameters.keys.right}), context));
-          }
-          return Datum{merge_join(std::move(left), std::move(right), parameters, context)};
-        }};
+    A3D_ASSIGN(parameters.types, join_types(check));
+    A3D_ASSIGN(parameters.keys, join_keys(check, parameters.types));
+    return BoundOperator{TypeExpr::stream(parameters.types.joined),
+                         [parameters, variant](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                           TupleStreamPtr left = given[0].tuples();
+                           TupleStreamPtr right = given[1].tuples();
+                           if (variant.sorts) {
+                             A3D_ASSIGN(left, sorted(*left, ascending({parameters.keys.left}), context));
+                             A3D_ASSIGN(right, sorted(*right, ascending({parameters.keys.right}), context));
+                           }
+                           return Datum{merge_join(std::move(left), std::move(right), parameters, context)};
+                         }};
   };
 }
 

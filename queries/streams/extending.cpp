@@ -3,6 +3,7 @@
 
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/changed_tuples.h"
 #include "queries/streams/mapping.h"
@@ -12,8 +13,8 @@ namespace {
 
 Result<BoundOperator> map_extend(std::span<const ArgumentType> arguments) {
   const MappingCheck check("extend", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.extended(tuple, 1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const TypeExpr result, check.extended(tuple, 1, tuple));
   return BoundOperator{TypeExpr::stream(result), [](std::vector<Datum> given, Context&) -> Result<Datum> {
                          return changed_tuples(
                              given[0].tuples(),
@@ -26,15 +27,15 @@ Result<BoundOperator> map_extend(std::span<const ArgumentType> arguments) {
 
 Result<BoundOperator> map_projectextend(std::span<const ArgumentType> arguments) {
   const MappingCheck check("projectextend", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto indices, check.distinct_or_no_attributes(1, tuple));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.extended(projected(tuple, indices), 2, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const auto indices, check.distinct_or_no_attributes(1, tuple));
+  A3D_ASSIGN(const TypeExpr result, check.extended(projected(tuple, indices), 2, tuple));
   return BoundOperator{TypeExpr::stream(result), [indices](std::vector<Datum> given, Context&) -> Result<Datum> {
                          return changed_tuples(given[0].tuples(),
                                                [indices, functions = given[2].list()](
                                                    const TuplePtr& from, std::vector<Value>& to) -> Status {
                                                  to.reserve(indices.size() + functions.size());
-                                                 ALGEBRA3D_RETURN_IF_ERROR(append_attributes(*from, indices, to));
+                                                 A3D_TRY(append_attributes(*from, indices, to));
                                                  return append_results(functions, Datum{from}, to);
                                                });
                        }};
@@ -42,24 +43,24 @@ Result<BoundOperator> map_projectextend(std::span<const ArgumentType> arguments)
 
 Result<BoundOperator> map_replace(std::span<const ArgumentType> arguments) {
   const MappingCheck check("replaceAttr", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto replaced, check.distinct_attributes(1, tuple));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr made, check.extended(TypeExpr::tuple({}), 1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const auto replaced, check.distinct_attributes(1, tuple));
+  A3D_ASSIGN(const TypeExpr made, check.extended(TypeExpr::tuple({}), 1, tuple));
   std::vector<TypeExpr::Attribute> attributes = tuple.attributes();
   for (std::size_t i = 0; i < replaced.size(); ++i) attributes[replaced[i]].type = made.attributes()[i].type;
-  return BoundOperator{
-      TypeExpr::stream(TypeExpr::tuple(std::move(attributes))),
-      [replaced](std::vector<Datum> given, Context&) -> Result<Datum> {
-        return changed_tuples(
-            given[0].tuples(),
-            [replaced, functions = given[1].list()](const TuplePtr& from, std::vector<Value>& to) -> Status {
-              to = from->attributes;
-              std::vector<Value> values;
-              ALGEBRA3D_RETURN_IF_ERROR(append_results(functions, Datum{from}, values));
-              for (std::size_t i = 0; i < replaced.size(); ++i) to[replaced[i]] = std::move(values[i]);
-              return {};
-            });
-      }};
+  return BoundOperator{TypeExpr::stream(TypeExpr::tuple(std::move(attributes))),
+                       [replaced](std::vector<Datum> given, Context&) -> Result<Datum> {
+                         return changed_tuples(given[0].tuples(),
+                                               [replaced, functions = given[1].list()](
+                                                   const TuplePtr& from, std::vector<Value>& to) -> Status {
+                                                 to = from->attributes;
+                                                 std::vector<Value> values;
+                                                 A3D_TRY(append_results(functions, Datum{from}, values));
+                                                 for (std::size_t i = 0; i < replaced.size(); ++i)
+                                                   to[replaced[i]] = std::move(values[i]);
+                                                 return {};
+                                               });
+                       }};
 }
 
 /// Counts to the largest int; later numbers are undefined.
@@ -85,11 +86,10 @@ class Counter {
 
 Result<BoundOperator> map_addcounter(std::span<const ArgumentType> arguments) {
   const MappingCheck check("addcounter", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(2, 3));
-  if (check.count() == 3) ALGEBRA3D_RETURN_IF_ERROR(check.type(2, "int"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result,
-                             check.concatenated(tuple, TypeExpr::tuple({{check[1].names[0], TypeExpr("int")}})));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_TRY(check.argument_count(2, 3));
+  if (check.count() == 3) A3D_TRY(check.type(2, "int"));
+  A3D_ASSIGN(const TypeExpr result, check.concatenated(tuple, TypeExpr::tuple({{check[1].names[0], TypeExpr("int")}})));
   return BoundOperator{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          const bool is_started = given.size() < 3 || given[2].value().is_defined();
                          if (!is_started) context.diagnostics.report_undefined("addcounter: the start is undefined");

@@ -1,4 +1,5 @@
 // extendstream, projectextendstream: one tuple per element of a stream that a function gives.
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/changed_tuples.h"
 #include "queries/streams/mapping.h"
@@ -12,7 +13,7 @@ Result<TypeExpr> streamed(const MappingCheck& check, const TypeExpr& tuple, cons
   const ArgumentType& argument = check[position];
   if (argument.names.size() != 1)
     return check.error(fmt::format("expected one new attribute, got {}", argument.names.size()));
-  ALGEBRA3D_RETURN_IF_ERROR(check.takes(argument.types[0], {tuple}));
+  A3D_TRY(check.takes(argument.types[0], {tuple}));
   const TypeExpr& result = argument.types[0].function_result();
   if (!result.is_stream() || !is_value_type(result.element()))
     return check.expected("a stream of values for the attribute '" + argument.names[0] + "'", result);
@@ -25,20 +26,20 @@ Datum extended_stream(const TupleStreamPtr& tuples, const std::vector<std::size_
   return Datum{make_stream([tuples, kept, function = functions[0].function_ptr(), &context, current = TuplePtr(),
                             elements = ValueStreamPtr(), step = 0U]() mutable -> Result<TuplePtr> {
     while (true) {
-      if (++step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+      if (++step % 1024 == 0) A3D_TRY(context.check_cancelled());
       if (elements != nullptr) {
-        ALGEBRA3D_ASSIGN_OR_RETURN(auto element, elements->next());
+        A3D_ASSIGN(auto element, elements->next());
         if (element) {
           Tuple result;
-          ALGEBRA3D_RETURN_IF_ERROR(append_attributes(*current, kept, result.attributes));
+          A3D_TRY(append_attributes(*current, kept, result.attributes));
           result.attributes.push_back(std::move(*element));
           return TuplePtr(std::make_shared<const Tuple>(std::move(result)));
         }
       }
-      ALGEBRA3D_ASSIGN_OR_RETURN(current, tuples->next());
+      A3D_ASSIGN(current, tuples->next());
       if (current == nullptr) return TuplePtr();
       const Datum argument{current};
-      ALGEBRA3D_ASSIGN_OR_RETURN(const Datum stream, function->call({&argument, 1}));
+      A3D_ASSIGN(const Datum stream, function->call({&argument, 1}));
       elements = stream.values();
     }
   })};
@@ -46,8 +47,8 @@ Datum extended_stream(const TupleStreamPtr& tuples, const std::vector<std::size_
 
 Result<BoundOperator> map_extendstream(std::span<const ArgumentType> arguments) {
   const MappingCheck check("extendstream", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, streamed(check, tuple, tuple, 1));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const TypeExpr result, streamed(check, tuple, tuple, 1));
   std::vector<std::size_t> all;
   for (std::size_t index = 0; index < tuple.attributes().size(); ++index) all.push_back(index);
   return BoundOperator{TypeExpr::stream(result), [all](std::vector<Datum> given, Context& context) -> Result<Datum> {
@@ -57,9 +58,9 @@ Result<BoundOperator> map_extendstream(std::span<const ArgumentType> arguments) 
 
 Result<BoundOperator> map_projectextendstream(std::span<const ArgumentType> arguments) {
   const MappingCheck check("projectextendstream", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto kept, check.distinct_or_no_attributes(1, tuple));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, streamed(check, tuple, projected(tuple, kept), 2));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const auto kept, check.distinct_or_no_attributes(1, tuple));
+  A3D_ASSIGN(const TypeExpr result, streamed(check, tuple, projected(tuple, kept), 2));
   return BoundOperator{TypeExpr::stream(result), [kept](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          return extended_stream(given[0].tuples(), kept, given[2].list(), context);
                        }};

@@ -1,4 +1,5 @@
 // extract: a value of the first tuple of a stream.
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
 
@@ -7,11 +8,11 @@ namespace {
 
 Result<BoundOperator> map_extract(std::span<const ArgumentType> arguments) {
   const MappingCheck check("extract", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t index, check.attribute(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const std::size_t index, check.attribute(1, tuple));
   const TypeExpr type = tuple.attributes()[index].type;
   return BoundOperator{type, [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                         ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr first, given[0].tuples()->next());
+                         A3D_ASSIGN(const TuplePtr first, given[0].tuples()->next());
                          if (first != nullptr) return Datum{first->attributes[index]};
                          context.diagnostics.report_undefined("extract: the stream is empty");
                          return Datum{undefined_of(type)};

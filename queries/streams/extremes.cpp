@@ -3,6 +3,7 @@
 
 #include "algebra3d/operators/registry/conversion.h"
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
 
@@ -37,7 +38,7 @@ Result<TypeExpr> type_for_all(const MappingCheck& check) {
 Result<Value> extreme(const std::vector<Datum>& given, const std::vector<Conversion>& conversions, bool is_least) {
   std::optional<Value> best;
   for (std::size_t i = 0; i < given.size(); ++i) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, given[i].value().loaded());
+    A3D_ASSIGN(const Value loaded, given[i].value().loaded());
     const Value value = converted(loaded, conversions[i]);
     if (!value.is_defined()) return value;
     if (!best || (is_least ? compare(value, *best) < 0 : compare(value, *best) > 0)) best = value;
@@ -48,14 +49,14 @@ Result<Value> extreme(const std::vector<Datum>& given, const std::vector<Convers
 TypeMapping map_extreme_value(const char* op, bool is_least) {
   return [=](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check(op, arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr type, type_for_all(check));
+    A3D_ASSIGN(const TypeExpr type, type_for_all(check));
     std::vector<Conversion> conversions;
     for (std::size_t i = 0; i < check.count(); ++i) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const Conversion conversion, check.conversion(i, type));
+      A3D_ASSIGN(const Conversion conversion, check.conversion(i, type));
       conversions.push_back(conversion);
     }
     return BoundOperator{type, [=](const std::vector<Datum>& given, Context&) -> Result<Datum> {
-                           ALGEBRA3D_ASSIGN_OR_RETURN(Value value, extreme(given, conversions, is_least));
+                           A3D_ASSIGN(Value value, extreme(given, conversions, is_least));
                            return Datum{std::move(value)};
                          }};
   };

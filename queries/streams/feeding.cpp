@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/collection.h"
 #include "queries/streams/detail/nested_tuples.h"
@@ -14,7 +15,7 @@ namespace {
 // The one place where long scans notice that the statement was interrupted.
 TupleStreamPtr interruptible(TupleStreamPtr tuples, const Context& context) {
   return make_stream([tuples = std::move(tuples), &context, step = 0U]() mutable -> Result<TuplePtr> {
-    if (++step % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    if (++step % 256 == 0) A3D_TRY(context.check_cancelled());
     return tuples->next();
   });
 }
@@ -24,15 +25,15 @@ Result<BoundOperator> map_feed(std::span<const ArgumentType> arguments) {
   if (check[0].type.is_relation())
     return BoundOperator{TypeExpr::stream(check[0].type.element()),
                          [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                           ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr tuples, given[0].relation()->scan());
+                           A3D_ASSIGN(TupleStreamPtr tuples, given[0].relation()->scan());
                            return Datum{interruptible(std::move(tuples), context)};
                          }};
   if (check[0].type.is_nested_relation())
-    return BoundOperator{
-        TypeExpr::stream(check[0].type.element()), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-          ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr tuples, tuples_of_nested(given[0].value(), context));
-          return Datum{std::move(tuples)};
-        }};
+    return BoundOperator{TypeExpr::stream(check[0].type.element()),
+                         [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                           A3D_ASSIGN(TupleStreamPtr tuples, tuples_of_nested(given[0].value(), context));
+                           return Datum{std::move(tuples)};
+                         }};
   if (is_collection(check[0].type))
     return BoundOperator{
         TypeExpr::stream(check[0].type.element()),
@@ -50,9 +51,9 @@ Result<BoundOperator> map_feed(std::span<const ArgumentType> arguments) {
 
 // consume and tconsume are two names of one operator: a consumed relation lives as long as the statement, or is stored.
 Result<BoundOperator> map_consume(const char* op, std::span<const ArgumentType> arguments) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, MappingCheck(op, arguments).stream(0));
+  A3D_ASSIGN(const TypeExpr tuple, MappingCheck(op, arguments).stream(0));
   return BoundOperator{TypeExpr::rel(tuple), [tuple](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                         ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer tuples, buffered(*given[0].tuples(), context));
+                         A3D_ASSIGN(TupleBuffer tuples, buffered(*given[0].tuples(), context));
                          return Datum{RelationPtr(std::make_shared<MemoryRelation>(tuple, std::move(tuples)))};
                        }};
 }
@@ -63,16 +64,15 @@ Datum counted(std::int64_t count) {
 
 Result<Datum> count_values(ValueStream& values, Context& context) {
   for (std::int64_t count = 0;; ++count) {
-    if (count % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto value, values.next());
+    if (count % 1024 == 0) A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const auto value, values.next());
     if (!value) return counted(count);
   }
 }
 
 Result<Datum> count_tuples(TupleStream& tuples, Context& context) {
   std::int64_t count = 0;
-  ALGEBRA3D_RETURN_IF_ERROR(
-      for_each_tuple(tuples, context, [&](const TuplePtr&) -> Status { return ++count, Status(); }));
+  A3D_TRY(for_each_tuple(tuples, context, [&](const TuplePtr&) -> Status { return ++count, Status(); }));
   return counted(count);
 }
 
@@ -92,7 +92,7 @@ Result<BoundOperator> map_count(std::span<const ArgumentType> arguments) {
     return check.expected("a relation or a stream", type);
   return BoundOperator{"int", [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          if (const auto* relation = std::get_if<RelationPtr>(&given[0].content)) {
-                           ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t count, (*relation)->count());
+                           A3D_ASSIGN(const std::int64_t count, (*relation)->count());
                            return counted(count);
                          }
                          if (const auto* values = std::get_if<ValueStreamPtr>(&given[0].content))

@@ -1,6 +1,7 @@
 // aggregateB, extend_aggr: a function of two values over the values of an attribute.
 #include <array>
 
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/changed_tuples.h"
 #include "queries/streams/mapping.h"
@@ -23,10 +24,10 @@ struct FoldFunction {
     return FoldFunction{*first, *second, *result};
   }
   Result<Value> call(const Function& function, const Value& a, const Value& b) const {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value left, loaded_as(a, first));
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value right, loaded_as(b, second));
+    A3D_ASSIGN(Value left, loaded_as(a, first));
+    A3D_ASSIGN(Value right, loaded_as(b, second));
     const std::array<Datum, 2> both = {Datum{std::move(left)}, Datum{std::move(right)}};
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, function.call_for_value(both));
+    A3D_ASSIGN(const Value value, function.call_for_value(both));
     return loaded_as(value, result);
   }
 };
@@ -39,13 +40,12 @@ class BalancedFold {
 
   Status add(Value value) {
     results_.push_back({std::move(value), 0});
-    while (results_.size() > 1 && results_[results_.size() - 2].level == results_.back().level)
-      ALGEBRA3D_RETURN_IF_ERROR(combine_last());
+    while (results_.size() > 1 && results_[results_.size() - 2].level == results_.back().level) A3D_TRY(combine_last());
     return {};
   }
   /// Nothing if no value was added.
   Result<std::optional<Value>> finish() {
-    while (results_.size() > 1) ALGEBRA3D_RETURN_IF_ERROR(combine_last());
+    while (results_.size() > 1) A3D_TRY(combine_last());
     return results_.empty() ? std::optional<Value>() : std::optional(results_.front().value);
   }
 
@@ -57,7 +57,7 @@ class BalancedFold {
 
   Status combine_last() {
     Partial& left = results_[results_.size() - 2];
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value combined, call_.call(function_, left.value, results_.back().value));
+    A3D_ASSIGN(Value combined, call_.call(function_, left.value, results_.back().value));
     left = {std::move(combined), left.level + 1};
     results_.pop_back();
     return {};
@@ -70,19 +70,19 @@ class BalancedFold {
 
 Result<BoundOperator> map_aggregate(std::span<const ArgumentType> arguments) {
   const MappingCheck check("aggregateB", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t index, check.attribute(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const std::size_t index, check.attribute(1, tuple));
   const TypeExpr type = tuple.attributes()[index].type;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const FoldFunction call, FoldFunction::make(check, check[2].type, type));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Conversion conversion, check.conversion(3, type));
-  return BoundOperator{
-      type, [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        BalancedFold fold(given[2].function(), call);
-        ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(
-            *given[0].tuples(), context, [&](const TuplePtr& next) { return fold.add(next->attributes[index]); }));
-        ALGEBRA3D_ASSIGN_OR_RETURN(const auto result, fold.finish());
-        return Datum{result ? *result : converted(given[3].value(), conversion)};
-      }};
+  A3D_ASSIGN(const FoldFunction call, FoldFunction::make(check, check[2].type, type));
+  A3D_ASSIGN(const Conversion conversion, check.conversion(3, type));
+  return BoundOperator{type, [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         BalancedFold fold(given[2].function(), call);
+                         A3D_TRY(for_each_tuple(*given[0].tuples(), context, [&](const TuplePtr& next) {
+                           return fold.add(next->attributes[index]);
+                         }));
+                         A3D_ASSIGN(const auto result, fold.finish());
+                         return Datum{result ? *result : converted(given[3].value(), conversion)};
+                       }};
 }
 
 /// The attributes that extend_aggr works on.
@@ -92,7 +92,7 @@ struct RunningFold {
 };
 
 Result<RunningFold> running_fold(const MappingCheck& check, const TypeExpr& tuple) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto attributes, check.attributes(1, tuple));
+  A3D_ASSIGN(const auto attributes, check.attributes(1, tuple));
   if (attributes.empty() || attributes.size() > 2)
     return check.error("expected one attribute, or two of which the second is a bool, before the semicolon");
   RunningFold fold{attributes[0], std::nullopt};
@@ -105,32 +105,31 @@ Result<RunningFold> running_fold(const MappingCheck& check, const TypeExpr& tupl
 
 Result<BoundOperator> map_extend_aggr(std::span<const ArgumentType> arguments) {
   const MappingCheck check("extend_aggr", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RunningFold fold, running_fold(check, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const RunningFold fold, running_fold(check, tuple));
   const TypeExpr type = tuple.attributes()[fold.attribute].type;
   if (check[2].names.size() != 1)
     return check.error("expected one function, as in extend_aggr[A; B: fun(a: int, b: int) a + b]");
-  ALGEBRA3D_ASSIGN_OR_RETURN(const FoldFunction call, FoldFunction::make(check, check[2].types[0], type));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result,
-                             check.concatenated(tuple, TypeExpr::tuple({{check[2].names[0], type}})));
+  A3D_ASSIGN(const FoldFunction call, FoldFunction::make(check, check[2].types[0], type));
+  A3D_ASSIGN(const TypeExpr result, check.concatenated(tuple, TypeExpr::tuple({{check[2].names[0], type}})));
   return BoundOperator{TypeExpr::stream(result), [fold, call](std::vector<Datum> given, Context&) -> Result<Datum> {
                          const auto function = given[2].list()[0].function_ptr();
-                         return changed_tuples(
-                             given[0].tuples(),
-                             [fold, call, function, so_far = std::optional<Value>()](
-                                 const TuplePtr& from, std::vector<Value>& to) mutable -> Status {
-                               const Value& next = from->attributes[fold.attribute];
-                               const bool begins =
-                                   !so_far || (fold.restart && is_true(from->attributes[*fold.restart]));
-                               if (!begins) {
-                                 ALGEBRA3D_ASSIGN_OR_RETURN(so_far, call.call(*function, *so_far, next));
-                               } else {
-                                 so_far = next;
-                               }
-                               to = extended_attributes(*from, 1);
-                               to.push_back(*so_far);
-                               return {};
-                             });
+                         return changed_tuples(given[0].tuples(),
+                                               [fold, call, function, so_far = std::optional<Value>()](
+                                                   const TuplePtr& from, std::vector<Value>& to) mutable -> Status {
+                                                 const Value& next = from->attributes[fold.attribute];
+                                                 const bool begins =
+                                                     !so_far ||
+                                                     (fold.restart && is_true(from->attributes[*fold.restart]));
+                                                 if (!begins) {
+                                                   A3D_ASSIGN(so_far, call.call(*function, *so_far, next));
+                                                 } else {
+                                                   so_far = next;
+                                                 }
+                                                 to = extended_attributes(*from, 1);
+                                                 to.push_back(*so_far);
+                                                 return {};
+                                               });
                        }};
 }
 

@@ -1,4 +1,5 @@
 // groupby: what functions make of runs of tuples with equal keys.
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/adjacent_groups.h"
 #include "queries/streams/mapping.h"
@@ -13,18 +14,17 @@ RelationPtr group_relation(const TypeExpr& tuple, TupleBuffer tuples) {
 
 Result<BoundOperator> map_groupby(std::span<const ArgumentType> arguments) {
   const MappingCheck check("groupby", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto keys, check.distinct_or_no_attributes(1, tuple));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.extended(projected(tuple, keys), 2, TypeExpr::rel(tuple)));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const auto keys, check.distinct_or_no_attributes(1, tuple));
+  A3D_ASSIGN(const TypeExpr result, check.extended(projected(tuple, keys), 2, TypeExpr::rel(tuple)));
   return BoundOperator{
       TypeExpr::stream(result), [tuple, keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return Datum{make_stream([groups = AdjacentGroups(given[0].tuples(), keys), functions = given[2].list(), tuple,
                                   &context]() mutable -> Result<TuplePtr> {
-          ALGEBRA3D_ASSIGN_OR_RETURN(auto group, groups.next(context));
+          A3D_ASSIGN(auto group, groups.next(context));
           if (!group) return TuplePtr();
           Tuple row{std::move(group->keys)};
-          ALGEBRA3D_RETURN_IF_ERROR(
-              append_results(functions, Datum{group_relation(tuple, std::move(group->tuples))}, row.attributes));
+          A3D_TRY(append_results(functions, Datum{group_relation(tuple, std::move(group->tuples))}, row.attributes));
           return TuplePtr(std::make_shared<const Tuple>(std::move(row)));
         })};
       }};

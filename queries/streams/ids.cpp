@@ -1,6 +1,7 @@
 // tupleid, addid, gettuples: the numbers of tuples within their relation.
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/types/tuple_number.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/changed_tuples.h"
 #include "queries/streams/mapping.h"
@@ -25,8 +26,8 @@ Result<BoundOperator> map_tupleid(std::span<const ArgumentType> arguments) {
 
 Result<BoundOperator> map_addid(std::span<const ArgumentType> arguments) {
   const MappingCheck check("addid", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const TypeExpr result, check.with_id(tuple));
   return BoundOperator{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          return changed_tuples(given[0].tuples(),
                                                [&context](const TuplePtr& from, std::vector<Value>& to) {
@@ -39,33 +40,33 @@ Result<BoundOperator> map_addid(std::span<const ArgumentType> arguments) {
 
 Result<BoundOperator> map_gettuples(std::span<const ArgumentType> arguments) {
   const MappingCheck check("gettuples", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr ids, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t id, check.id_attribute(ids));
+  A3D_ASSIGN(const TypeExpr ids, check.stream(0));
+  A3D_ASSIGN(const TypeExpr tuple, check.relation(1));
+  A3D_ASSIGN(const std::size_t id, check.id_attribute(ids));
   std::vector<std::size_t> kept;
   for (std::size_t index = 0; index < ids.attributes().size(); ++index)
     if (index != id) kept.push_back(index);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.concatenated(projected(ids, kept), tuple));
-  return BoundOperator{
-      TypeExpr::stream(result), [id, kept](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        return Datum{make_stream([id, kept, tuples = given[0].tuples(), relation = given[1].relation(), &context,
-                                  step = 0U]() mutable -> Result<TuplePtr> {
-          while (true) {
-            if (++step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-            ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, tuples->next());
-            if (next == nullptr) return TuplePtr();
-            if (!next->attributes[id].is_defined()) continue;
-            ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr found, relation->fetch(id_of(next->attributes[id])));
-            if (found == nullptr || kept.empty()) {
-              if (found != nullptr) return found;
-              continue;
-            }
-            Tuple left;
-            ALGEBRA3D_RETURN_IF_ERROR(append_attributes(*next, kept, left.attributes));
-            return concatenated(left, *found);
-          }
-        })};
-      }};
+  A3D_ASSIGN(const TypeExpr result, check.concatenated(projected(ids, kept), tuple));
+  return BoundOperator{TypeExpr::stream(result),
+                       [id, kept](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         return Datum{make_stream([id, kept, tuples = given[0].tuples(), relation = given[1].relation(),
+                                                   &context, step = 0U]() mutable -> Result<TuplePtr> {
+                           while (true) {
+                             if (++step % 1024 == 0) A3D_TRY(context.check_cancelled());
+                             A3D_ASSIGN(const TuplePtr next, tuples->next());
+                             if (next == nullptr) return TuplePtr();
+                             if (!next->attributes[id].is_defined()) continue;
+                             A3D_ASSIGN(const TuplePtr found, relation->fetch(id_of(next->attributes[id])));
+                             if (found == nullptr || kept.empty()) {
+                               if (found != nullptr) return found;
+                               continue;
+                             }
+                             Tuple left;
+                             A3D_TRY(append_attributes(*next, kept, left.attributes));
+                             return concatenated(left, *found);
+                           }
+                         })};
+                       }};
 }
 
 }  // namespace

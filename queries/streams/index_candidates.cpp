@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "algebra3d/kernel/search/boxes.h"
+#include "base/propagate.h"
 #include "queries/streams/detail/spatial_attribute.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/ordered_index.h"
@@ -30,11 +31,11 @@ Box3 window_for(const IndexQuestion& question) {
 Result<Candidates> spatial_candidates(const IndexQuestion& question, const SpatialIndex& index,
                                       std::uint64_t tuple_count) {
   // Empty values are not in the index, and are inside of everything; so is an empty operand.
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t entry_count, index.size());
+  A3D_ASSIGN(const std::size_t entry_count, index.size());
   if (question.use == IndexUse::is_inside && entry_count != tuple_count) return Candidates();
   if (question.use == IndexUse::contains && window_of(question.operand).is_empty()) return Candidates();
   const Box3 window = window_for(question);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto found, ids_in_window(index, window));
+  A3D_ASSIGN(const auto found, ids_in_window(index, window));
   return Candidates({std::vector<TupleId>(found.begin(), found.end()), index.attribute(), window});
 }
 
@@ -42,21 +43,21 @@ Result<Candidates> spatial_candidates(const IndexQuestion& question, const Spati
 Result<std::optional<Value>> as_key(const Value& operand, const TypeExpr& key) {
   const auto conversion = conversion_to(key, operand.type().term());
   if (!conversion) return std::optional<Value>();
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value value, loaded_as(operand, *conversion));
+  A3D_ASSIGN(Value value, loaded_as(operand, *conversion));
   return std::optional(std::move(value));
 }
 
 Result<Candidates> ordered_candidates(const IndexQuestion& question, const TypeExpr& key, const OrderedIndex& index) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<Value> operand, as_key(question.operand, key));
+  A3D_ASSIGN(const std::optional<Value> operand, as_key(question.operand, key));
   if (!operand) return Candidates();
   std::optional<Value> low = operand, high = operand;
   if (question.use == IndexUse::between) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(high, as_key(*question.limit, key));
+    A3D_ASSIGN(high, as_key(*question.limit, key));
     if (!high) return Candidates();
   }
   if (question.use == IndexUse::at_least) high.reset();
   if (question.use == IndexUse::at_most) low.reset();
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<TupleId> ids, index.entries().range(low, high));
+  A3D_ASSIGN(std::vector<TupleId> ids, index.entries().range(low, high));
   std::ranges::sort(ids);
   return Candidates({std::move(ids), index.attribute(), std::nullopt});
 }

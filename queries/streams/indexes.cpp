@@ -7,6 +7,7 @@
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/exact_scan.h"
 #include "queries/streams/detail/index_operands.h"
@@ -40,12 +41,11 @@ Result<TypeExpr> index_operand(const MappingCheck& check, std::size_t position) 
 Result<std::shared_ptr<Tree>> tree_of(const Datum& source, const IndexSource& from, std::size_t attribute,
                                       std::string_view op, const Context& context) {
   std::vector<Entry> entries;
-  ALGEBRA3D_RETURN_IF_ERROR(
-      for_each_indexed(source, from.id_attribute, op, context, [&](const Tuple& tuple, TupleId id) -> Status {
-        if (const Box3 box = window_of(tuple.attributes[attribute]); !box.is_empty())
-          entries.push_back({box, static_cast<std::uint64_t>(id)});
-        return {};
-      }));
+  A3D_TRY(for_each_indexed(source, from.id_attribute, op, context, [&](const Tuple& tuple, TupleId id) -> Status {
+    if (const Box3 box = window_of(tuple.attributes[attribute]); !box.is_empty())
+      entries.push_back({box, static_cast<std::uint64_t>(id)});
+    return {};
+  }));
   return std::make_shared<Tree>(Tree::bulk_load(entries));
 }
 
@@ -58,20 +58,20 @@ Result<Datum> create_index(const Datum& source, const IndexSource& from, std::si
         std::move(relation), name,
         SpatialIndex::Source{[=, &context, made = std::shared_ptr<Tree>()]() mutable -> Result<std::shared_ptr<Tree>> {
                                if (made == nullptr) {
-                                 ALGEBRA3D_ASSIGN_OR_RETURN(made, tree_of(source, from, attribute, op, context));
+                                 A3D_ASSIGN(made, tree_of(source, from, attribute, op, context));
                                }
                                return made;
                              },
                              {}})};
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto tree, tree_of(source, from, attribute, op, context));
+  A3D_ASSIGN(auto tree, tree_of(source, from, attribute, op, context));
   return Datum{std::make_shared<SpatialIndex>("", name, std::move(tree))};
 }
 
 TypeMapping map_creatertree(const algebra3d::Registry& registry, const char* op) {
   return [&registry, op](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check(op, arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const IndexSource from, index_source(check));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t attribute, spatial_attribute(registry, check, 1, from.given));
+    A3D_ASSIGN(const IndexSource from, index_source(check));
+    A3D_ASSIGN(const std::size_t attribute, spatial_attribute(registry, check, 1, from.given));
     return BoundOperator{index_type(from.indexed, from.given.attributes()[attribute].type),
                          [=](std::vector<Datum> given, Context& context) {
                            return create_index(given[0], from, attribute, op, context);
@@ -82,14 +82,14 @@ TypeMapping map_creatertree(const algebra3d::Registry& registry, const char* op)
 TypeMapping map_bulkloadrtree(const algebra3d::Registry& registry) {
   return [create = map_creatertree(registry, "bulkloadrtree")](
              std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
-    ALGEBRA3D_RETURN_IF_ERROR(MappingCheck("bulkloadrtree", arguments).stream(0));
+    A3D_TRY(MappingCheck("bulkloadrtree", arguments).stream(0));
     return create(arguments);
   };
 }
 
 Result<TypeExpr> indexed_relation(const MappingCheck& check) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr indexed, index_operand(check, 0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypeExpr tuple, check.relation(1));
+  A3D_ASSIGN(const TypeExpr indexed, index_operand(check, 0));
+  A3D_ASSIGN(TypeExpr tuple, check.relation(1));
   if (!(indexed == tuple))
     return check.error("expected an index on the relation's tuples, got " + check[0].type.text() +
                        "; to get the tuples of another relation by their ids use windowintersectsS and gettuples");
@@ -103,9 +103,9 @@ Status check_window(const algebra3d::Registry& registry, const MappingCheck& che
 
 /// Whether the argument at `position` is the constant "exact".
 Result<bool> asks_for_exact(const MappingCheck& check, std::size_t position) {
-  ALGEBRA3D_RETURN_IF_ERROR(check.characters(position));
+  A3D_TRY(check.characters(position));
   if (check[position].constant) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value word, check[position].constant());
+    A3D_ASSIGN(const Value word, check[position].constant());
     if (word.is_defined() && algebra3d::characters_of(word) == "exact") return true;
   }
   return check.error("expected the constant \"exact\"");
@@ -115,7 +115,7 @@ Result<bool> asks_for_exact(const MappingCheck& check, std::size_t position) {
 Result<IndexSearch> index_search(const std::vector<Datum>& given, std::string_view op) {
   const auto& index = given[0].index();
   const RelationPtr& relation = given[1].relation();
-  ALGEBRA3D_RETURN_IF_ERROR(check_fits(*index, *relation, op));
+  A3D_TRY(check_fits(*index, *relation, op));
   const auto& attributes = relation->tuple_type().attributes();
   const auto found = std::ranges::find(attributes, index->attribute(), &TypeExpr::Attribute::name);
   if (found == attributes.end())
@@ -128,7 +128,7 @@ TupleStreamPtr meeting(TupleStreamPtr candidates, std::size_t attribute, const R
                        const Value& window, Context& context) {
   const auto condition = [=](const Tuple& tuple, Context& own) -> Result<bool> {
     std::array values{tuple.attributes[attribute], window};
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value result, Registry::call(predicate, values, own));
+    A3D_ASSIGN(const Value result, Registry::call(predicate, values, own));
     return is_true(result);
   };
   return parallel_filter(std::move(candidates), condition, context);
@@ -137,20 +137,20 @@ TupleStreamPtr meeting(TupleStreamPtr candidates, std::size_t attribute, const R
 TypeMapping map_windowintersects(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("windowintersects", arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, indexed_relation(check));
-    ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(3, 4));
-    ALGEBRA3D_RETURN_IF_ERROR(check_window(registry, check, 2));
+    A3D_ASSIGN(const TypeExpr tuple, indexed_relation(check));
+    A3D_TRY(check.argument_count(3, 4));
+    A3D_TRY(check_window(registry, check, 2));
     std::optional<ResolvedCall> predicate;
     if (check.count() == 4) {
-      ALGEBRA3D_RETURN_IF_ERROR(asks_for_exact(check, 3));
+      A3D_TRY(asks_for_exact(check, 3));
       const std::array types{check[0].type.arguments()[1], check[2].type};
-      ALGEBRA3D_ASSIGN_OR_RETURN(predicate, registry.resolve(*registry.find_operator("intersects"), types));
+      A3D_ASSIGN(predicate, registry.resolve(*registry.find_operator("intersects"), types));
     }
     return BoundOperator{
         TypeExpr::stream(tuple), [predicate](std::vector<Datum> given, Context& context) -> Result<Datum> {
-          ALGEBRA3D_ASSIGN_OR_RETURN(const IndexSearch search, index_search(given, "windowintersects"));
+          A3D_ASSIGN(const IndexSearch search, index_search(given, "windowintersects"));
           const Value& window = given[2].value();
-          ALGEBRA3D_ASSIGN_OR_RETURN(auto ids, ids_in_window(*search.index, window_of(window)));
+          A3D_ASSIGN(auto ids, ids_in_window(*search.index, window_of(window)));
           const auto meets = [attribute = search.attribute, box = window_of(window)](const Tuple& found,
                                                                                      std::uint64_t) {
             return window_of(found.attributes[attribute]).intersects(box);
@@ -158,7 +158,7 @@ TypeMapping map_windowintersects(const Registry& registry) {
           TupleStreamPtr tuples =
               fetched(search.relation, search.index, one_by_one(std::move(ids)), std::identity(), meets);
           if (!predicate) return Datum{std::move(tuples)};
-          ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, window.loaded());
+          A3D_ASSIGN(const Value loaded, window.loaded());
           return Datum{meeting(std::move(tuples), search.attribute, *predicate, loaded, context)};
         }};
   };
@@ -167,14 +167,14 @@ TypeMapping map_windowintersects(const Registry& registry) {
 TypeMapping map_window_ids(const algebra3d::Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("windowintersectsS", arguments);
-    ALGEBRA3D_RETURN_IF_ERROR(index_operand(check, 0));
-    ALGEBRA3D_RETURN_IF_ERROR(check_window(registry, check, 1));
+    A3D_TRY(index_operand(check, 0));
+    A3D_TRY(check_window(registry, check, 1));
     return BoundOperator{
         TypeExpr::stream(TypeExpr::tuple({{"Id", TypeExpr("tid")}})),
         [](std::vector<Datum> given, Context&) -> Result<Datum> {
-          ALGEBRA3D_ASSIGN_OR_RETURN(auto found, ids_in_window(*given[0].index(), window_of(given[1].value())));
+          A3D_ASSIGN(auto found, ids_in_window(*given[0].index(), window_of(given[1].value())));
           return Datum{make_stream([ids = one_by_one(std::move(found))]() mutable -> Result<TuplePtr> {
-            ALGEBRA3D_ASSIGN_OR_RETURN(const auto id, ids());
+            A3D_ASSIGN(const auto id, ids());
             if (!id) return TuplePtr();
             return TuplePtr(std::make_shared<const Tuple>(Tuple{{id_value(static_cast<TupleId>(*id))}}));
           })};
@@ -185,15 +185,14 @@ TypeMapping map_window_ids(const algebra3d::Registry& registry) {
 TypeMapping map_nodes() {
   return [](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("nodes", arguments);
-    ALGEBRA3D_RETURN_IF_ERROR(index_operand(check, 0));
+    A3D_TRY(index_operand(check, 0));
     return BoundOperator{
         TypeExpr::stream(TypeExpr::tuple({{"Level", TypeExpr("int")},
                                           {"Leaf", TypeExpr("bool")},
                                           {"Members", TypeExpr("int")},
                                           {"Box", TypeExpr("rect3")}})),
         [](std::vector<Datum> given, Context&) -> Result<Datum> {
-          ALGEBRA3D_ASSIGN_OR_RETURN(auto nodes,
-                                     given[0].index()->ask([](const Tree& tree) { return rtree::nodes_of(tree); }));
+          A3D_ASSIGN(auto nodes, given[0].index()->ask([](const Tree& tree) { return rtree::nodes_of(tree); }));
           return Datum{make_stream([nodes = std::move(nodes), next = std::size_t{0}]() mutable -> Result<TuplePtr> {
             if (next == nodes.size()) return TuplePtr();
             const rtree::NodeSummary& node = nodes[next++];
@@ -213,15 +212,15 @@ struct ScanOptions {
 
 Result<ScanOptions> scan_options(const Registry& registry, const MappingCheck& check) {
   ScanOptions options;
-  ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(3, 5));
-  ALGEBRA3D_RETURN_IF_ERROR(check_window(registry, check, 2));
+  A3D_TRY(check.argument_count(3, 5));
+  A3D_TRY(check_window(registry, check, 2));
   options.has_limit = check.count() == 5 || (check.count() == 4 && check[3].type.is("int"));
-  if (options.has_limit) ALGEBRA3D_RETURN_IF_ERROR(check.type(3, "int"));
+  if (options.has_limit) A3D_TRY(check.type(3, "int"));
   const std::size_t word = options.has_limit ? 4 : 3;
   if (word == check.count()) return options;
   if (word == 3 && !check[3].type.is("string") && !check[3].type.is("text"))
     return check.expected("int", check[3].type);
-  ALGEBRA3D_ASSIGN_OR_RETURN(options.is_exact, asks_for_exact(check, word));
+  A3D_ASSIGN(options.is_exact, asks_for_exact(check, word));
   const std::array types{check[0].type.arguments()[1], check[2].type};
   const auto distance = registry.resolve(*registry.find_operator("distance"), types);
   if (!distance) return distance.error();
@@ -238,15 +237,15 @@ std::uint64_t scan_limit(const std::vector<Datum>& given, const ScanOptions& opt
 TypeMapping map_distancescan(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("distancescan", arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, indexed_relation(check));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const ScanOptions options, scan_options(registry, check));
+    A3D_ASSIGN(const TypeExpr tuple, indexed_relation(check));
+    A3D_ASSIGN(const ScanOptions options, scan_options(registry, check));
     return BoundOperator{
         TypeExpr::stream(tuple), [options](std::vector<Datum> given, Context& context) -> Result<Datum> {
-          ALGEBRA3D_ASSIGN_OR_RETURN(IndexSearch search, index_search(given, "distancescan"));
+          A3D_ASSIGN(IndexSearch search, index_search(given, "distancescan"));
           const Box3 box = window_of(given[2].value());
           std::uint64_t left = box.is_empty() ? 0 : scan_limit(given, options);
           if (options.is_exact && left > 0) {
-            ALGEBRA3D_ASSIGN_OR_RETURN(const Value to, given[2].value().loaded());
+            A3D_ASSIGN(const Value to, given[2].value().loaded());
             return Datum{exact_distance_scan(std::move(search), to, left, context)};
           }
           using Neighbor = NearestEntries::Neighbor;

@@ -1,6 +1,7 @@
 // product, symmjoin, loopjoin, loopsel: pairs of tuples by nested loops.
 #include <array>
 
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/pairs.h"
 #include "queries/streams/mapping.h"
@@ -9,26 +10,26 @@ namespace queries {
 namespace {
 
 Result<BoundOperator> map_product(std::span<const ArgumentType> arguments) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const JoinTypes types, join_types(MappingCheck("product", arguments)));
+  A3D_ASSIGN(const JoinTypes types, join_types(MappingCheck("product", arguments)));
   return BoundOperator{TypeExpr::stream(types.joined), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                         ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer right, buffered(*given[1].tuples(), context));
+                         A3D_ASSIGN(TupleBuffer right, buffered(*given[1].tuples(), context));
                          return Datum{all_pairs(given[0].tuples(), std::move(right), context)};
                        }};
 }
 
 Result<BoundOperator> map_symmjoin(std::span<const ArgumentType> arguments) {
   const MappingCheck check("symmjoin", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const JoinTypes types, join_types(check));
-  ALGEBRA3D_RETURN_IF_ERROR(check.function(2, {types.left, types.right}, "bool"));
+  A3D_ASSIGN(const JoinTypes types, join_types(check));
+  A3D_TRY(check.function(2, {types.left, types.right}, "bool"));
   return BoundOperator{TypeExpr::stream(types.joined), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                         ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer right, buffered(*given[1].tuples(), context));
+                         A3D_ASSIGN(TupleBuffer right, buffered(*given[1].tuples(), context));
                          return Datum{make_stream([loop = NestedLoop(given[0].tuples(), std::move(right), context),
                                                    predicate = given[2].function_ptr()]() mutable -> Result<TuplePtr> {
                            while (true) {
-                             ALGEBRA3D_ASSIGN_OR_RETURN(auto pair, loop.next());
+                             A3D_ASSIGN(auto pair, loop.next());
                              if (pair.first == nullptr) return TuplePtr();
                              const std::array<Datum, 2> both = {Datum{pair.first}, Datum{pair.second}};
-                             ALGEBRA3D_ASSIGN_OR_RETURN(const Value holds, predicate->call_for_value(both));
+                             A3D_ASSIGN(const Value holds, predicate->call_for_value(both));
                              if (is_true(holds)) return concatenated(*pair.first, *pair.second);
                            }
                          })};
@@ -42,15 +43,15 @@ Datum looped(std::vector<Datum> given, const Context& context, Combine combine) 
       make_stream([outer_tuples = given[0].tuples(), function = given[1].function_ptr(), &context, combine,
                    outer = TuplePtr(), inner_tuples = TupleStreamPtr(), step = 0U]() mutable -> Result<TuplePtr> {
         while (true) {
-          if (++step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+          if (++step % 1024 == 0) A3D_TRY(context.check_cancelled());
           if (inner_tuples != nullptr) {
-            ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr inner, inner_tuples->next());
+            A3D_ASSIGN(const TuplePtr inner, inner_tuples->next());
             if (inner != nullptr) return combine(outer, inner);
           }
-          ALGEBRA3D_ASSIGN_OR_RETURN(outer, outer_tuples->next());
+          A3D_ASSIGN(outer, outer_tuples->next());
           if (outer == nullptr) return TuplePtr();
           const Datum argument{outer};
-          ALGEBRA3D_ASSIGN_OR_RETURN(const Datum stream, function->call({&argument, 1}));
+          A3D_ASSIGN(const Datum stream, function->call({&argument, 1}));
           inner_tuples = stream.tuples();
         }
       })};
@@ -58,7 +59,7 @@ Datum looped(std::vector<Datum> given, const Context& context, Combine combine) 
 
 /// The tuple type of the stream that the function at place 1 gives.
 Result<TypeExpr> inner_type(const MappingCheck& check, const TypeExpr& outer) {
-  ALGEBRA3D_RETURN_IF_ERROR(check.takes(check[1].type, {outer}));
+  A3D_TRY(check.takes(check[1].type, {outer}));
   const TypeExpr inner = check[1].type.function_result();
   if (inner.is_tuple_stream()) return inner.element();
   return check.expected("a function that gives a stream of tuples", inner);
@@ -66,9 +67,9 @@ Result<TypeExpr> inner_type(const MappingCheck& check, const TypeExpr& outer) {
 
 Result<BoundOperator> map_loopjoin(std::span<const ArgumentType> arguments) {
   const MappingCheck check("loopjoin", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr inner, inner_type(check, left));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr joined, check.concatenated(left, inner));
+  A3D_ASSIGN(const TypeExpr left, check.stream(0));
+  A3D_ASSIGN(const TypeExpr inner, inner_type(check, left));
+  A3D_ASSIGN(const TypeExpr joined, check.concatenated(left, inner));
   return BoundOperator{TypeExpr::stream(joined), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          return looped(std::move(given), context,
                                        [](const TuplePtr& outer, const TuplePtr& inner_tuple) {
@@ -79,8 +80,8 @@ Result<BoundOperator> map_loopjoin(std::span<const ArgumentType> arguments) {
 
 Result<BoundOperator> map_loopsel(std::span<const ArgumentType> arguments) {
   const MappingCheck check("loopsel", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr inner, inner_type(check, left));
+  A3D_ASSIGN(const TypeExpr left, check.stream(0));
+  A3D_ASSIGN(const TypeExpr inner, inner_type(check, left));
   return BoundOperator{TypeExpr::stream(inner), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          return looped(std::move(given), context,
                                        [](const TuplePtr&, const TuplePtr& inner_tuple) { return inner_tuple; });

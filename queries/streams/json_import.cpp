@@ -8,6 +8,7 @@
 
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/import_columns.h"
 #include "queries/streams/detail/json_layout.h"
@@ -47,7 +48,7 @@ class JsonTuples final : public TupleStream {
         context_(context) {}
 
   Result<TuplePtr> next() override {
-    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+    A3D_TRY(context_.check_cancelled());
     const auto has_record = records_.next(record_);
     if (!has_record) return in_json_file(name_, has_record.error());
     if (!*has_record) return TuplePtr();
@@ -55,7 +56,7 @@ class JsonTuples final : public TupleStream {
     if (!tree) return in_json_file(name_, tree.error());
     Tuple made;
     for (const Type* type : types_) made.attributes.emplace_back(*type);
-    ALGEBRA3D_RETURN_IF_ERROR(fill(*tree, made));
+    A3D_TRY(fill(*tree, made));
     return std::make_shared<const Tuple>(std::move(made));
   }
 
@@ -73,7 +74,7 @@ class JsonTuples final : public TupleStream {
           return in_json_file(
               name_, {ErrorCode::file_format, "line {}, record {}: the members {} and {} both mean {}", record_.line,
                       record_.number, tree.text(other), tree.text(key), columns_[*position]});
-        ALGEBRA3D_RETURN_IF_ERROR(set(*position, tree.text(value), made));
+        A3D_TRY(set(*position, tree.text(value), made));
       }
       key = tree.after(value);
     }
@@ -132,8 +133,8 @@ JsonLayout stated_json_layout(const TypeExpr& tuple) {
 }
 
 Result<JsonLayout> guessed_json_layout(const MappingCheck& check, const JsonOptions& options, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, constant_file_name(check, "importJSON"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(name));
+  A3D_ASSIGN(const std::string name, constant_file_name(check, "importJSON"));
+  A3D_ASSIGN(const std::filesystem::path path, context.resolve(name));
   auto layout = guess_json_layout(path, options, context);
   if (!layout) return in_json_file(name, layout.error());
   std::vector<std::string> attributes;
@@ -145,7 +146,7 @@ Result<JsonLayout> guessed_json_layout(const MappingCheck& check, const JsonOpti
 
 Result<BoundOperator> map_import_json(std::span<const ArgumentType> arguments, Context& context) {
   const MappingCheck check("importJSON", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ImportArguments given, import_arguments(check));
+  A3D_ASSIGN(const ImportArguments given, import_arguments(check));
   const auto options = parse_json_options(given.options);
   if (!options) return check.error(options.error().message);
   auto layout = given.tuple ? Result<JsonLayout>(stated_json_layout(*given.tuple))
@@ -157,7 +158,7 @@ Result<BoundOperator> map_import_json(std::span<const ArgumentType> arguments, C
         const Value& file = values[0].value();
         if (!file.is_defined()) return Datum{no_json_tuples()};
         const std::string& name = algebra3d::characters_of(file);
-        ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, running.resolve(name));
+        A3D_ASSIGN(const std::filesystem::path path, running.resolve(name));
         auto opened = TextFile::open(path);
         if (!opened) return in_json_file(name, opened.error());
         if (const auto same = opened->check_state(layout.guessed_from); !same) return in_json_file(name, same.error());

@@ -6,6 +6,7 @@
 #include "algebra3d/values/types/nested_relation.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/tuple_number.h"
+#include "base/propagate.h"
 #include "queries/streams/detail/any_stream.h"
 #include "queries/streams/relation.h"
 
@@ -66,7 +67,7 @@ Status MappingCheck::takes(const TypeExpr& function, const std::vector<TypeExpr>
 Status MappingCheck::function(std::size_t position, const std::vector<TypeExpr>& parameters,
                               std::string_view result) const {
   const TypeExpr& type = arguments_[position].type;
-  ALGEBRA3D_RETURN_IF_ERROR(takes(type, parameters));
+  A3D_TRY(takes(type, parameters));
   if (type.function_result().is(result)) return {};
   return expected("a function that gives " + std::string(result), type.function_result());
 }
@@ -97,7 +98,7 @@ Result<std::size_t> MappingCheck::attribute_named(const std::string& name, const
 Result<std::vector<std::size_t>> MappingCheck::attributes(std::size_t position, const TypeExpr& tuple) const {
   std::vector<std::size_t> indices;
   for (std::size_t which = 0; which < arguments_[position].names.size(); ++which) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t index, attribute(position, tuple, which));
+    A3D_ASSIGN(const std::size_t index, attribute(position, tuple, which));
     indices.push_back(index);
   }
   return indices;
@@ -110,7 +111,7 @@ Result<std::vector<std::size_t>> MappingCheck::distinct_attributes(std::size_t p
 
 Result<std::vector<std::size_t>> MappingCheck::distinct_or_no_attributes(std::size_t position,
                                                                          const TypeExpr& tuple) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto indices, attributes(position, tuple));
+  A3D_ASSIGN(auto indices, attributes(position, tuple));
   for (std::size_t i = 0; i < indices.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (indices[i] == indices[j])
@@ -139,7 +140,7 @@ Result<Conversion> MappingCheck::conversion(std::size_t position, const TypeExpr
 }
 
 Status MappingCheck::characters(std::size_t position) const {
-  ALGEBRA3D_RETURN_IF_ERROR(conversion(position, TypeExpr("text")));
+  A3D_TRY(conversion(position, TypeExpr("text")));
   return {};
 }
 
@@ -161,7 +162,7 @@ Result<TypeExpr> MappingCheck::extended(const TypeExpr& tuple, std::size_t posit
   const ArgumentType& argument = arguments_[position];
   std::vector<TypeExpr::Attribute> made;
   for (std::size_t i = 0; i < argument.names.size(); ++i) {
-    ALGEBRA3D_RETURN_IF_ERROR(takes(argument.types[i], {parameter}));
+    A3D_TRY(takes(argument.types[i], {parameter}));
     const TypeExpr& result = argument.types[i].function_result();
     const std::string_view hint =
         result.is_tuple_stream() ? " (write `aconsume` after the stream of tuples for a nested relation)" : "";
@@ -206,7 +207,7 @@ Value converted(const Value& value, Conversion conversion) {
 
 Result<Value> loaded_as(const Value& value, Conversion conversion) {
   if (conversion == nullptr) return value;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  A3D_ASSIGN(const Value loaded, value.loaded());
   return algebra3d::converted(loaded, *conversion);
 }
 
@@ -236,14 +237,14 @@ Result<std::vector<Value>> loaded_values(const TuplePtr& tuple) {
   std::vector<Value> values;
   values.reserve(tuple->attributes.size());
   for (const Value& attribute : tuple->attributes) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value loaded, attribute.loaded());
+    A3D_ASSIGN(Value loaded, attribute.loaded());
     values.push_back(std::move(loaded));
   }
   return values;
 }
 
 Result<std::vector<Value>> loaded_values(const std::optional<Value>& value) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value loaded, value->loaded());
+  A3D_ASSIGN(Value loaded, value->loaded());
   return std::vector<Value>{std::move(loaded)};
 }
 
@@ -258,7 +259,7 @@ bool is_true(const Value& value) {
 
 Status append_results(const DatumList& functions, const Datum& argument, std::vector<Value>& attributes) {
   for (const Datum& function : functions) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value result, function.function().call_for_value({&argument, 1}));
+    A3D_ASSIGN(Value result, function.function().call_for_value({&argument, 1}));
     attributes.push_back(std::move(result));
   }
   return {};

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/propagate.h"
 #include "queries/streams/stream_operator.h"
 
 namespace queries {
@@ -108,10 +109,10 @@ Result<TupleStreamPtr> tuples_of(const Datum& operand);
 template <typename Visit>
 Status for_each_tuple(TupleStream& stream, const Context& context, Visit visit) {
   for (std::uint32_t step = 1;; ++step) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, stream.next());
+    A3D_ASSIGN(const TuplePtr tuple, stream.next());
     if (tuple == nullptr) return {};
-    if (step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_RETURN_IF_ERROR(visit(tuple));
+    if (step % 1024 == 0) A3D_TRY(context.check_cancelled());
+    A3D_TRY(visit(tuple));
   }
 }
 /// The concatenation of two tuples, without an id.

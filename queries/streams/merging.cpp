@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/any_stream.h"
 #include "queries/streams/detail/sorting.h"
@@ -43,8 +44,8 @@ std::optional<CommonElement> common_element(const TypeExpr& first, const TypeExp
 }
 
 Result<CommonElement> common_element(const MappingCheck& check) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr first, check.any_stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr second, check.any_stream(1));
+  A3D_ASSIGN(const TypeExpr first, check.any_stream(0));
+  A3D_ASSIGN(const TypeExpr second, check.any_stream(1));
   if (auto common = common_element(first, second)) return *std::move(common);
   return check.error("expected two streams with elements of the same types, got " + first.text() + " and " +
                      second.text());
@@ -54,14 +55,14 @@ Result<TuplePtr> element_as(const std::vector<Conversion>& conversions, const Tu
   Tuple tuple;
   tuple.attributes.reserve(from->attributes.size());
   for (std::size_t i = 0; i < conversions.size(); ++i) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value value, loaded_as(from->attributes[i], conversions[i]));
+    A3D_ASSIGN(Value value, loaded_as(from->attributes[i], conversions[i]));
     tuple.attributes.push_back(std::move(value));
   }
   return std::make_shared<const Tuple>(std::move(tuple));
 }
 
 Result<std::optional<Value>> element_as(const std::vector<Conversion>& conversions, const std::optional<Value>& from) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value value, loaded_as(*from, conversions.front()));
+  A3D_ASSIGN(Value value, loaded_as(*from, conversions.front()));
   return std::optional(std::move(value));
 }
 
@@ -69,7 +70,7 @@ template <typename Stream>
 std::shared_ptr<Stream> stream_as(const std::vector<Conversion>& conversions, const std::shared_ptr<Stream>& stream) {
   if (std::ranges::all_of(conversions, [](Conversion conversion) { return conversion == nullptr; })) return stream;
   return make_stream_of<Stream>([conversions, stream]() -> Result<ElementOf<Stream>> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> element, stream->next());
+    A3D_ASSIGN(ElementOf<Stream> element, stream->next());
     if (!element) return element;
     return element_as(conversions, element);
   });
@@ -80,7 +81,7 @@ template <typename Merge>
 TypeMapping merging(const char* op, Merge merge) {
   return [op, merge](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check(op, arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const CommonElement common, common_element(check));
+    A3D_ASSIGN(const CommonElement common, common_element(check));
     return BoundOperator{
         TypeExpr::stream(common.type), [merge, common](std::vector<Datum> given, Context& context) -> Result<Datum> {
           return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& first) {
@@ -111,9 +112,9 @@ class AscendingStream {
     std::vector<Value> last = std::move(keys_);
     keys_.clear();
     const bool has_last = static_cast<bool>(current_);
-    ALGEBRA3D_ASSIGN_OR_RETURN(current_, stream_->next());
+    A3D_ASSIGN(current_, stream_->next());
     if (!current_) return {};
-    ALGEBRA3D_ASSIGN_OR_RETURN(keys_, loaded_values(current_));
+    A3D_ASSIGN(keys_, loaded_values(current_));
     if (has_last && compare_keys(last, keys_) >= 0) return Error{ErrorCode::wrong_usage, unsorted_};
     return {};
   }
@@ -152,17 +153,17 @@ class Merge {
   Result<ElementOf<Stream>> next() {
     if (!has_begun_) {
       has_begun_ = true;
-      ALGEBRA3D_RETURN_IF_ERROR(first_.advance());
-      ALGEBRA3D_RETURN_IF_ERROR(second_.advance());
+      A3D_TRY(first_.advance());
+      A3D_TRY(second_.advance());
     }
     while (first_.current() || second_.current()) {
-      if (++steps_ % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+      if (++steps_ % 1024 == 0) A3D_TRY(context_.check_cancelled());
       const auto order = !second_.current()  ? std::strong_ordering::less
                          : !first_.current() ? std::strong_ordering::greater
                                              : compare_keys(first_.keys(), second_.keys());
       const ElementOf<Stream> element = order <= 0 ? first_.current() : second_.current();
-      if (order <= 0) ALGEBRA3D_RETURN_IF_ERROR(first_.advance());
-      if (order >= 0) ALGEBRA3D_RETURN_IF_ERROR(second_.advance());
+      if (order <= 0) A3D_TRY(first_.advance());
+      if (order >= 0) A3D_TRY(second_.advance());
       if (order < 0 ? rule_.keeps_first : order > 0 ? rule_.keeps_second : rule_.keeps_both) return element;
     }
     return ElementOf<Stream>();

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/join_condition.h"
 #include "queries/streams/detail/nearest_join.h"
@@ -19,10 +20,9 @@ using algebra3d::Registry;
 enum class Operands : std::uint8_t { two_streams, one_stream };
 
 Result<SpatialOperands> nearest_operands(const Registry& registry, const MappingCheck& check, Operands operands) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SpatialOperands join, operands == Operands::two_streams
-                                                       ? spatial_operands(registry, check)
-                                                       : spatial_self_operands(registry, check));
-  ALGEBRA3D_RETURN_IF_ERROR(check_operands(registry, "distance", std::array{join.left_type, join.right_type}));
+  A3D_ASSIGN(SpatialOperands join, operands == Operands::two_streams ? spatial_operands(registry, check)
+                                                                     : spatial_self_operands(registry, check));
+  A3D_TRY(check_operands(registry, "distance", std::array{join.left_type, join.right_type}));
   return join;
 }
 
@@ -34,7 +34,7 @@ TupleStreamPtr empty_stream() {
 template <typename Join>
 Result<Datum> run_join(const std::vector<Datum>& given, Operands operands, const Context& context, const Join& join) {
   const bool is_self_join = operands == Operands::one_stream;
-  ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer partners, buffered(*given[is_self_join ? 0 : 1].tuples(), context));
+  A3D_ASSIGN(TupleBuffer partners, buffered(*given[is_self_join ? 0 : 1].tuples(), context));
   const TupleStreamPtr probes = is_self_join ? partners.scan() : given[0].tuples();
   return Datum{join(probes, std::move(partners))};
 }
@@ -42,8 +42,8 @@ Result<Datum> run_join(const std::vector<Datum>& given, Operands operands, const
 TypeMapping map_knn_join(const Registry& registry, const char* op, Operands operands) {
   return [&registry, op, operands](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check(op, arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialOperands join, nearest_operands(registry, check, operands));
-    ALGEBRA3D_RETURN_IF_ERROR(check.type(check.count() - 1, "int"));
+    A3D_ASSIGN(const SpatialOperands join, nearest_operands(registry, check, operands));
+    A3D_TRY(check.type(check.count() - 1, "int"));
     return BoundOperator{
         TypeExpr::stream(join.joined), [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
           const Value& count = given.back().value();
@@ -60,7 +60,7 @@ TypeMapping map_knn_join(const Registry& registry, const char* op, Operands oper
 TypeMapping map_closest_pair(const Registry& registry, const char* op, Operands operands) {
   return [&registry, op, operands](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check(op, arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialOperands join, nearest_operands(registry, check, operands));
+    A3D_ASSIGN(const SpatialOperands join, nearest_operands(registry, check, operands));
     return BoundOperator{TypeExpr::stream(join.joined),
                          [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
                            const NearestTask task{join.left_key, join.right_key, 1,

@@ -1,13 +1,14 @@
 #include "queries/streams/nested_relations.h"
 
 #include "algebra3d/values/types/nested_relation.h"
+#include "base/propagate.h"
 
 namespace queries {
 
 Result<RelationPtr> table_of(const TypeExpr& type, const Datum& value) {
   if (type.is_relation()) return value.relation();
   if (!type.is_nested_relation()) return RelationPtr();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.value().loaded());
+  A3D_ASSIGN(const Value loaded, value.value().loaded());
   if (!loaded.is_defined()) return RelationPtr();
   const auto& relation = loaded.get<algebra3d::NestedRelation>();
   std::vector<TuplePtr> tuples;

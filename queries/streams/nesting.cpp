@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "algebra3d/values/types/nested_relation.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/adjacent_groups.h"
 #include "queries/streams/detail/nested_tuples.h"
@@ -14,14 +15,14 @@ using algebra3d::NestedRelationType;
 
 Result<BoundOperator> map_aconsume(std::span<const ArgumentType> arguments) {
   const MappingCheck check("aconsume", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedRelationType* type, NestedRelationType::of(tuple));
-  return BoundOperator{type->term(), [type](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                         ALGEBRA3D_ASSIGN_OR_RETURN(
-                             Value relation, collected_relation(*given[0].tuples(), all_attributes(type->tuple()),
-                                                                *type, "aconsume", context));
-                         return Datum{std::move(relation)};
-                       }};
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const NestedRelationType* type, NestedRelationType::of(tuple));
+  return BoundOperator{
+      type->term(), [type](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        A3D_ASSIGN(Value relation,
+                   collected_relation(*given[0].tuples(), all_attributes(type->tuple()), *type, "aconsume", context));
+        return Datum{std::move(relation)};
+      }};
 }
 
 Result<BoundOperator> map_afeed(std::span<const ArgumentType> arguments) {
@@ -30,7 +31,7 @@ Result<BoundOperator> map_afeed(std::span<const ArgumentType> arguments) {
   if (!type.is_nested_relation()) return check.expected("a nested relation", type);
   return BoundOperator{TypeExpr::stream(type.element()),
                        [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                         ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr tuples, tuples_of_nested(given[0].value(), context));
+                         A3D_ASSIGN(TupleStreamPtr tuples, tuples_of_nested(given[0].value(), context));
                          return Datum{std::move(tuples)};
                        }};
 }
@@ -45,23 +46,21 @@ std::vector<std::size_t> others(const TypeExpr& tuple, const std::vector<std::si
 
 Result<BoundOperator> map_nest(std::span<const ArgumentType> arguments) {
   const MappingCheck check("nest", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto keys, check.distinct_or_no_attributes(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const auto keys, check.distinct_or_no_attributes(1, tuple));
   const std::vector<std::size_t> nested = others(tuple, keys);
   if (nested.empty()) return check.error("no attribute would be left for the nested relation");
-  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedRelationType* type, NestedRelationType::of(projected(tuple, nested)));
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      const TypeExpr result,
-      check.concatenated(projected(tuple, keys), TypeExpr::tuple({{arguments[2].names[0], type->term()}})));
+  A3D_ASSIGN(const NestedRelationType* type, NestedRelationType::of(projected(tuple, nested)));
+  A3D_ASSIGN(const TypeExpr result,
+             check.concatenated(projected(tuple, keys), TypeExpr::tuple({{arguments[2].names[0], type->term()}})));
   return BoundOperator{
       TypeExpr::stream(result), [keys, nested, type](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return Datum{make_stream(
             [groups = AdjacentGroups(given[0].tuples(), keys), nested, type, &context]() mutable -> Result<TuplePtr> {
-              ALGEBRA3D_ASSIGN_OR_RETURN(auto group, groups.next(context));
+              A3D_ASSIGN(auto group, groups.next(context));
               if (!group) return TuplePtr();
               Tuple row{std::move(group->keys)};
-              ALGEBRA3D_ASSIGN_OR_RETURN(Value relation,
-                                         collected_relation(*group->tuples.scan(), nested, *type, "nest", context));
+              A3D_ASSIGN(Value relation, collected_relation(*group->tuples.scan(), nested, *type, "nest", context));
               row.attributes.push_back(std::move(relation));
               return TuplePtr(std::make_shared<const Tuple>(std::move(row)));
             })};
@@ -76,14 +75,14 @@ class UnnestStream final : public TupleStream {
 
   Result<TuplePtr> next() override {
     while (true) {
-      if (++step_ % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+      if (++step_ % 1024 == 0) A3D_TRY(context_.check_cancelled());
       if (inner_ != nullptr) {
-        ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr inner, inner_->next());
+        A3D_ASSIGN(const TuplePtr inner, inner_->next());
         if (inner != nullptr) return joined(*inner);
       }
-      ALGEBRA3D_ASSIGN_OR_RETURN(current_, tuples_->next());
+      A3D_ASSIGN(current_, tuples_->next());
       if (current_ == nullptr) return TuplePtr();
-      ALGEBRA3D_ASSIGN_OR_RETURN(inner_, tuples_of_nested(current_->attributes[relation_], context_));
+      A3D_ASSIGN(inner_, tuples_of_nested(current_->attributes[relation_], context_));
     }
   }
 
@@ -107,12 +106,12 @@ class UnnestStream final : public TupleStream {
 
 Result<BoundOperator> map_unnest(std::span<const ArgumentType> arguments) {
   const MappingCheck check("unnest", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t relation, check.attribute(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const std::size_t relation, check.attribute(1, tuple));
   const TypeExpr& type = tuple.attributes()[relation].type;
   if (!type.is_nested_relation()) return check.expected("an attribute that is a nested relation", type);
   const std::vector<std::size_t> kept = others(tuple, {relation});
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.concatenated(projected(tuple, kept), type.element()));
+  A3D_ASSIGN(const TypeExpr result, check.concatenated(projected(tuple, kept), type.element()));
   return BoundOperator{
       TypeExpr::stream(result), [kept, relation](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return Datum{TupleStreamPtr(std::make_shared<UnnestStream>(given[0].tuples(), kept, relation, context))};

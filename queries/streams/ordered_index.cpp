@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/propagate.h"
+
 namespace queries {
 
 bool OrderedTree::Less::operator()(const Entry& a, const Entry& b) const {
@@ -28,19 +30,19 @@ Result<std::vector<TupleId>> OrderedTree::range(const std::optional<Value>& low,
 
 Result<const OrderedEntries*> DeferredOrder::made() const {
   if (made_ == nullptr) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(made_, make_());
+    A3D_ASSIGN(made_, make_());
   }
   return made_.get();
 }
 
 Result<std::size_t> DeferredOrder::size() const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const OrderedEntries* entries, made());
+  A3D_ASSIGN(const OrderedEntries* entries, made());
   return entries->size();
 }
 
 Result<std::vector<TupleId>> DeferredOrder::range(const std::optional<Value>& low,
                                                   const std::optional<Value>& high) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const OrderedEntries* entries, made());
+  A3D_ASSIGN(const OrderedEntries* entries, made());
   return entries->range(low, high);
 }
 

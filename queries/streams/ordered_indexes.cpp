@@ -1,5 +1,6 @@
 // createbtree, exactmatch, range, leftrange, rightrange: ordered indexes on relations.
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/index_operands.h"
 #include "queries/streams/ordered_index.h"
@@ -10,12 +11,12 @@ namespace {
 Result<std::shared_ptr<const OrderedTree>> tree_of(const Datum& source, const IndexSource& from, std::size_t attribute,
                                                    const Context& context) {
   std::vector<OrderedTree::Entry> entries;
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_indexed(
-      source, from.id_attribute, "createbtree", context, [&](const Tuple& tuple, TupleId id) -> Status {
-        ALGEBRA3D_ASSIGN_OR_RETURN(Value key, tuple.attributes[attribute].loaded());
-        if (key.is_defined()) entries.push_back({std::move(key), id});
-        return {};
-      }));
+  A3D_TRY(for_each_indexed(source, from.id_attribute, "createbtree", context,
+                           [&](const Tuple& tuple, TupleId id) -> Status {
+                             A3D_ASSIGN(Value key, tuple.attributes[attribute].loaded());
+                             if (key.is_defined()) entries.push_back({std::move(key), id});
+                             return {};
+                           }));
   return std::make_shared<const OrderedTree>(OrderedTree::bulk_load(std::move(entries)));
 }
 
@@ -25,19 +26,19 @@ Result<Datum> create_index(const Datum& source, const IndexSource& from, std::si
   const std::string& name = from.given.attributes()[attribute].name;
   if (std::string relation = stored_name(source); !relation.empty()) {
     const auto make = [=, &context]() -> Result<std::shared_ptr<const OrderedEntries>> {
-      ALGEBRA3D_ASSIGN_OR_RETURN(std::shared_ptr<const OrderedEntries> tree, tree_of(source, from, attribute, context));
+      A3D_ASSIGN(std::shared_ptr<const OrderedEntries> tree, tree_of(source, from, attribute, context));
       return tree;
     };
     return Datum{std::make_shared<OrderedIndex>(std::move(relation), name, std::make_shared<DeferredOrder>(make))};
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto tree, tree_of(source, from, attribute, context));
+  A3D_ASSIGN(auto tree, tree_of(source, from, attribute, context));
   return Datum{std::make_shared<OrderedIndex>(name, std::move(tree))};
 }
 
 Result<BoundOperator> map_createbtree(std::span<const ArgumentType> arguments) {
   const MappingCheck check("createbtree", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const IndexSource from, index_source(check));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t attribute, check.attribute(1, from.given));
+  A3D_ASSIGN(const IndexSource from, index_source(check));
+  A3D_ASSIGN(const std::size_t attribute, check.attribute(1, from.given));
   return BoundOperator{
       TypeExpr("btree", {from.indexed, from.given.attributes()[attribute].type}),
       [=](std::vector<Datum> given, Context& context) { return create_index(given[0], from, attribute, context); }};
@@ -57,16 +58,16 @@ std::optional<Value> bound(const std::vector<Datum>& given, std::size_t position
 
 Result<Datum> found(const std::vector<Datum>& given, const Bounds& bounds, const std::vector<Conversion>& conversions) {
   const auto& index = given[0].ordered_index();
-  ALGEBRA3D_RETURN_IF_ERROR(check_fits(*index, *given[1].relation(), bounds.op));
+  A3D_TRY(check_fits(*index, *given[1].relation(), bounds.op));
   std::optional<Value> low = bound(given, bounds.low, conversions[bounds.low]);
   std::optional<Value> high = bound(given, bounds.high, conversions[bounds.high]);
   // Nothing lies beside an undefined bound.
   for (std::optional<Value>* each : {&low, &high}) {
     if (!*each) continue;
     if (!(*each)->is_defined()) return Datum{make_stream([]() -> Result<TuplePtr> { return TuplePtr(); })};
-    ALGEBRA3D_ASSIGN_OR_RETURN(*each, (*each)->loaded());
+    A3D_ASSIGN(*each, (*each)->loaded());
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<TupleId> ids, index->entries().range(low, high));
+  A3D_ASSIGN(std::vector<TupleId> ids, index->entries().range(low, high));
   // The keys in the index are proved by the rows when they are found: StoredOrder.
   const auto fits = [](const Tuple&, TupleId) { return true; };
   return Datum{fetched(given[1].relation(), index, one_by_one(std::move(ids)), std::identity(), fits)};
@@ -77,12 +78,12 @@ TypeMapping map_search(Bounds bounds) {
     const MappingCheck check(bounds.op, arguments);
     const TypeExpr& index = check[0].type;
     if (!index.is("btree") || index.arguments().size() != 2) return check.expected("a B-tree", index);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
+    A3D_ASSIGN(const TypeExpr tuple, check.relation(1));
     if (!(index.arguments()[0] == tuple))
       return check.error("expected an index on the relation's tuples, got " + index.text());
     std::vector<Conversion> conversions(check.count());
     for (std::size_t position = 2; position < check.count(); ++position) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(conversions[position], check.conversion(position, index.arguments()[1]));
+      A3D_ASSIGN(conversions[position], check.conversion(position, index.arguments()[1]));
     }
     return BoundOperator{TypeExpr::stream(tuple), [bounds, conversions](const std::vector<Datum>& given, Context&) {
                            return found(given, bounds, conversions);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/any_stream.h"
 #include "queries/streams/detail/hash_table.h"
@@ -15,15 +16,15 @@ namespace {
 BoundOperator sorting(const TypeExpr& tuple, std::vector<SortKey> order) {
   return {TypeExpr::stream(tuple),
           [order = std::move(order)](std::vector<Datum> given, Context& context) -> Result<Datum> {
-            ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr stream, sorted(*given[0].tuples(), order, context));
+            A3D_ASSIGN(TupleStreamPtr stream, sorted(*given[0].tuples(), order, context));
             return Datum{std::move(stream)};
           }};
 }
 
 Result<BoundOperator> map_sortby(std::span<const ArgumentType> arguments) {
   const MappingCheck check("sortby", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto attributes, check.attributes(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const auto attributes, check.attributes(1, tuple));
   if (attributes.empty()) return check.error("expected at least one attribute");
   std::vector<SortKey> order;
   for (std::size_t i = 0; i < attributes.size(); ++i) order.push_back({attributes[i], check[1].modifiers[i] == "desc"});
@@ -31,7 +32,7 @@ Result<BoundOperator> map_sortby(std::span<const ArgumentType> arguments) {
 }
 
 Result<BoundOperator> map_sort(std::span<const ArgumentType> arguments) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, MappingCheck("sort", arguments).stream(0));
+  A3D_ASSIGN(const TypeExpr tuple, MappingCheck("sort", arguments).stream(0));
   return sorting(tuple, ascending(all_attributes(tuple)));
 }
 
@@ -41,10 +42,10 @@ Datum without_duplicates(const std::shared_ptr<Stream>& stream, KeysOf keys_of, 
   return Datum{make_stream_of<Stream>(
       [stream, keys_of, is_new = std::move(is_new), &context, step = 0U]() mutable -> Result<ElementOf<Stream>> {
         while (true) {
-          if (++step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-          ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
+          if (++step % 1024 == 0) A3D_TRY(context.check_cancelled());
+          A3D_ASSIGN(ElementOf<Stream> next, stream->next());
           if (!next) return next;
-          ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Value> keys, keys_of(next));
+          A3D_ASSIGN(std::vector<Value> keys, keys_of(next));
           if (is_new(std::move(keys))) return next;
         }
       })};
@@ -64,7 +65,7 @@ class DiffersFromLast {
 };
 
 Result<BoundOperator> map_rdup(std::span<const ArgumentType> arguments) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, MappingCheck("rdup", arguments).any_stream(0));
+  A3D_ASSIGN(const TypeExpr element, MappingCheck("rdup", arguments).any_stream(0));
   return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          return visit_stream(given[0], [&](const auto& stream) {
                            const auto keys_of = [](const auto& next) { return loaded_values(next); };
@@ -75,8 +76,8 @@ Result<BoundOperator> map_rdup(std::span<const ArgumentType> arguments) {
 
 Result<BoundOperator> map_krdup(std::span<const ArgumentType> arguments) {
   const MappingCheck check("krdup", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto keys, check.distinct_attributes(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const auto keys, check.distinct_attributes(1, tuple));
   return BoundOperator{TypeExpr::stream(tuple), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          const auto keys_of = [keys](const TuplePtr& next) { return loaded_keys(*next, keys); };
                          return without_duplicates(given[0].tuples(), keys_of, DiffersFromLast(), context);
@@ -86,7 +87,7 @@ Result<BoundOperator> map_krdup(std::span<const ArgumentType> arguments) {
 /// The tuples of a buffer, numbered from 1 by a further attribute.
 TupleStreamPtr numbered(const TupleBuffer& tuples) {
   return make_stream([scan = tuples.scan(), number = TupleId{0}]() mutable -> Result<TuplePtr> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, scan->next());
+    A3D_ASSIGN(const TuplePtr next, scan->next());
     if (next == nullptr) return next;
     Tuple result = *next;
     result.attributes.push_back(id_value(++number));
@@ -97,7 +98,7 @@ TupleStreamPtr numbered(const TupleBuffer& tuples) {
 /// Without the last attribute.
 TupleStreamPtr without_number(TupleStreamPtr tuples) {
   return make_stream([tuples = std::move(tuples)]() -> Result<TuplePtr> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, tuples->next());
+    A3D_ASSIGN(const TuplePtr next, tuples->next());
     if (next == nullptr) return next;
     Tuple result = *next;
     result.attributes.pop_back();
@@ -109,12 +110,11 @@ TupleStreamPtr without_number(TupleStreamPtr tuples) {
 Result<TupleStreamPtr> first_by_sorting(const TupleBuffer& tuples, const std::vector<std::size_t>& keys,
                                         const Context& context) {
   if (tuples.is_empty()) return tuples.scan();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr any, tuples.scan()->next());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr by_keys, sorted(*numbered(tuples), ascending(keys), context));
+  A3D_ASSIGN(const TuplePtr any, tuples.scan()->next());
+  A3D_ASSIGN(const TupleStreamPtr by_keys, sorted(*numbered(tuples), ascending(keys), context));
   const auto keys_of = [keys](const TuplePtr& next) { return loaded_keys(*next, keys); };
   const Datum first = without_duplicates(by_keys, keys_of, DiffersFromLast(), context);
-  ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr result,
-                             sorted(*first.tuples(), ascending({any->attributes.size()}), context));
+  A3D_ASSIGN(TupleStreamPtr result, sorted(*first.tuples(), ascending({any->attributes.size()}), context));
   return without_number(std::move(result));
 }
 
@@ -127,18 +127,18 @@ class FirstOfEachKey final : public TupleStream {
 
   Result<TuplePtr> next() override {
     while (!has_ended_) {
-      if (++steps_ % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
-      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr next, tuples_->next());
+      if (++steps_ % 1024 == 0) A3D_TRY(context_.check_cancelled());
+      A3D_ASSIGN(TuplePtr next, tuples_->next());
       if (next == nullptr) {
         has_ended_ = true;
         seen_.clear();
-        ALGEBRA3D_ASSIGN_OR_RETURN(tuples_, first_by_sorting(put_aside_, keys_, context_));
+        A3D_ASSIGN(tuples_, first_by_sorting(put_aside_, keys_, context_));
         break;
       }
-      ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Value> keys, loaded_keys(*next, keys_));
+      A3D_ASSIGN(std::vector<Value> keys, loaded_keys(*next, keys_));
       const SeenKeys::Answer answer = seen_.add(std::move(keys));
       if (answer == SeenKeys::Answer::is_new) return next;
-      if (answer == SeenKeys::Answer::no_room) ALGEBRA3D_RETURN_IF_ERROR(put_aside_.add(std::move(next)));
+      if (answer == SeenKeys::Answer::no_room) A3D_TRY(put_aside_.add(std::move(next)));
     }
     return tuples_->next();
   }
@@ -155,8 +155,8 @@ class FirstOfEachKey final : public TupleStream {
 
 Result<BoundOperator> map_krduph(std::span<const ArgumentType> arguments) {
   const MappingCheck check("krduph", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto keys, check.distinct_attributes(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const auto keys, check.distinct_attributes(1, tuple));
   return BoundOperator{
       TypeExpr::stream(tuple), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return Datum{TupleStreamPtr(std::make_shared<FirstOfEachKey>(given[0].tuples(), keys, context))};
@@ -166,9 +166,9 @@ Result<BoundOperator> map_krduph(std::span<const ArgumentType> arguments) {
 // The number of buckets that SECONDO takes means nothing here.
 Result<BoundOperator> map_rduph(std::span<const ArgumentType> arguments) {
   const MappingCheck check("rduph", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(1, 2));
-  if (check.count() == 2) ALGEBRA3D_RETURN_IF_ERROR(check.type(1, "int"));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_TRY(check.argument_count(1, 2));
+  if (check.count() == 2) A3D_TRY(check.type(1, "int"));
   std::vector<std::size_t> all(tuple.attributes().size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   return BoundOperator{

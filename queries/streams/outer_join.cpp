@@ -1,6 +1,7 @@
 // symmouterjoin: the full outer join by any predicate.
 #include <array>
 
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/pairs.h"
 
@@ -23,18 +24,18 @@ class OuterJoin final : public TupleStream {
         context_(context) {}
 
   Result<TuplePtr> next() override {
-    if (!has_begun_) ALGEBRA3D_RETURN_IF_ERROR(begin_next_left());
+    if (!has_begun_) A3D_TRY(begin_next_left());
     has_begun_ = true;
     while (current_ != nullptr) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr pair, next_pair());
+      A3D_ASSIGN(TuplePtr pair, next_pair());
       if (pair != nullptr) return pair;
       const TuplePtr left = current_;
       const bool is_alone = !is_matched_;
-      ALGEBRA3D_RETURN_IF_ERROR(begin_next_left());
+      A3D_TRY(begin_next_left());
       if (is_alone) return concatenated(*left, *right_padding_);
     }
     while (true) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr right, next_right());
+      A3D_ASSIGN(const TuplePtr right, next_right());
       if (right == nullptr) return TuplePtr();
       if (!has_partner_[position_ - 1]) return concatenated(*left_padding_, *right);
     }
@@ -43,7 +44,7 @@ class OuterJoin final : public TupleStream {
  private:
   // At the end of the left stream the right one is read once more, for tuples without a partner.
   Status begin_next_left() {
-    ALGEBRA3D_ASSIGN_OR_RETURN(current_, left_->next());
+    A3D_ASSIGN(current_, left_->next());
     is_matched_ = false;
     position_ = 0;
     partners_ = right_.scan();
@@ -51,7 +52,7 @@ class OuterJoin final : public TupleStream {
   }
 
   Result<TuplePtr> next_right() {
-    if (++steps_ % 4096 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+    if (++steps_ % 4096 == 0) A3D_TRY(context_.check_cancelled());
     ++position_;
     return partners_->next();
   }
@@ -59,10 +60,10 @@ class OuterJoin final : public TupleStream {
   /// The current left tuple with its next partner; null if there is no more.
   Result<TuplePtr> next_pair() {
     while (true) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr right, next_right());
+      A3D_ASSIGN(const TuplePtr right, next_right());
       if (right == nullptr) return TuplePtr();
       const std::array<Datum, 2> both = {Datum{current_}, Datum{right}};
-      ALGEBRA3D_ASSIGN_OR_RETURN(const Value holds, predicate_->call_for_value(both));
+      A3D_ASSIGN(const Value holds, predicate_->call_for_value(both));
       if (!is_true(holds)) continue;
       is_matched_ = true;
       has_partner_[position_ - 1] = true;
@@ -88,11 +89,11 @@ class OuterJoin final : public TupleStream {
 
 Result<BoundOperator> map_symmouterjoin(std::span<const ArgumentType> arguments) {
   const MappingCheck check("symmouterjoin", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const JoinTypes types, join_types(check));
-  ALGEBRA3D_RETURN_IF_ERROR(check.function(2, {types.left, types.right}, "bool"));
+  A3D_ASSIGN(const JoinTypes types, join_types(check));
+  A3D_TRY(check.function(2, {types.left, types.right}, "bool"));
   return BoundOperator{
       TypeExpr::stream(types.joined), [types](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer right, buffered(*given[1].tuples(), context));
+        A3D_ASSIGN(TupleBuffer right, buffered(*given[1].tuples(), context));
         return Datum{TupleStreamPtr(
             std::make_shared<OuterJoin>(given[0].tuples(), std::move(right), given[2].function_ptr(), types, context))};
       }};

@@ -4,6 +4,7 @@
 
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/spatial_relations/point_location.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/parallel_filter.h"
 #include "queries/streams/mapping.h"
@@ -34,15 +35,15 @@ std::vector<bool> are_inside(std::span<const TuplePtr> tuples, std::size_t attri
 
 Result<BoundOperator> map_points_inside(std::span<const ArgumentType> arguments) {
   const MappingCheck check("pointsInside", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t attribute, check.attribute(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const std::size_t attribute, check.attribute(1, tuple));
   if (const TypeExpr& type = tuple.attributes()[attribute].type; !type.is("point3d"))
     return check.expected("an attribute of type point3d", type);
-  ALGEBRA3D_RETURN_IF_ERROR(check.type(2, "volume3d"));
+  A3D_TRY(check.type(2, "volume3d"));
   return BoundOperator{TypeExpr::stream(tuple), [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          if (!given[2].value().is_defined())
                            return Datum{make_stream([]() -> Result<TuplePtr> { return TuplePtr(); })};
-                         ALGEBRA3D_ASSIGN_OR_RETURN(const Value solid, given[2].value().loaded());
+                         A3D_ASSIGN(const Value solid, given[2].value().loaded());
                          const auto condition = [attribute,
                                                  solid](std::span<const TuplePtr> block) -> Result<std::vector<bool>> {
                            return are_inside(block, attribute, solid.get<Volume3d>());

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/propagate.h"
 #include "queries/streams/index_object.h"
 #include "queries/streams/mapping.h"
 
@@ -27,7 +28,7 @@ Result<TupleStreamPtr> Relation::select(std::vector<TupleId> ids) {
   return make_stream([this, ids = std::move(ids), position = std::size_t{0}]() mutable -> Result<TuplePtr> {
     if (position == ids.size()) return TuplePtr();
     const TupleId id = ids[position++];
-    ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, fetch(id));
+    A3D_ASSIGN(TuplePtr tuple, fetch(id));
     if (tuple == nullptr) return Error{ErrorCode::internal, "{}: there is no tuple {}", name(), id};
     return tuple;
   });

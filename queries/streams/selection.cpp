@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/any_stream.h"
 #include "queries/streams/detail/element_buffer.h"
@@ -14,20 +15,20 @@ namespace {
 
 Result<BoundOperator> map_filter(std::span<const ArgumentType> arguments) {
   const MappingCheck check("filter", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
-  ALGEBRA3D_RETURN_IF_ERROR(check.function(1, {element}, "bool"));
+  A3D_ASSIGN(const TypeExpr element, check.any_stream(0));
+  A3D_TRY(check.function(1, {element}, "bool"));
   return BoundOperator{
       TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& stream) {
           return Result<Datum>(Datum{make_stream_of<Stream>([stream, predicate = given[1].function_ptr(), &context,
                                                              step = 0U]() mutable -> Result<ElementOf<Stream>> {
             while (true) {
-              ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
+              A3D_ASSIGN(ElementOf<Stream> next, stream->next());
               if (!next) return next;
               const Datum argument = element_datum(next);
-              ALGEBRA3D_ASSIGN_OR_RETURN(const Value holds, predicate->call_for_value({&argument, 1}));
+              A3D_ASSIGN(const Value holds, predicate->call_for_value({&argument, 1}));
               if (is_true(holds)) return next;
-              if (++step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+              if (++step % 1024 == 0) A3D_TRY(context.check_cancelled());
             }
           })});
         });
@@ -42,8 +43,8 @@ std::size_t element_count(const Datum& datum) {
 
 Result<BoundOperator> map_head(std::span<const ArgumentType> arguments) {
   const MappingCheck check("head", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
-  ALGEBRA3D_RETURN_IF_ERROR(check.type(1, "int"));
+  A3D_ASSIGN(const TypeExpr element, check.any_stream(0));
+  A3D_TRY(check.type(1, "int"));
   return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context&) -> Result<Datum> {
                          return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& stream) {
                            return Result<Datum>(Datum{make_stream_of<Stream>(
@@ -61,7 +62,7 @@ template <typename Stream>
 Result<std::shared_ptr<Stream>> last_elements(Stream& stream, std::size_t count, const Context& context) {
   ElementBuffer<Stream> older(context);
   ElementBuffer<Stream> newer(context);
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) -> Status {
+  A3D_TRY(for_each_element(stream, context, [&](const auto& element) -> Status {
     if (count == 0) return {};
     if (newer.size() == count) older = std::exchange(newer, ElementBuffer<Stream>(context));
     return newer.add(element);
@@ -74,7 +75,7 @@ Result<std::shared_ptr<Stream>> last_elements(Stream& stream, std::size_t count,
 template <typename Stream>
 Result<std::shared_ptr<Stream>> reversed(Stream& stream, const Context& context) {
   KeptElements<Stream> kept("tail", context);
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) { return kept.add(element); }));
+  A3D_TRY(for_each_element(stream, context, [&](const auto& element) { return kept.add(element); }));
   return make_stream_of<Stream>([kept = std::move(kept)]() mutable -> Result<ElementOf<Stream>> {
     if (kept.elements().empty()) return ElementOf<Stream>();
     ElementOf<Stream> next = std::move(kept.elements().back());
@@ -85,20 +86,20 @@ Result<std::shared_ptr<Stream>> reversed(Stream& stream, const Context& context)
 
 Result<BoundOperator> map_tail(std::span<const ArgumentType> arguments) {
   const MappingCheck check("tail", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
-  ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(2, 3));
-  ALGEBRA3D_RETURN_IF_ERROR(check.type(1, "int"));
-  if (check.count() == 3) ALGEBRA3D_RETURN_IF_ERROR(check.type(2, "bool"));
-  return BoundOperator{
-      TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        const bool keep_order = given.size() < 3 || !given[2].value().is_defined() || given[2].value().get<bool>();
-        return visit_stream(given[0], [&](const auto& stream) -> Result<Datum> {
-          ALGEBRA3D_ASSIGN_OR_RETURN(auto last, last_elements(*stream, element_count(given[1]), context));
-          if (keep_order) return Datum{std::move(last)};
-          ALGEBRA3D_ASSIGN_OR_RETURN(auto backwards, reversed(*last, context));
-          return Datum{std::move(backwards)};
-        });
-      }};
+  A3D_ASSIGN(const TypeExpr element, check.any_stream(0));
+  A3D_TRY(check.argument_count(2, 3));
+  A3D_TRY(check.type(1, "int"));
+  if (check.count() == 3) A3D_TRY(check.type(2, "bool"));
+  return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         const bool keep_order =
+                             given.size() < 3 || !given[2].value().is_defined() || given[2].value().get<bool>();
+                         return visit_stream(given[0], [&](const auto& stream) -> Result<Datum> {
+                           A3D_ASSIGN(auto last, last_elements(*stream, element_count(given[1]), context));
+                           if (keep_order) return Datum{std::move(last)};
+                           A3D_ASSIGN(auto backwards, reversed(*last, context));
+                           return Datum{std::move(backwards)};
+                         });
+                       }};
 }
 
 /// Elements n, 2n, 3n and so on, or element n alone.
@@ -107,9 +108,9 @@ Datum every_nth(const std::shared_ptr<Stream>& stream, std::size_t distance, boo
   return Datum{make_stream_of<Stream>([stream, distance, once, &context, is_done = distance == 0,
                                        position = std::uint64_t{0}]() mutable -> Result<ElementOf<Stream>> {
     while (!is_done) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
+      A3D_ASSIGN(ElementOf<Stream> next, stream->next());
       if (!next) break;
-      if (++position % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+      if (++position % 1024 == 0) A3D_TRY(context.check_cancelled());
       if (position % distance != 0) continue;
       is_done = once;
       return next;
@@ -120,10 +121,10 @@ Datum every_nth(const std::shared_ptr<Stream>& stream, std::size_t distance, boo
 
 Result<BoundOperator> map_nth(std::span<const ArgumentType> arguments) {
   const MappingCheck check("nth", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
-  ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(2, 3));
-  ALGEBRA3D_RETURN_IF_ERROR(check.type(1, "int"));
-  if (check.count() == 3) ALGEBRA3D_RETURN_IF_ERROR(check.type(2, "bool"));
+  A3D_ASSIGN(const TypeExpr element, check.any_stream(0));
+  A3D_TRY(check.argument_count(2, 3));
+  A3D_TRY(check.type(1, "int"));
+  if (check.count() == 3) A3D_TRY(check.type(2, "bool"));
   return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          const bool once = given.size() == 3 && is_true(given[2].value());
                          return visit_stream(given[0], [&](const auto& stream) {
@@ -142,7 +143,7 @@ Result<Datum> drawn(Stream& stream, std::size_t count, const Context& context) {
   ElementBuffer<Stream> put_aside(context);
   std::vector<std::uint64_t> numbers;  // of what was put aside
   std::uint64_t seen = 0;
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) -> Status {
+  A3D_TRY(for_each_element(stream, context, [&](const auto& element) -> Status {
     const std::uint64_t number = seen++;
     const std::uint64_t place = number < count ? number : generator() % seen;
     if (place >= count) return {};
@@ -156,7 +157,7 @@ Result<Datum> drawn(Stream& stream, std::size_t count, const Context& context) {
                                        scan = put_aside.scan(), wanted = std::size_t{0},
                                        position = std::size_t{0}]() mutable -> Result<ElementOf<Stream>> {
     while (wanted < sample.size()) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> next, scan->next());
+      A3D_ASSIGN(ElementOf<Stream> next, scan->next());
       if (numbers[position++] != sample[wanted]) continue;
       ++wanted;
       return next;
@@ -167,8 +168,8 @@ Result<Datum> drawn(Stream& stream, std::size_t count, const Context& context) {
 
 Result<BoundOperator> map_some(std::span<const ArgumentType> arguments) {
   const MappingCheck check("some", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
-  ALGEBRA3D_RETURN_IF_ERROR(check.type(1, "int"));
+  A3D_ASSIGN(const TypeExpr element, check.any_stream(0));
+  A3D_TRY(check.type(1, "int"));
   return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          return visit_stream(given[0], [&](const auto& stream) {
                            return drawn(*stream, element_count(given[1]), context);
@@ -177,10 +178,10 @@ Result<BoundOperator> map_some(std::span<const ArgumentType> arguments) {
 }
 
 Result<BoundOperator> map_exist(std::span<const ArgumentType> arguments) {
-  ALGEBRA3D_RETURN_IF_ERROR(MappingCheck("exist", arguments).any_stream(0));
+  A3D_TRY(MappingCheck("exist", arguments).any_stream(0));
   return BoundOperator{"bool", [](std::vector<Datum> given, Context&) -> Result<Datum> {
                          return visit_stream(given[0], [](const auto& stream) -> Result<Datum> {
-                           ALGEBRA3D_ASSIGN_OR_RETURN(const auto first, stream->next());
+                           A3D_ASSIGN(const auto first, stream->next());
                            return Datum{Value::of<bool>(static_cast<bool>(first))};
                          });
                        }};

@@ -6,6 +6,7 @@
 #include <memory>
 #include <type_traits>
 
+#include "base/propagate.h"
 #include "queries/streams/datum.h"
 #include "queries/streams/index_object.h"
 #include "rtree/rtree.h"
@@ -60,16 +61,16 @@ class SpatialIndex : public IndexObject {
     return source_.remade_tree();
   }
   Result<std::size_t> size() const {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TreePtr own, tree());
+    A3D_ASSIGN(const TreePtr own, tree());
     return own->size();
   }
   /// The result of `question(tree)`, which may be called twice.
   template <typename Question>
   Result<std::invoke_result_t<Question, const Tree&>> ask(Question question) const {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TreePtr own, tree());
+    A3D_ASSIGN(TreePtr own, tree());
     auto answer = reading_tree([&] { return question(*own); });
     if (answer) return answer;
-    ALGEBRA3D_ASSIGN_OR_RETURN(own, tree_after(answer.error()));
+    A3D_ASSIGN(own, tree_after(answer.error()));
     return reading_tree([&] { return question(*own); });
   }
 

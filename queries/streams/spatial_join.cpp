@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/box_join.h"
 #include "queries/streams/detail/join_condition.h"
@@ -32,9 +33,9 @@ Box3 itself(const Box3& box) {
 TypeMapping map_box_join(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("itSpatialJoin", arguments);
-    ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(4, 7));
-    for (std::size_t place = 4; place < check.count(); ++place) ALGEBRA3D_RETURN_IF_ERROR(check.type(place, "int"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialOperands join, spatial_operands(registry, check));
+    A3D_TRY(check.argument_count(4, 7));
+    for (std::size_t place = 4; place < check.count(); ++place) A3D_TRY(check.type(place, "int"));
+    A3D_ASSIGN(const SpatialOperands join, spatial_operands(registry, check));
     return BoundOperator{TypeExpr::stream(join.joined),
                          [join](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
                            return Datum{concatenated_pairs(pairs_by_boxes(join, given, itself, context))};
@@ -45,9 +46,9 @@ TypeMapping map_box_join(const Registry& registry) {
 TypeMapping map_spatial_join(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("spatialJoin", arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialOperands join, spatial_operands(registry, check));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, predicate_name(check, 4));
-    ALGEBRA3D_RETURN_IF_ERROR(check_operands(registry, name, std::array{join.left_type, join.right_type}));
+    A3D_ASSIGN(const SpatialOperands join, spatial_operands(registry, check));
+    A3D_ASSIGN(const std::string name, predicate_name(check, 4));
+    A3D_TRY(check_operands(registry, name, std::array{join.left_type, join.right_type}));
     return BoundOperator{
         TypeExpr::stream(join.joined), [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
           return Datum{refined_join(pairs_by_boxes(join, given, itself, context), {join.left_key, join.right_key},
@@ -59,10 +60,9 @@ TypeMapping map_spatial_join(const Registry& registry) {
 TypeMapping map_distance_join(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("distanceJoin", arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialOperands join, spatial_operands(registry, check));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Conversion conversion, check.conversion(4, TypeExpr("real")));
-    ALGEBRA3D_RETURN_IF_ERROR(
-        check_operands(registry, "withinDistance", std::array{join.left_type, join.right_type, TypeExpr("real")}));
+    A3D_ASSIGN(const SpatialOperands join, spatial_operands(registry, check));
+    A3D_ASSIGN(const Conversion conversion, check.conversion(4, TypeExpr("real")));
+    A3D_TRY(check_operands(registry, "withinDistance", std::array{join.left_type, join.right_type, TypeExpr("real")}));
     return BoundOperator{TypeExpr::stream(join.joined),
                          [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
                            const Value limit = converted(given[4].value(), conversion);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/box_join.h"
 #include "queries/streams/detail/join_condition.h"
@@ -20,17 +21,16 @@ using algebra3d::Registry;
 /// The joined pairs of a stream for which `test` holds.
 Result<Datum> self_joined(const SpatialOperands& join, const std::vector<Datum>& given, WindowOfBox window,
                           PairTest test, const Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(PairStreamPtr pairs,
-                             box_pairs_within({given[0].tuples(), join.left_key}, std::move(window), context));
+  A3D_ASSIGN(PairStreamPtr pairs, box_pairs_within({given[0].tuples(), join.left_key}, std::move(window), context));
   return Datum{refined_join(std::move(pairs), {join.left_key, join.left_key}, std::move(test), context)};
 }
 
 TypeMapping map_spatial_self_join(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("spatialSelfJoin", arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialOperands join, spatial_self_operands(registry, check));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, predicate_name(check, 2));
-    ALGEBRA3D_RETURN_IF_ERROR(check_operands(registry, name, std::array{join.left_type, join.left_type}));
+    A3D_ASSIGN(const SpatialOperands join, spatial_self_operands(registry, check));
+    A3D_ASSIGN(const std::string name, predicate_name(check, 2));
+    A3D_TRY(check_operands(registry, name, std::array{join.left_type, join.left_type}));
     return BoundOperator{TypeExpr::stream(join.joined), [=](const std::vector<Datum>& given, Context& context) {
                            const auto window = [](const algebra3d::Box3& box) { return box; };
                            return self_joined(join, given, window, predicate_test(name, true), context);
@@ -41,10 +41,9 @@ TypeMapping map_spatial_self_join(const Registry& registry) {
 TypeMapping map_distance_self_join(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("distanceSelfJoin", arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialOperands join, spatial_self_operands(registry, check));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Conversion conversion, check.conversion(2, TypeExpr("real")));
-    ALGEBRA3D_RETURN_IF_ERROR(
-        check_operands(registry, "withinDistance", std::array{join.left_type, join.left_type, TypeExpr("real")}));
+    A3D_ASSIGN(const SpatialOperands join, spatial_self_operands(registry, check));
+    A3D_ASSIGN(const Conversion conversion, check.conversion(2, TypeExpr("real")));
+    A3D_TRY(check_operands(registry, "withinDistance", std::array{join.left_type, join.left_type, TypeExpr("real")}));
     return BoundOperator{TypeExpr::stream(join.joined), [=](const std::vector<Datum>& given, Context& context) {
                            const Value limit = converted(given[2].value(), conversion);
                            return self_joined(join, given, distance_window(limit), distance_test(limit), context);

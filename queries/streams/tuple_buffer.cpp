@@ -1,6 +1,7 @@
 #include "queries/streams/tuple_buffer.h"
 
 #include "algebra3d/values/types/described_type.h"
+#include "base/propagate.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -24,7 +25,7 @@ Status TupleBuffer::add(TuplePtr tuple) {
     return {};
   }
   if (content.rest == nullptr) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(content.rest, TupleFile::make(*content.context));
+    A3D_ASSIGN(content.rest, TupleFile::make(*content.context));
   }
   return content.rest->append(*tuple);
 }
@@ -51,7 +52,7 @@ TupleStreamPtr TupleBuffer::scan() const {
 }
 
 Result<TuplePtr> TupleBuffer::find(TupleId id) const {
-  if (content_->places.empty()) ALGEBRA3D_RETURN_IF_ERROR(find_places(*content_));
+  if (content_->places.empty()) A3D_TRY(find_places(*content_));
   const auto found = content_->places.find(id);
   if (found == content_->places.end()) return TuplePtr();
   const std::size_t in_memory = content_->first.size();
@@ -65,7 +66,7 @@ Status TupleBuffer::find_places(Content& content) {
   const auto scan = content.rest->scan(0, content.rest->end());
   while (true) {
     const std::uint64_t place = content.first.size() + scan->position();
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, scan->next());
+    A3D_ASSIGN(const TuplePtr tuple, scan->next());
     if (tuple == nullptr) return {};
     content.places.try_emplace(tuple->id, place);
   }
@@ -73,7 +74,7 @@ Status TupleBuffer::find_places(Content& content) {
 
 Result<TupleBuffer> buffered(TupleStream& stream, const Context& context) {
   TupleBuffer buffer(context);
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(stream, context, [&](const TuplePtr& tuple) { return buffer.add(tuple); }));
+  A3D_TRY(for_each_tuple(stream, context, [&](const TuplePtr& tuple) { return buffer.add(tuple); }));
   return buffer;
 }
 

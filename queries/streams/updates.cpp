@@ -1,4 +1,5 @@
 // updatedirect, updatebyid: tuples of stored relations get new values.
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/relation_changes.h"
 
@@ -13,10 +14,10 @@ struct Assignments {
 
 Result<Assignments> assignments(const MappingCheck& check, std::size_t position, const TypeExpr& tuple) {
   Assignments result;
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.attributes, check.distinct_attributes(position, tuple));
+  A3D_ASSIGN(result.attributes, check.distinct_attributes(position, tuple));
   for (std::size_t i = 0; i < result.attributes.size(); ++i) {
     const auto& [name, wanted] = tuple.attributes()[result.attributes[i]];
-    ALGEBRA3D_RETURN_IF_ERROR(check.takes(check[position].types[i], {tuple}));
+    A3D_TRY(check.takes(check[position].types[i], {tuple}));
     const TypeExpr& given = check[position].types[i].function_result();
     const auto conversion = conversion_to(wanted, given);
     if (!conversion) return check.expected(wanted.text() + " for the attribute '" + name + "'", given);
@@ -29,7 +30,7 @@ Result<Assignments> assignments(const MappingCheck& check, std::size_t position,
 Result<TypeExpr> updated_type(const MappingCheck& check, const TypeExpr& tuple) {
   std::vector<TypeExpr::Attribute> old = tuple.attributes();
   for (auto& attribute : old) attribute.name += "_old";
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr both, check.concatenated(tuple, TypeExpr::tuple(std::move(old))));
+  A3D_ASSIGN(const TypeExpr both, check.concatenated(tuple, TypeExpr::tuple(std::move(old))));
   return check.with_id(both);
 }
 
@@ -39,37 +40,37 @@ Result<TupleStreamPtr> update_all(const TupleBuffer& old_tuples, Relation& relat
   TupleBuffer new_tuples(context);
   const auto make_new = [&](const TuplePtr& old) -> Status {
     std::vector<Value> values;
-    ALGEBRA3D_RETURN_IF_ERROR(append_results(functions, Datum{old}, values));
+    A3D_TRY(append_results(functions, Datum{old}, values));
     Tuple made = *old;
     for (std::size_t i = 0; i < values.size(); ++i) {
       Value& assigned = made.attributes[assignments.attributes[i]];
-      ALGEBRA3D_ASSIGN_OR_RETURN(assigned, converted(values[i], assignments.conversions[i]).loaded());
+      A3D_ASSIGN(assigned, converted(values[i], assignments.conversions[i]).loaded());
     }
     return new_tuples.add(std::make_shared<const Tuple>(std::move(made)));
   };
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*old_tuples.scan(), context, make_new));
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*new_tuples.scan(), context,
-                                           [&](const TuplePtr& made) { return relation.update(made->id, *made); }));
+  A3D_TRY(for_each_tuple(*old_tuples.scan(), context, make_new));
+  A3D_TRY(for_each_tuple(*new_tuples.scan(), context,
+                         [&](const TuplePtr& made) { return relation.update(made->id, *made); }));
   return make_stream([made_scan = new_tuples.scan(), old_scan = old_tuples.scan()]() -> Result<TuplePtr> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr made, made_scan->next());
+    A3D_ASSIGN(const TuplePtr made, made_scan->next());
     if (made == nullptr) return made;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr old, old_scan->next());
+    A3D_ASSIGN(const TuplePtr old, old_scan->next());
     return tuple_with_id(*concatenated(*made, *old), made->id);
   });
 }
 
 Result<BoundOperator> map_updatedirect(std::span<const ArgumentType> arguments) {
   const MappingCheck check("updatedirect", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr given_tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
+  A3D_ASSIGN(const TypeExpr given_tuple, check.stream(0));
+  A3D_ASSIGN(const TypeExpr tuple, check.relation(1));
   if (!(given_tuple == tuple)) return check.expected("a stream of " + tuple.text(), given_tuple);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Assignments assigned, assignments(check, 2, tuple));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, updated_type(check, tuple));
+  A3D_ASSIGN(const Assignments assigned, assignments(check, 2, tuple));
+  A3D_ASSIGN(const TypeExpr result, updated_type(check, tuple));
   return BoundOperator{
       TypeExpr::stream(result), [assigned](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return Datum{made_when_asked([tuples = given[0].tuples(), relation = given[1].relation(),
                                       functions = given[2].list(), assigned, &context]() -> Result<TupleStreamPtr> {
-          ALGEBRA3D_ASSIGN_OR_RETURN(const TupleBuffer old, own_tuples(*tuples, *relation, "updatedirect", context));
+          A3D_ASSIGN(const TupleBuffer old, own_tuples(*tuples, *relation, "updatedirect", context));
           return update_all(old, *relation, assigned, functions, context);
         })};
       }};
@@ -77,15 +78,15 @@ Result<BoundOperator> map_updatedirect(std::span<const ArgumentType> arguments) 
 
 Result<BoundOperator> map_updatebyid(std::span<const ArgumentType> arguments) {
   const MappingCheck check("updatebyid", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
-  ALGEBRA3D_RETURN_IF_ERROR(check.id_argument(1));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Assignments assigned, assignments(check, 2, tuple));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, updated_type(check, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.relation(0));
+  A3D_TRY(check.id_argument(1));
+  A3D_ASSIGN(const Assignments assigned, assignments(check, 2, tuple));
+  A3D_ASSIGN(const TypeExpr result, updated_type(check, tuple));
   return BoundOperator{
       TypeExpr::stream(result), [assigned](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return Datum{made_when_asked([relation = given[0].relation(), id = given[1].value(),
                                       functions = given[2].list(), assigned, &context]() -> Result<TupleStreamPtr> {
-          ALGEBRA3D_ASSIGN_OR_RETURN(const TupleBuffer old, tuple_by_id(id, *relation));
+          A3D_ASSIGN(const TupleBuffer old, tuple_by_id(id, *relation));
           return update_all(old, *relation, assigned, functions, context);
         })};
       }};

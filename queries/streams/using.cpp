@@ -1,4 +1,5 @@
 // use, printstream: something is done with each element of a stream.
+#include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/any_stream.h"
 
@@ -12,10 +13,10 @@ constexpr std::size_t kShownCharacters = 200;
 template <typename Stream>
 Datum used(const std::shared_ptr<Stream>& stream, std::shared_ptr<const Function> function) {
   return Datum{make_value_stream([stream, function = std::move(function)]() mutable -> Result<std::optional<Value>> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto element, stream->next());
+    A3D_ASSIGN(const auto element, stream->next());
     if (!element) return std::optional<Value>();
     const Datum argument = element_datum(element);
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value result, function->call_for_value({&argument, 1}));
+    A3D_ASSIGN(Value result, function->call_for_value({&argument, 1}));
     return std::optional(std::move(result));
   })};
 }
@@ -28,15 +29,15 @@ Datum flattened(const std::shared_ptr<Stream>& stream, std::shared_ptr<const Fun
       make_stream_of<Inner>([stream, function = std::move(function), &context, inner = std::shared_ptr<Inner>(),
                              step = 0U]() mutable -> Result<ElementOf<Inner>> {
         while (true) {
-          if (++step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+          if (++step % 1024 == 0) A3D_TRY(context.check_cancelled());
           if (inner != nullptr) {
-            ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Inner> next, inner->next());
+            A3D_ASSIGN(ElementOf<Inner> next, inner->next());
             if (next) return next;
           }
-          ALGEBRA3D_ASSIGN_OR_RETURN(const auto element, stream->next());
+          A3D_ASSIGN(const auto element, stream->next());
           if (!element) return ElementOf<Inner>();
           const Datum argument = element_datum(element);
-          ALGEBRA3D_ASSIGN_OR_RETURN(const Datum result, function->call({&argument, 1}));
+          A3D_ASSIGN(const Datum result, function->call({&argument, 1}));
           inner = std::get<std::shared_ptr<Inner>>(result.content);
         }
       })};
@@ -44,8 +45,8 @@ Datum flattened(const std::shared_ptr<Stream>& stream, std::shared_ptr<const Fun
 
 Result<BoundOperator> map_use(std::span<const ArgumentType> arguments) {
   const MappingCheck check("use", arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
-  ALGEBRA3D_RETURN_IF_ERROR(check.takes(check[1].type, {element}));
+  A3D_ASSIGN(const TypeExpr element, check.any_stream(0));
+  A3D_TRY(check.takes(check[1].type, {element}));
   const TypeExpr result = check[1].type.function_result();
   if (!is_value_type(result) && !result.is_stream())
     return check.expected("a function that gives a value or a stream", result);
@@ -62,26 +63,26 @@ Result<BoundOperator> map_use(std::span<const ArgumentType> arguments) {
 
 /// `(1 "a")`, or `5` for a value; large values are cut.
 Result<std::string> shown(const TuplePtr& tuple) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Value> values, loaded_values(tuple));
+  A3D_ASSIGN(const std::vector<Value> values, loaded_values(tuple));
   algebra3d::NestedList::List list;
   for (const Value& value : values) list.push_back(value.to_nested());
   return algebra3d::NestedList(std::move(list)).print_short(kShownCharacters);
 }
 Result<std::string> shown(const std::optional<Value>& element) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, element->loaded());
+  A3D_ASSIGN(const Value value, element->loaded());
   return value.to_nested().print_short(kShownCharacters);
 }
 
 // A library prints nothing, so the elements travel as diagnostics, which the host shows.
 Result<BoundOperator> map_printstream(std::span<const ArgumentType> arguments) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, MappingCheck("printstream", arguments).any_stream(0));
+  A3D_ASSIGN(const TypeExpr element, MappingCheck("printstream", arguments).any_stream(0));
   return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& stream) {
                            return Result<Datum>(Datum{make_stream_of<Stream>(
                                [stream, &context, number = std::uint64_t{0}]() mutable -> Result<ElementOf<Stream>> {
-                                 ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
+                                 A3D_ASSIGN(ElementOf<Stream> next, stream->next());
                                  if (!next) return next;
-                                 ALGEBRA3D_ASSIGN_OR_RETURN(const std::string text, shown(next));
+                                 A3D_ASSIGN(const std::string text, shown(next));
                                  context.diagnostics.show(fmt::format("printstream: {}: {}", ++number, text));
                                  return next;
                                })});

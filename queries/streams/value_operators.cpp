@@ -5,6 +5,7 @@
 #include "algebra3d/operators/registry/aggregate.h"
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/operators/registry/rows.h"
+#include "base/propagate.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -32,10 +33,10 @@ std::string parameter_types(const Operator& op) {
 Result<Datum> aggregated(const ResolvedCall& call, const TupleStreamPtr& tuples, std::size_t attribute,
                          Context& context) {
   Aggregation aggregation(call);
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*tuples, context, [&](const TuplePtr& tuple) {
+  A3D_TRY(for_each_tuple(*tuples, context, [&](const TuplePtr& tuple) {
     return aggregation.step(tuple->attributes[attribute], context);
   }));
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value result, aggregation.finish(context));
+  A3D_ASSIGN(Value result, aggregation.finish(context));
   return Datum{std::move(result)};
 }
 
@@ -50,8 +51,8 @@ const Overload* overload_for_values(const Registry& registry, const Operator& op
 Result<BoundOperator> bind_aggregate(const Registry& registry, const Operator& op,
                                      std::span<const ArgumentType> arguments) {
   const MappingCheck check(op.name, arguments);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t attribute, check.attribute(1, tuple));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const std::size_t attribute, check.attribute(1, tuple));
   const TypeExpr& type = tuple.attributes()[attribute].type;
   const Overload* const overload = overload_for_values(registry, op, type);
   if (overload == nullptr) return check.expected("an attribute of type " + parameter_types(op), type);
@@ -63,20 +64,20 @@ Result<BoundOperator> bind_aggregate(const Registry& registry, const Operator& o
 
 /// The next row; nothing at the end. Interruptible.
 Result<std::optional<Row>> next_row(RowSource& rows, std::uint32_t& step, Context& context) {
-  if (++step % kRowsBetweenChecks == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  if (++step % kRowsBetweenChecks == 0) A3D_TRY(context.check_cancelled());
   return rows.next(context);
 }
 
 TupleStreamPtr tuples_of_rows(std::shared_ptr<RowSource> rows, Context& context) {
   return make_stream([rows = std::move(rows), &context, step = 0U]() mutable -> Result<TuplePtr> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<Row> row, next_row(*rows, step, context));
+    A3D_ASSIGN(std::optional<Row> row, next_row(*rows, step, context));
     return row ? std::make_shared<const Tuple>(Tuple{*std::move(row)}) : TuplePtr();
   });
 }
 
 ValueStreamPtr values_of_rows(std::shared_ptr<RowSource> rows, Context& context) {
   return make_value_stream([rows = std::move(rows), &context, step = 0U]() mutable -> Result<std::optional<Value>> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<Row> row, next_row(*rows, step, context));
+    A3D_ASSIGN(std::optional<Row> row, next_row(*rows, step, context));
     return row ? std::optional(std::move(row->front())) : std::nullopt;
   });
 }

@@ -7,6 +7,7 @@
 
 #include "algebra3d/values/types/nested_list.h"
 #include "base/number_text.h"
+#include "base/propagate.h"
 #include "queries/test_runner/detail/test_file.h"
 
 namespace queries {
@@ -58,13 +59,13 @@ class ExamplesReader {
   explicit ExamplesReader(const std::string& file) : file_(file) {}
 
   Result<std::vector<TestStep>> read(std::string_view content) {
-    ALGEBRA3D_RETURN_IF_ERROR(read_entries(content));
+    A3D_TRY(read_entries(content));
     const auto first = std::ranges::find(entries_, "Operator", &Entry::key);
-    ALGEBRA3D_RETURN_IF_ERROR(add_header({entries_.begin(), first}));
+    A3D_TRY(add_header({entries_.begin(), first}));
     for (auto begin = first; begin != entries_.end();) {
       const auto end = std::find_if(begin + 1, entries_.end(), [](const Entry& e) { return e.key == "Operator"; });
-      ALGEBRA3D_ASSIGN_OR_RETURN(const Block block, block_of({begin, end}));
-      ALGEBRA3D_RETURN_IF_ERROR(add_block(block));
+      A3D_ASSIGN(const Block block, block_of({begin, end}));
+      A3D_TRY(add_block(block));
       begin = end;
     }
     return std::move(steps_);
@@ -152,7 +153,7 @@ class ExamplesReader {
     const Entry* tolerance = block.find("Tolerance");
     add("tolerance_real", tolerance != nullptr ? tolerance->value : std::string(kDefaultTolerance),
         tolerance != nullptr ? tolerance->line : block.line);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_run, add_result(block, block.text("Result")));
+    A3D_ASSIGN(const bool is_run, add_result(block, block.text("Result")));
     if (!is_run) return {};
     std::string_view command = trimmed(block.text("Example"));
     while (command.ends_with(';')) command = trimmed(command.substr(0, command.size() - 1));

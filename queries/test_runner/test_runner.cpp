@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/file_content.h"
+#include "base/propagate.h"
 #include "base/temporary_folder.h"
 #include "base/without_exceptions.h"
 #include "queries/test_runner/detail/test_file.h"
@@ -20,7 +21,7 @@ using algebra3d::Registry;
 namespace fs = std::filesystem;
 
 Result<std::vector<TestStep>> read_steps(const fs::path& file, const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string content, read_text(file, cancel));
+  A3D_ASSIGN(const std::string content, read_text(file, cancel));
   if (file.extension() == ".examples") return read_example_steps(content, file.string());
   return read_test_steps(content, file.string());
 }
@@ -34,7 +35,7 @@ struct PlannedRun {
 };
 
 Result<TestOutcome> run_once(const PlannedRun& plan, const Variation* variation) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(algebra3d::TemporaryFolder scratch, algebra3d::TemporaryFolder::make());
+  A3D_ASSIGN(algebra3d::TemporaryFolder scratch, algebra3d::TemporaryFolder::make());
   if (plan.options.keeps_scratch) {
     scratch.keep();
     plan.options.print("  kept: " + scratch.path().string());
@@ -45,7 +46,7 @@ Result<TestOutcome> run_once(const PlannedRun& plan, const Variation* variation)
 
 Status add_variation(const PlannedRun& plan, VariationKind kind, TestOutcome& outcome) {
   const Variation variation(kind, plan.registry);
-  ALGEBRA3D_ASSIGN_OR_RETURN(TestOutcome varied, run_once(plan, &variation));
+  A3D_ASSIGN(TestOutcome varied, run_once(plan, &variation));
   outcome.varied.push_back({std::string(name_of(kind)), varied.passed, varied.failed, varied.left_out});
   outcome.passed += varied.passed;
   outcome.failed += varied.failed;
@@ -97,11 +98,11 @@ void add_up(std::vector<VariedChecks>& total, const std::vector<VariedChecks>& m
 }  // namespace
 
 Result<TestOutcome> run_test_file(const fs::path& file, const Registry& registry, const TestOptions& options) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<TestStep> steps, read_steps(file, options.cancel));
+  A3D_ASSIGN(const std::vector<TestStep> steps, read_steps(file, options.cancel));
   const PlannedRun plan{file, steps, registry, options};
-  ALGEBRA3D_ASSIGN_OR_RETURN(TestOutcome outcome, run_once(plan, nullptr));
+  A3D_ASSIGN(TestOutcome outcome, run_once(plan, nullptr));
   if (!options.varies || !outcome.skipped.empty()) return outcome;
-  for (const VariationKind kind : kVariationKinds) ALGEBRA3D_RETURN_IF_ERROR(add_variation(plan, kind, outcome));
+  for (const VariationKind kind : kVariationKinds) A3D_TRY(add_variation(plan, kind, outcome));
   return outcome;
 }
 

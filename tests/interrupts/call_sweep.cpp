@@ -8,6 +8,7 @@
 #include "algebra3d/values/types/codec.h"
 #include "algebra3d/values/types/scalars.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d::interrupts {
 namespace {
@@ -31,11 +32,11 @@ Result<Value> evaluated(const ExampleTerm& term, const Registry& registry, Conte
   std::vector<Value> arguments;
   std::vector<TypeExpr> types;
   for (const ExampleTerm& each : term.arguments) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value value, evaluated(each, registry, context));
+    A3D_ASSIGN(Value value, evaluated(each, registry, context));
     types.push_back(value.type().term());
     arguments.push_back(std::move(value));
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ResolvedCall call, registry.resolve(*term.op, types));
+  A3D_ASSIGN(const ResolvedCall call, registry.resolve(*term.op, types));
   return Registry::call(call, arguments, context);
 }
 
@@ -85,13 +86,13 @@ std::optional<std::vector<Value>> large_arguments(const Registry& registry, cons
 
 Status run_call(const ResolvedCall& call, std::vector<Value> arguments, Context& context) {
   if (call.overload->kind() != OperatorKind::table) {
-    ALGEBRA3D_RETURN_IF_ERROR(Registry::call(call, arguments, context));
+    A3D_TRY(Registry::call(call, arguments, context));
     return {};
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RowSourcePtr rows, Registry::rows(call, arguments, context));
+  A3D_ASSIGN(const RowSourcePtr rows, Registry::rows(call, arguments, context));
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<Row> row, rows->next(context));
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const std::optional<Row> row, rows->next(context));
     if (!row) return {};
   }
 }
@@ -125,8 +126,8 @@ std::vector<Work> aggregations(const Registry& registry, std::size_t count) {
       all.push_back({op->name + " " + overload.signature(), [op, &overload, values](const std::atomic<bool>& flag) {
                        return with_context(flag, [&](Context& context) -> Status {
                          Aggregation aggregation(ResolvedCall{op, &overload});
-                         for (const Value& value : values) ALGEBRA3D_RETURN_IF_ERROR(aggregation.step(value, context));
-                         ALGEBRA3D_RETURN_IF_ERROR(aggregation.finish(context));
+                         for (const Value& value : values) A3D_TRY(aggregation.step(value, context));
+                         A3D_TRY(aggregation.finish(context));
                          return {};
                        });
                      }});
@@ -147,17 +148,17 @@ std::vector<Work> value_work(const Registry& registry, const LargeValues& values
     const std::string bytes = encode(*one);
     add("encode", [one](Context&) { return encode(*one), Status(); });
     add("decode", [type, bytes](Context&) -> Status {
-      ALGEBRA3D_RETURN_IF_ERROR(decode(*type, bytes, Origin::own_store));
+      A3D_TRY(decode(*type, bytes, Origin::own_store));
       return {};
     });
     add("decode and prove", [type, bytes](Context&) -> Status {
-      ALGEBRA3D_RETURN_IF_ERROR(decode(*type, bytes, Origin::elsewhere));
+      A3D_TRY(decode(*type, bytes, Origin::elsewhere));
       return {};
     });
     add("print", [one](Context&) { return one->to_nested().print(), Status(); });
     add("parse", [type, text = one->to_nested().print()](Context& context) -> Status {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(text));
-      ALGEBRA3D_RETURN_IF_ERROR(value_from_nested(*type, list, context));
+      A3D_ASSIGN(const NestedList list, NestedList::parse(text));
+      A3D_TRY(value_from_nested(*type, list, context));
       return {};
     });
     add("hash", [one](Context&) { return hash(*one), Status(); });

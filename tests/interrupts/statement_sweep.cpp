@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/values/types/value_text.h"
+#include "base/propagate.h"
 #include "interrupts/measured_call.h"
 #include "queries/exchange/json_presenter.h"
 #include "queries/language/scanner.h"
@@ -22,7 +23,7 @@ namespace {
 class TextPresenter final : public queries::Presenter {
  public:
   Status present(const TypeExpr& type, const queries::Datum& value, Context& context) override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(text_, queries::result_text(type, value, context));
+    A3D_ASSIGN(text_, queries::result_text(type, value, context));
     return {};
   }
   Status present_inquiry(const NestedList& result) override {

@@ -10,6 +10,7 @@
 #include "algebra3d/kernel/arrangement/detail/classification.h"
 #include "algebra3d/kernel/arrangement/detail/stage_audit.h"
 #include "algebra3d/kernel/arrangement/detail/subdivision.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -61,18 +62,15 @@ SolidArrangement::~SolidArrangement() = default;
 Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operands, const Monitor& monitor,
                                                 const ArrangementOptions& options) {
   using arrangement::Boundaries;
-  ALGEBRA3D_RETURN_IF_ERROR(arrangement::check_face_count("operands", operands));
+  A3D_TRY(arrangement::check_face_count("operands", operands));
   std::vector<Operand> list(operands.begin(), operands.end());
   const Boundaries boundaries = options.closure == Closure::each ? Boundaries::none : Boundaries::possible;
-  ALGEBRA3D_ASSIGN_OR_RETURN(arrangement::Subdivision subdivision,
-                             arrangement::subdivide(list, boundaries, options, monitor));
+  A3D_ASSIGN(arrangement::Subdivision subdivision, arrangement::subdivide(list, boundaries, options, monitor));
   arrangement::WindingJumps jumps =
       arrangement::winding_jumps(subdivision.operands, subdivision.facets, subdivision.sub_edges);
-  ALGEBRA3D_RETURN_IF_ERROR(
-      arrangement::check_stage("the winding jumps", [&] { return arrangement::audit(subdivision, jumps); }));
-  ALGEBRA3D_ASSIGN_OR_RETURN(arrangement::Classification fronts,
-                             arrangement::classify(subdivision, jumps, options.closure, monitor));
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(arrangement::check_stage("the winding jumps", [&] { return arrangement::audit(subdivision, jumps); }));
+  A3D_ASSIGN(arrangement::Classification fronts, arrangement::classify(subdivision, jumps, options.closure, monitor));
+  A3D_TRY(monitor.check());
   monitor.tell("building the result");
   return SolidArrangement(
       std::make_unique<Parts>(Parts{std::move(list), std::move(subdivision), std::move(jumps), std::move(fronts)}));
@@ -121,7 +119,7 @@ Result<TriangleMesh> SolidArrangement::solid(const KeepRule& rule) && {
 }
 
 Result<TriangleMesh> combine_solids(std::span<const Operand> operands, const KeepRule& rule, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SolidArrangement arrangement, SolidArrangement::make(operands, monitor));
+  A3D_ASSIGN(SolidArrangement arrangement, SolidArrangement::make(operands, monitor));
   return std::move(arrangement).solid(rule);
 }
 

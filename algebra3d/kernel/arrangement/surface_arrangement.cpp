@@ -5,6 +5,7 @@
 
 #include "algebra3d/kernel/arrangement/detail/build_result_mesh.h"
 #include "algebra3d/kernel/arrangement/detail/subdivision.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -59,7 +60,7 @@ int first_orientation(const Subdivision& subdivision, SubEdgeSide at) {
 
 Result<Subdivision> subdivided(std::span<const Operand> surfaces, const Monitor& monitor,
                                const ArrangementOptions& limits) {
-  ALGEBRA3D_RETURN_IF_ERROR(arrangement::check_face_count("surfaces", surfaces));
+  A3D_TRY(arrangement::check_face_count("surfaces", surfaces));
   auto subdivision = arrangement::subdivide(surfaces, arrangement::Boundaries::possible, limits, monitor);
   if (subdivision.ok()) monitor.tell("building the result");
   return subdivision;
@@ -70,7 +71,7 @@ Result<Subdivision> subdivided(std::span<const Operand> surfaces, const Monitor&
 Result<TriangleMesh> combine_surfaces(const Operand& first, const Operand& second, SurfaceRule rule,
                                       const Monitor& monitor) {
   const std::array<Operand, 2> list{first, second};
-  ALGEBRA3D_ASSIGN_OR_RETURN(Subdivision subdivision, subdivided(list, monitor, {}));
+  A3D_ASSIGN(Subdivision subdivision, subdivided(list, monitor, {}));
   const auto keep_sub_facet = [&](SubEdgeSide at) { return selected(subdivision, rule, at); };
   const auto keep_patch = [&](PatchId patch) {
     const bool is_first = subdivision.patches[patch].operand == kFirst;
@@ -82,7 +83,7 @@ Result<TriangleMesh> combine_surfaces(const Operand& first, const Operand& secon
 
 Result<TriangleMesh> unite_surfaces(std::span<const Operand> surfaces, const Monitor& monitor,
                                     const ArrangementOptions& limits) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Subdivision subdivision, subdivided(surfaces, monitor, limits));
+  A3D_ASSIGN(Subdivision subdivision, subdivided(surfaces, monitor, limits));
   const auto keep_sub_facet = [&](SubEdgeSide at) { return first_orientation(subdivision, at); };
   Selection selection = Selection::of(subdivision, keep_sub_facet, [](PatchId) { return 1; });
   return build_result_mesh(std::move(subdivision), std::move(selection));

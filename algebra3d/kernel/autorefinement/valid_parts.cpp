@@ -10,6 +10,7 @@
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/validity/validity.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -31,7 +32,7 @@ Result<ValidParts> ValidParts::make(const TriangleMesh& mesh, const Monitor& mon
 
 Result<ValidParts> ValidParts::make(const TriangleMesh& mesh, const std::vector<bool>& are_alone,
                                     const Monitor& monitor, const FaceSet& known) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(mesh, monitor.cancel(), known));
+  A3D_ASSIGN(const std::vector<Entanglement> entanglements, disentangle(mesh, monitor.cancel(), known));
   ValidParts result;
   std::vector<FaceId> free;
   for (const FaceId face : faces(mesh)) {
@@ -53,8 +54,8 @@ Result<ValidParts> ValidParts::in_sheets(const TriangleMesh& mesh, const Monitor
   std::vector<TriangleMesh> free_parts;
   for (const std::vector<FaceId>& its_faces : sheets.sheets) {
     const TriangleMesh sheet = submesh(mesh, its_faces);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements,
-                               disentangle(sheet, monitor.cancel(), {}, AllowedEdges::any));
+    A3D_ASSIGN(const std::vector<Entanglement> entanglements,
+               disentangle(sheet, monitor.cancel(), {}, AllowedEdges::any));
     std::vector<FaceId> free;
     for (std::size_t i = 0; i < its_faces.size(); ++i) {
       if (entanglements[i] == Entanglement::none) free.push_back(its_faces[i]);

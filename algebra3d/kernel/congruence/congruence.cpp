@@ -9,6 +9,7 @@
 #include "algebra3d/kernel/congruence/detail/face_lookup.h"
 #include "algebra3d/kernel/congruence/detail/motion_candidates.h"
 #include "algebra3d/kernel/exact/predicates_filter.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -78,8 +79,7 @@ class MotionCheck {
       : a_(a), b_(b), tolerance_(tolerance), monitor_(monitor), faces_of_a_(a, tolerance), faces_of_b_(b, tolerance) {}
 
   Result<bool> carries(const Rotation& rotation) const {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_there,
-                               detail::is_boundary_near(a_, rotation, b_, faces_of_b_, tolerance_, monitor_));
+    A3D_ASSIGN(const bool is_there, detail::is_boundary_near(a_, rotation, b_, faces_of_b_, tolerance_, monitor_));
     if (!is_there) return false;
     return detail::is_boundary_near(b_, rotation.inverse(), a_, faces_of_a_, tolerance_, monitor_);
   }
@@ -101,18 +101,18 @@ Result<std::optional<RigidMotion>> find_congruence(const CongruenceOperand& firs
   const Box3 box = Box3::around(first.mesh->points().approx());
   if (!may_have_one_diameter(box, Box3::around(second.mesh->points().approx()), tolerance)) return Found();
   const double unit = length_unit(box);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid a, CentredSolid::make(first, unit, monitor));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid b, CentredSolid::make(second, unit, monitor));
+  A3D_ASSIGN(const CentredSolid a, CentredSolid::make(first, unit, monitor));
+  A3D_ASSIGN(const CentredSolid b, CentredSolid::make(second, unit, monitor));
   const double reach = effective_tolerance(a, b, tolerance, unit);
   if (!may_be_congruent(a, b, reach)) return Found();
   const MotionCheck check(a, b, reach, monitor);
   // The smallest angle, and what copies ask for.
   const Rotation none{{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_moved_only, check.carries(none));
+  A3D_ASSIGN(const bool is_moved_only, check.carries(none));
   if (is_moved_only) return Found(motion_of(a, b, none));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto rotations, detail::candidate_rotations(a, b, reach, monitor));
+  A3D_ASSIGN(const auto rotations, detail::candidate_rotations(a, b, reach, monitor));
   for (const Rotation& rotation : rotations) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, check.carries(rotation));
+    A3D_ASSIGN(const bool is_found, check.carries(rotation));
     if (is_found) return Found(motion_of(a, b, rotation));
   }
   return Found();

@@ -10,6 +10,7 @@
 
 #include "algebra3d/kernel/convex/detail/hull_outline.h"
 #include "algebra3d/kernel/exact/predicates_filter.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -75,7 +76,7 @@ Result<std::optional<Cylinder>> bounding_cylinder(const TriangleMesh& hull, cons
     if (const double value = volume_of(normal, 0).value; value < best.value) best = {normal, value, 0};
   detail::DirectionSearch search(
       {.middle = outline.main_axis(), .angle = std::numbers::pi / 2, .ratio = 1.05 - 0x1p-20, .budget = 5000});
-  ALGEBRA3D_ASSIGN_OR_RETURN(best, search.run(best, volume_of, monitor));
+  A3D_ASSIGN(best, search.run(best, volume_of, monitor));
   best = polished(best, volume_of);
   Cylinder cylinder = cylinder_along(best.direction, hull.points());
   if (!is_finite(cylinder.base) || !std::isfinite(cylinder.radius) || !std::isfinite(cylinder.height))

@@ -5,6 +5,7 @@
 #include "algebra3d/kernel/convex/detail/first_simplex.h"
 #include "algebra3d/kernel/convex/detail/hull_facets.h"
 #include "algebra3d/kernel/convex/detail/quickhull.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -33,7 +34,7 @@ Result<Maybe<TriangleMesh>> convex_hull(const PointArray& points, const Monitor&
   const detail::FirstSimplex simplex = detail::first_simplex(points);
   if (simplex.dimension < 0) return Maybe<TriangleMesh>(TriangleMesh());
   if (simplex.dimension < 3) return Maybe<TriangleMesh>(flat(simplex.dimension));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto triangles, detail::quickhull(points, simplex.corners, monitor));
+  A3D_ASSIGN(const auto triangles, detail::quickhull(points, simplex.corners, monitor));
   return Maybe<TriangleMesh>(mesh_of(points, detail::hull_boundary(points, triangles)));
 }
 

@@ -11,6 +11,7 @@
 #include "algebra3d/kernel/exact/plane.h"
 #include "algebra3d/kernel/exact/predicates_filter.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -109,7 +110,7 @@ Result<std::optional<ExactBall>> smallest_enclosing_ball(const PointArray& point
   ExactBall ball{support[0], 0};
   // Each ball is larger than the one before, and there are finitely many.
   while (const auto outside = point_outside(ball, points)) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     support.push_back(points[*outside].rational());
     ball = pivot(support);
   }

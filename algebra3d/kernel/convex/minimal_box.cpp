@@ -13,6 +13,7 @@
 #include "algebra3d/kernel/exact/predicates_filter.h"
 #include "base/box_corners.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -140,7 +141,7 @@ Result<Maybe<OrientedBox>> minimal_box(const TriangleMesh& hull, const Monitor& 
   const double angle = std::acos(1 / std::numbers::sqrt3) + 0x1p-20;
   detail::DirectionSearch search(
       {.middle = outline.main_axis(), .angle = angle, .ratio = 1.05 - 0x1p-20, .budget = 5000});
-  ALGEBRA3D_ASSIGN_OR_RETURN(best, search.run(best, volume_of, monitor));
+  A3D_ASSIGN(best, search.run(best, volume_of, monitor));
   best = polished(best, volume_of);
 
   const HullOutline::View view = outline.seen_along(best.direction);

@@ -10,6 +10,7 @@
 
 #include "algebra3d/kernel/distance/detail/triangle_frame.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -109,7 +110,7 @@ Result<std::optional<double>> covering_bound(const TriangleMesh& from, const Dis
     }
     return std::vector{covering.farthest()};
   });
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   if (pieces > max_pieces) return std::optional<double>();
   const Box3 box = unite(Box3::around(from.points().approx()), to.hierarchy->bounds());
   const double largest = std::max({-box.min.x, -box.min.y, -box.min.z, box.max.x, box.max.y, box.max.z});

@@ -10,6 +10,7 @@
 #include "algebra3d/kernel/distance/detail/exact_closest.h"
 #include "algebra3d/kernel/distance/detail/half_space.h"
 #include "algebra3d/kernel/exact/plane.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -89,8 +90,8 @@ Result<std::optional<ClosestPoints>> closest_points(const DistanceOperand& a, co
                                                     const Monitor& monitor) {
   if (a.mesh->is_empty() || b.mesh->is_empty()) return std::optional<ClosestPoints>();
   constexpr double kAnywhere = std::numeric_limits<double>::infinity(), kNothing = -1;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CandidatePair> candidates,
-                             distances::find_candidates(a, b, kAnywhere, kNothing, monitor));
+  A3D_ASSIGN(const std::vector<CandidatePair> candidates,
+             distances::find_candidates(a, b, kAnywhere, kNothing, monitor));
   return nearest_of(a, b, candidates, 0);
 }
 
@@ -99,8 +100,7 @@ Result<std::optional<DistanceRange>> distance_range(const DistanceOperand& a, co
                                                     const Monitor& monitor) {
   if (a.mesh->is_empty() || b.mesh->is_empty()) return std::optional<DistanceRange>();
   constexpr double kNothing = -1;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CandidatePair> candidates,
-                             distances::find_candidates(a, b, reach, kNothing, monitor));
+  A3D_ASSIGN(const std::vector<CandidatePair> candidates, distances::find_candidates(a, b, reach, kNothing, monitor));
   if (candidates.empty()) return std::optional<DistanceRange>();
   DistanceRange range{candidates.front().bounds.lower, std::numeric_limits<double>::infinity()};
   for (const CandidatePair& pair : candidates) range.upper = std::min(range.upper, pair.bounds.upper);
@@ -111,8 +111,8 @@ Result<bool> are_within(const DistanceOperand& a, const DistanceOperand& b, cons
                         const Monitor& monitor) {
   if (a.mesh->is_empty() || b.mesh->is_empty()) return false;
   const double enough = distance.lower_double();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CandidatePair> candidates,
-                             distances::find_candidates(a, b, distance.upper_double(), enough, monitor));
+  A3D_ASSIGN(const std::vector<CandidatePair> candidates,
+             distances::find_candidates(a, b, distance.upper_double(), enough, monitor));
   for (const CandidatePair& pair : candidates)
     if (pair.bounds.upper <= enough) return true;
   const Rational squared = distance * distance;

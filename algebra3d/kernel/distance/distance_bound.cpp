@@ -7,6 +7,7 @@
 
 #include "algebra3d/kernel/distance/detail/face_bounds.h"
 #include "algebra3d/kernel/search/boxes.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -20,7 +21,7 @@ Result<double> bounded_distance(const TriangleMesh& from, std::span<const Bounde
     if (face.at_most <= enough) break;
     distances::FaceBounds<WideVec3> bounds(from, to, no_facets, box, enough, monitor);
     const double upper = bounds.of(face.face, {face.near, face.near, face.near}).upper;
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     enough = std::max(enough, std::min(upper, face.at_most));
   }
   return enough;

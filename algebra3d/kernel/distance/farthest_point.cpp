@@ -9,6 +9,7 @@
 #include "algebra3d/kernel/exact/affine_map.h"
 #include "algebra3d/kernel/halfedge/mesh_image.h"
 #include "algebra3d/kernel/search/boxes.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -21,23 +22,23 @@ Result<std::vector<PieceSearch>> with_measured_vertices(std::span<const Farthest
   for (const FarthestSearch& search : searches) {
     const Box3 box = unite(search.from.hierarchy->bounds(), search.to.hierarchy->bounds());
     measured.emplace_back(search, box);
-    ALGEBRA3D_RETURN_IF_ERROR(measured.back().measure_vertices(monitor));
+    A3D_TRY(measured.back().measure_vertices(monitor));
   }
   return measured;
 }
 
 Result<std::optional<FarthestPoint>> farthest_of_all(std::span<const FarthestSearch> searches, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<PieceSearch> all, with_measured_vertices(searches, monitor));
+  A3D_ASSIGN(std::vector<PieceSearch> all, with_measured_vertices(searches, monitor));
   double at_least = 0;
   for (const PieceSearch& search : all) at_least = std::max(at_least, search.lower_bound());
-  for (PieceSearch& search : all) ALGEBRA3D_RETURN_IF_ERROR(search.bound_faces(at_least, monitor));
+  for (PieceSearch& search : all) A3D_TRY(search.bound_faces(at_least, monitor));
   for (const PieceSearch& search : all) at_least = std::max(at_least, search.lower_bound());
   std::optional<FarthestPoint> farthest;
   double upper_bound = 0;
   bool is_bounded = true;
   for (std::size_t i = 0; i < all.size(); ++i) {
     PieceSearch& search = all[i];
-    ALGEBRA3D_RETURN_IF_ERROR(search.refine(at_least, monitor));
+    A3D_TRY(search.refine(at_least, monitor));
     upper_bound = std::max(upper_bound, search.upper_bound());
     is_bounded = is_bounded && search.is_bounded();
     auto [squared_distance, nearest] = search.samples().exact_distance(search.best());
@@ -75,7 +76,7 @@ struct Enlarged {
 };
 
 Result<Enlarged> enlarged(const TriangleMesh& mesh, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto image, exact_image(scaling_by(kEnlargement), mesh, monitor.cancel()));
+  A3D_ASSIGN(auto image, exact_image(scaling_by(kEnlargement), mesh, monitor.cancel()));
   BoxHierarchy hierarchy(*image);
   return Enlarged{std::move(image).value(), std::move(hierarchy)};
 }
@@ -85,15 +86,15 @@ Result<std::optional<FarthestPoint>> farthest_of_enlarged(std::span<const Farthe
   std::vector<std::unique_ptr<const Enlarged>> sets;
   std::vector<FarthestSearch> images;
   const auto image_of = [&](const DistanceOperand& set) -> Result<DistanceOperand> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Enlarged image, enlarged(*set.mesh, monitor));
+    A3D_ASSIGN(Enlarged image, enlarged(*set.mesh, monitor));
     return sets.emplace_back(std::make_unique<const Enlarged>(std::move(image)))->operand();
   };
   for (const FarthestSearch& search : searches) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const DistanceOperand from, image_of(search.from));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const DistanceOperand to, image_of(search.to));
+    A3D_ASSIGN(const DistanceOperand from, image_of(search.from));
+    A3D_ASSIGN(const DistanceOperand to, image_of(search.to));
     images.push_back({from, to});
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<FarthestPoint> farthest, farthest_of_all(images, monitor));
+  A3D_ASSIGN(std::optional<FarthestPoint> farthest, farthest_of_all(images, monitor));
   if (!farthest) return farthest;
   const Rational factor = Rational(1) / Rational(kEnlargement);
   farthest->point = ExactPoint(factor * farthest->point.rational());

@@ -10,6 +10,7 @@
 #include "algebra3d/kernel/exact/detail/fixed_sums.h"
 #include "algebra3d/kernel/exact/detail/homogeneous.h"
 #include "algebra3d/kernel/exact/detail/rational_big.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -143,7 +144,7 @@ template <int kDegree, typename Sums>
 Result<SolidSecondMoments> sum_with(Sums sums, const PointArray& points, const AxisRanges& ranges,
                                     IndexTriangles triangles, const std::atomic<bool>* cancel) {
   RationalSums rational(points);
-  ALGEBRA3D_RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
+  A3D_TRY(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
     if (detail::has_exact_corner(points, t))
       rational.template add<kDegree>(t);
     else
@@ -187,13 +188,13 @@ Result<SolidSecondMoments> sum(const PointArray& points, IndexTriangles triangle
 }  // namespace
 
 Result<Rational> exact_volume(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SolidSecondMoments sums, sum<0>(points, triangles, cancel));
+  A3D_ASSIGN(SolidSecondMoments sums, sum<0>(points, triangles, cancel));
   return std::move(sums.lower.volume);
 }
 
 Result<SolidMoments> exact_moments(const PointArray& points, IndexTriangles triangles,
                                    const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SolidSecondMoments sums, sum<1>(points, triangles, cancel));
+  A3D_ASSIGN(SolidSecondMoments sums, sum<1>(points, triangles, cancel));
   return std::move(sums.lower);
 }
 

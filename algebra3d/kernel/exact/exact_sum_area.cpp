@@ -10,6 +10,7 @@
 #include "algebra3d/kernel/exact/detail/exact_sum_integers.h"
 #include "algebra3d/kernel/exact/detail/length_estimate.h"
 #include "algebra3d/kernel/exact/exact_sum.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -105,7 +106,7 @@ Result<Rational> long_sum(const PointArray& points, IndexTriangles triangles, co
     for (std::size_t axis = 0; axis < 3; ++axis) range.extend(p[axis]);
   LengthSum sum(points, range);
   Rational with_exact_corners;
-  ALGEBRA3D_RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
+  A3D_TRY(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
     if (detail::has_exact_corner(points, t))
       with_exact_corners += double_area(points, t);
     else
@@ -162,7 +163,7 @@ Result<detail::LengthEstimate> estimated_sum(const PointArray& points, IndexTria
                                              const std::atomic<bool>* cancel) {
   const Rests rests(points);
   detail::LengthEstimate estimate;
-  ALGEBRA3D_RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
+  A3D_TRY(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
     if (detail::has_exact_corner(points, t))
       estimate.add(rests.coordinates(t[0]), rests.coordinates(t[1]), rests.coordinates(t[2]));
     else
@@ -175,11 +176,11 @@ Result<detail::LengthEstimate> estimated_sum(const PointArray& points, IndexTria
 
 Result<double> nearest_area(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
   if (are_in_range(points)) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const detail::LengthEstimate estimate, estimated_sum(points, triangles, cancel));
+    A3D_ASSIGN(const detail::LengthEstimate estimate, estimated_sum(points, triangles, cancel));
     const double high = half(estimate.upper()).nearest_double();
     if (half(estimate.lower()).nearest_double() == high) return high;
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational sum, long_sum(points, triangles, cancel));
+  A3D_ASSIGN(const Rational sum, long_sum(points, triangles, cancel));
   return half(sum).nearest_double();
 }
 

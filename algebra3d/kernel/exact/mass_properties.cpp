@@ -2,11 +2,13 @@
 
 #include <utility>
 
+#include "base/propagate.h"
+
 namespace algebra3d {
 
 Result<MassProperties> mass_properties(const PointArray& points, IndexTriangles triangles,
                                        const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SolidSecondMoments moments, exact_second_moments(points, triangles, cancel));
+  A3D_ASSIGN(const SolidSecondMoments moments, exact_second_moments(points, triangles, cancel));
   const auto& [volume, first] = moments.lower;
   const auto& [xx, yy, zz, yz, zx, xy] = moments.second;
   MassProperties result;

@@ -8,6 +8,7 @@
 
 #include "algebra3d/kernel/exact/counters.h"
 #include "algebra3d/kernel/exact/detail/moment_bounds.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -167,10 +168,10 @@ template <typename T, typename Attempt>
 Result<std::optional<T>> by_bounds(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel,
                                    const Attempt& attempt) {
   if (points.exact_count() == 0) return std::optional<T>();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MomentBounds few, (moment_bounds<2, kFewLimbs>(points, triangles, cancel)));
+  A3D_ASSIGN(const MomentBounds few, (moment_bounds<2, kFewLimbs>(points, triangles, cancel)));
   std::optional<T> result = attempt(few);
   if (result) return result;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MomentBounds many, (moment_bounds<2, kManyLimbs>(points, triangles, cancel)));
+  A3D_ASSIGN(const MomentBounds many, (moment_bounds<2, kManyLimbs>(points, triangles, cancel)));
   result = attempt(many);
   if (!result) detail::count_filter_failure();
   return result;
@@ -180,17 +181,16 @@ Result<std::optional<T>> by_bounds(const PointArray& points, IndexTriangles tria
 
 Result<NearestMassProperties> nearest_mass_properties(const PointArray& points, IndexTriangles triangles,
                                                       const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<NearestMassProperties> bounded,
-                             by_bounds<NearestMassProperties>(points, triangles, cancel, rounded_moments));
+  A3D_ASSIGN(std::optional<NearestMassProperties> bounded,
+             by_bounds<NearestMassProperties>(points, triangles, cancel, rounded_moments));
   if (bounded) return *std::move(bounded);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MassProperties mass, mass_properties(points, triangles, cancel));
+  A3D_ASSIGN(const MassProperties mass, mass_properties(points, triangles, cancel));
   return nearest(mass);
 }
 
 Result<MassProperties> approximate_mass_properties(const PointArray& points, IndexTriangles triangles,
                                                    const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<MassProperties> bounded,
-                             by_bounds<MassProperties>(points, triangles, cancel, approximate));
+  A3D_ASSIGN(std::optional<MassProperties> bounded, by_bounds<MassProperties>(points, triangles, cancel, approximate));
   if (bounded) return *std::move(bounded);
   return mass_properties(points, triangles, cancel);
 }

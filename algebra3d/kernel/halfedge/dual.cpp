@@ -7,6 +7,7 @@
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/normals.h"
 #include "base/large_allocator.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -42,11 +43,11 @@ Result<PolygonMesh> dual_mesh(const HalfedgeMesh<Layout>& mesh, const Monitor& m
   LargeVector<std::uint32_t> corners, starts;
   starts.push_back(0);
   for (const VertexId v : vertices(mesh)) {
-    if (v.index() % kPerTask == 0) ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    if (v.index() % kPerTask == 0) A3D_TRY(monitor.check());
     for (const HalfedgeId first : mesh.fans(v))
       if (append_closed_fan(mesh, first, corners)) starts.push_back(static_cast<std::uint32_t>(corners.size()));
   }
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   return PolygonMesh(PointArray(std::move(points)), PolygonLayout(std::move(starts)), std::move(corners));
 }
 

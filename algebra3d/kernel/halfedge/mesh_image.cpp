@@ -7,6 +7,7 @@
 
 #include "algebra3d/kernel/halfedge/mesh_triangles.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -68,7 +69,7 @@ Result<Maybe<PointArray>> exact_images(const AffineMap& map, const PointArray& p
 
 Result<Maybe<TriangleMesh>> exact_image(const AffineMap& map, const TriangleMesh& mesh,
                                         const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto points, exact_images(map, mesh.points(), cancel));
+  A3D_ASSIGN(auto points, exact_images(map, mesh.points(), cancel));
   if (!points) return Maybe<TriangleMesh>(Undefined{points.reason()});
   return Maybe<TriangleMesh>(TriangleMesh(*std::move(points), image_triangles(map, mesh), image_planes(map, mesh)));
 }

@@ -6,6 +6,7 @@
 #include "algebra3d/kernel/planar/detail/edge_triangulation.h"
 #include "algebra3d/kernel/planar/noding.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -120,9 +121,9 @@ void append(const PlanePoints& points, const TracedFace& face, Polygons& polygon
 Result<Polygons> boundary_polygons(const PointArray& points, std::span<const DirectedEdge> noded_edges,
                                    const Monitor& monitor) {
   planar::EdgeTriangulation edges(points, noded_edges);
-  ALGEBRA3D_RETURN_IF_ERROR(edges.build(monitor));
-  ALGEBRA3D_RETURN_IF_ERROR(edges.check_one_direction());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const planar::InsideTriangles inside, edges.find_inside());
+  A3D_TRY(edges.build(monitor));
+  A3D_TRY(edges.check_one_direction());
+  A3D_ASSIGN(const planar::InsideTriangles inside, edges.find_inside());
   BoundaryTracer tracer(edges);
   std::vector<TracedFace> faces;
   std::uint32_t begin = 0;
@@ -138,8 +139,7 @@ Result<Polygons> boundary_polygons(const PointArray& points, std::span<const Dir
 }
 
 Result<Polygons> boundary_polygons(const Polygons& oriented, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<DirectedEdge> edges,
-                             noded(oriented.corners, segments_of(oriented), monitor));
+  A3D_ASSIGN(const std::vector<DirectedEdge> edges, noded(oriented.corners, segments_of(oriented), monitor));
   return boundary_polygons(oriented.corners, edges, monitor);
 }
 

@@ -6,6 +6,7 @@
 
 #include "algebra3d/kernel/planar/detail/cycles.h"
 #include "algebra3d/kernel/planar/detail/edge_triangulation.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -45,8 +46,8 @@ std::vector<Triangle> by_indices(const planar::PlanePoints& points,
 Result<std::vector<IndexTriangle>> constrained_delaunay(const PointArray& points, std::span<const DirectedEdge> edges,
                                                         const Monitor& monitor) {
   planar::EdgeTriangulation triangulation(points, edges);
-  ALGEBRA3D_RETURN_IF_ERROR(triangulation.build(monitor));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const planar::InsideTriangles inside, triangulation.find_inside());
+  A3D_TRY(triangulation.build(monitor));
+  A3D_ASSIGN(const planar::InsideTriangles inside, triangulation.find_inside());
   return in_order(by_indices(triangulation.points(), inside.corners), points.size());
 }
 

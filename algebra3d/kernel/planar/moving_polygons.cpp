@@ -12,6 +12,7 @@
 #include "algebra3d/kernel/planar/polygon_validity.h"
 #include "algebra3d/kernel/planar/segment_text.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 // The proof. Every two segments are looked at over the whole time: none vanishes, those of one cycle never meet,
 // neighbours never lie on each other, those of different cycles neither cross nor overlap. It remains to find how the
@@ -135,9 +136,9 @@ Polygons at(const MovingPolygons& moving, const Rational& s) {
 Result<std::optional<std::string>> moving_polygon_defect(const MovingPolygons& moving, const Monitor& monitor) {
   assert(moving.start.cycle_ends == moving.end.cycle_ends && moving.start.face_ends == moving.end.face_ends);
   assert(moving.start.corners.size() == moving.end.corners.size());
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto defect, MovingCheck(moving).defect(monitor));
+  A3D_ASSIGN(auto defect, MovingCheck(moving).defect(monitor));
   if (defect) return defect;
-  ALGEBRA3D_ASSIGN_OR_RETURN(defect, polygon_defect(at(moving, Rational(1, 2)), monitor));
+  A3D_ASSIGN(defect, polygon_defect(at(moving, Rational(1, 2)), monitor));
   if (defect) *defect += " in the middle of the unit";
   return defect;
 }

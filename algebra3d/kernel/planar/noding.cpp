@@ -7,6 +7,7 @@
 #include "algebra3d/kernel/planar/detail/delaunay.h"
 #include "algebra3d/kernel/planar/segment_text.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -108,13 +109,13 @@ Result<std::vector<DirectedEdge>> noded(const PointArray& points, std::span<cons
   std::vector<std::uint32_t> indices(points.size());
   std::iota(indices.begin(), indices.end(), 0U);
   const PlanePoints vertices(points, indices);
-  ALGEBRA3D_ASSIGN_OR_RETURN(Subdivision triangulation, planar::delaunay(vertices, monitor));
+  A3D_ASSIGN(Subdivision triangulation, planar::delaunay(vertices, monitor));
   const std::vector<CountedEdge> counted_edges = counted(vertices, edges);
   Stage stage(monitor, "dividing segments", counted_edges.size());
   Noder noder(vertices, triangulation);
   for (const CountedEdge& edge : counted_edges) {
     if (!stage.begin_step()) return Monitor::interrupted();
-    ALGEBRA3D_RETURN_IF_ERROR(noder.insert(edge));
+    A3D_TRY(noder.insert(edge));
   }
   return noder.result();
 }

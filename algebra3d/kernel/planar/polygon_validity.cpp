@@ -15,6 +15,7 @@
 #include "algebra3d/kernel/planar/detail/polygon_places.h"
 #include "algebra3d/kernel/planar/segment_text.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -257,7 +258,7 @@ Result<std::optional<std::string>> polygon_defect(const Polygons& polygons, cons
   const planar::PolygonPlaces places(polygons);
   if (auto defect = defect_of_cycles(polygons, places)) return defect;
   const PlanePoints points(polygons.corners, all_corners(polygons));
-  ALGEBRA3D_ASSIGN_OR_RETURN(Subdivision triangulation, planar::delaunay(points, monitor));
+  A3D_ASSIGN(Subdivision triangulation, planar::delaunay(points, monitor));
   SegmentCheck check(polygons, places, points, triangulation);
   if (auto defect = check.defect_of_corners()) return defect;
   const std::vector<DirectedEdge> segments = planar::segments_of(polygons, planar::reversed_cycles(polygons));

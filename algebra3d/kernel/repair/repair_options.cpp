@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/number_text.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -87,7 +88,7 @@ Status set_option(RepairOptions& options, const WrittenOption& option) {
   if (amount == nullptr)
     return Error{ErrorCode::invalid_value,
                  "there is no option '{}'; expected gaps, holes, cavities, smallest, dropped, work or strict", name};
-  ALGEBRA3D_ASSIGN_OR_RETURN(*amount, parse_amount(option));
+  A3D_ASSIGN(*amount, parse_amount(option));
   options = changed;
   return {};
 }
@@ -105,7 +106,7 @@ Result<RepairOptions> parse_repair_options(std::string_view text) {
     const WrittenOption option = option_in(part);
     if (!names.insert(current_name(option.name)).second)
       return Error{ErrorCode::invalid_value, "option '{}' is given twice", option.name};
-    ALGEBRA3D_RETURN_IF_ERROR(set_option(options, option));
+    A3D_TRY(set_option(options, option));
   }
   return options;
 }

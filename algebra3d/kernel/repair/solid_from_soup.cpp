@@ -16,6 +16,7 @@
 #include "algebra3d/kernel/soup/spatial_order.h"
 #include "algebra3d/kernel/soup/weld.h"
 #include "algebra3d/kernel/validity/validity.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -41,7 +42,7 @@ struct OrderedTriangles {
 
 Result<OrderedTriangles> ordered_triangles(WeldedTriangles welded, const Monitor& monitor) {
   OrderedTriangles result;
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.volume, exact_volume(welded.points, welded.triangles, monitor.cancel()));
+  A3D_ASSIGN(result.volume, exact_volume(welded.points, welded.triangles, monitor.cancel()));
   result.is_flipped = result.volume.sign() < 0;
   if (result.is_flipped) flip_all(welded);
   result.order = spatial_order(welded.points.approx(), welded.triangles);
@@ -66,16 +67,15 @@ Status take_valid(TriangleMesh mesh, const OrderedTriangles& given, const Repair
                   const Monitor& monitor, SolidFromSoup& result) {
   RepairReport left_out;
   result.area_seen = area_of(mesh, BinaryScale(largest_coordinate(mesh)));
-  ALGEBRA3D_ASSIGN_OR_RETURN(mesh, filter_shells(std::move(mesh), options, left_out, monitor));
+  A3D_ASSIGN(mesh, filter_shells(std::move(mesh), options, left_out, monitor));
   result.volume = Amount::nearest(given.volume.abs());
   result.mesh = left_out.is_empty() ? std::move(mesh) : in_spatial_order(mesh);
   if (left_out.is_empty()) return {};
   left_out.volume_before = result.volume;
   left_out.size = result.report.size;
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.volume, measured_volume(*result.mesh, monitor));
+  A3D_ASSIGN(result.volume, measured_volume(*result.mesh, monitor));
   left_out.volume_after = result.volume;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MeasuredRepair measured,
-                             measure_repair(given.mesh(), *result.mesh, {}, 0, {}, monitor));
+  A3D_ASSIGN(const MeasuredRepair measured, measure_repair(given.mesh(), *result.mesh, {}, 0, {}, monitor));
   left_out.amounts = measured.amounts;
   result.repair = std::move(left_out);
   return {};
@@ -91,7 +91,7 @@ Status repair(TriangleMesh mesh, OrderedTriangles given, const VolumeExamination
   }
   const FaceSet& free = options.reuses_proofs ? examined.free : FaceSet();
   const KnownTriangles known(std::make_shared<const TriangleMesh>(std::move(mesh)), free, given.volume);
-  ALGEBRA3D_ASSIGN_OR_RETURN(RepairedSolid repaired, repaired_solid(known, examined.report, options, monitor));
+  A3D_ASSIGN(RepairedSolid repaired, repaired_solid(known, examined.report, options, monitor));
   result.mesh = std::move(repaired.mesh);
   result.volume = repaired.report.volume_after;
   if (repaired.report.amounts) result.area_seen = repaired.report.amounts->area_seen;
@@ -117,17 +117,17 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
   result.report.count_contradicting_normals(soup);
   WeldedTriangles welded = weld(soup.triangles);
   result.report.size = diagonal_of(welded);
-  ALGEBRA3D_ASSIGN_OR_RETURN(OrderedTriangles given, ordered_triangles(std::move(welded), monitor));
+  A3D_ASSIGN(OrderedTriangles given, ordered_triangles(std::move(welded), monitor));
   TriangleMesh mesh = given.mesh();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const VolumeExamination examined, examine_volume(mesh, monitor.cancel()));
+  A3D_ASSIGN(const VolumeExamination examined, examine_volume(mesh, monitor.cancel()));
   if (examined.report.is_valid()) {
     result.report.was_flipped = given.is_flipped;
-    ALGEBRA3D_RETURN_IF_ERROR(take_valid(std::move(mesh), given, options, monitor, result));
+    A3D_TRY(take_valid(std::move(mesh), given, options, monitor, result));
     return result;
   }
   result.report.validity = in_soup_order(examined.report, given.order);
   if (options.is_strict) return result;
-  ALGEBRA3D_RETURN_IF_ERROR(repair(std::move(mesh), std::move(given), examined, options, monitor, result));
+  A3D_TRY(repair(std::move(mesh), std::move(given), examined, options, monitor, result));
   return result;
 }
 

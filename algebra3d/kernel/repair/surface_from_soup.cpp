@@ -10,6 +10,7 @@
 #include "algebra3d/kernel/soup/weld.h"
 #include "algebra3d/kernel/validity/limited_proof.h"
 #include "algebra3d/kernel/validity/validity.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -23,19 +24,18 @@ Result<SurfaceFromSoup> surface_from_soup(const TriangleSoup& soup, const Repair
   drop_degenerate_triangles(indexed, result.repair);
   TriangleMesh given = in_spatial_order(*indexed.mesh());
   const ProofOptions first{.thoroughness = Thoroughness::first_defect, .cancel = monitor.cancel()};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport found, prove_surface(given, first));
+  A3D_ASSIGN(const ValidityReport found, prove_surface(given, first));
   if (found.is_valid()) {
     result.mesh = std::move(given);
     return result;
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(given, monitor));
+  A3D_ASSIGN(const ValidParts parts, ValidParts::make(given, monitor));
   for (const FaceId face : parts.lone_faces())
     result.repair.add(RepairStep::intersections, given.corners(face)[0].approx);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh united,
-                             unite_surfaces(parts.operands(), monitor, work_limits(options)));
+  A3D_ASSIGN(const TriangleMesh united, unite_surfaces(parts.operands(), monitor, work_limits(options)));
   result.mesh = in_spatial_order(united);
   ExactWorkLimit limit(exact_work_limit(options));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport proof, prove_surface(result.mesh, first, limit));
+  A3D_ASSIGN(const ValidityReport proof, prove_surface(result.mesh, first, limit));
   if (!proof.is_valid())
     return Error{ErrorCode::internal, "the triangles divided at one another are not a valid surface: {}", proof.text()};
   return result;

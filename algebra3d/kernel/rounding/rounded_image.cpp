@@ -12,6 +12,7 @@
 #include "algebra3d/kernel/rounding/detail/simpler_form.h"
 #include "algebra3d/kernel/search/boxes.h"
 #include "algebra3d/kernel/validity/validity.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -63,7 +64,7 @@ Result<std::optional<RoundedSolid>> rounded_image(const AffineMap& map, const Tr
   TriangleStars stars(*result.mesh);
   bool is_simpler = false;
   if (tolerance > 0) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_simpler, make_simpler(stars, are_at_moved_faces(solid, vertices), tolerance, cancel));
+    A3D_ASSIGN(is_simpler, make_simpler(stars, are_at_moved_faces(solid, vertices), tolerance, cancel));
   }
   if (is_simpler) {
     result.mesh = stars.mesh();
@@ -71,7 +72,7 @@ Result<std::optional<RoundedSolid>> rounded_image(const AffineMap& map, const Tr
   } else {
     options.preimage = preimage_of(map, solid, vertices.points.approx());
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_volume(*result.mesh, options));
+  A3D_ASSIGN(const ValidityReport report, prove_volume(*result.mesh, options));
   const bool is_found = report.is_valid() && report.contact_vertices == 0;
   return is_found ? std::optional(std::move(result)) : std::nullopt;
 }

@@ -14,17 +14,18 @@
 #include "algebra3d/kernel/rounding/detail/rounding_rungs.h"
 #include "algebra3d/kernel/rounding/detail/solid_part.h"
 #include "algebra3d/kernel/rounding/detail/solid_rounding.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
 
 /// The last rung, a cover of cubes; undefined where the type has no numbers beyond the solid.
 Result<RoundedSolid> covered(SolidRounding& job) {
-  ALGEBRA3D_RETURN_IF_ERROR(job.begin("covering with cubes"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<RoundingCandidate> cover,
-                             cover_of_cubes(job.mesh(), job.grid(), cell_budget(job.mesh()), job.cancel()));
+  A3D_TRY(job.begin("covering with cubes"));
+  A3D_ASSIGN(const std::optional<RoundingCandidate> cover,
+             cover_of_cubes(job.mesh(), job.grid(), cell_budget(job.mesh()), job.cancel()));
   if (!cover) return RoundedSolid{std::nullopt, out_of_range_text(job.size(), job.grid())};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, job.accept(*cover));
+  A3D_ASSIGN(const bool is_valid, job.accept(*cover));
   if (!is_valid) return Error(ErrorCode::internal, "a cover of cubes is not valid");
   return job.result();
 }
@@ -34,7 +35,7 @@ Result<RoundedSolid> climbed(const TriangleMesh& solid, const SolidPart& part, c
                              const Monitor& monitor) {
   SolidRounding job(solid, part, grid, monitor);
   if (!job.vertices().are_finite) return RoundedSolid{std::nullopt, out_of_range_text(job.size(), grid)};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, part.is_whole() ? round_whole(job) : round_part(job));
+  A3D_ASSIGN(const bool is_found, part.is_whole() ? round_whole(job) : round_part(job));
   if (is_found) return job.result();
   if (!part.is_whole()) return climbed(solid, SolidPart(solid), grid, monitor);
   return covered(job);
@@ -51,7 +52,7 @@ Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGr
   const std::vector<bool> is_moved = are_moved(solid, grid);
   const auto moved_count = static_cast<std::size_t>(std::ranges::count(is_moved, true));
   if (moved_count == 0) return RoundedSolid{solid};
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded, climbed(solid, SolidPart(solid, is_moved), grid, monitor));
+  A3D_ASSIGN(RoundedSolid rounded, climbed(solid, SolidPart(solid, is_moved), grid, monitor));
   rounded.moved_vertices = moved_count;
   return rounded;
 }

@@ -7,19 +7,20 @@
 #include "algebra3d/kernel/rounding/detail/rounding_ladder.h"
 #include "algebra3d/kernel/rounding/detail/square_cover.h"
 #include "algebra3d/kernel/rounding/detail/surface_rounding.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
 
 /// Puts faces of cubes in place of the surface; false if the type has no numbers beyond it.
 Result<bool> cover(SurfaceRounding& job) {
-  ALGEBRA3D_RETURN_IF_ERROR(job.begin("covering with faces of cubes"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MetCells> met,
-                             finest_met_cells(job.mesh(), job.grid(), cell_budget(job.mesh()), job.cancel()));
+  A3D_TRY(job.begin("covering with faces of cubes"));
+  A3D_ASSIGN(const std::optional<MetCells> met,
+             finest_met_cells(job.mesh(), job.grid(), cell_budget(job.mesh()), job.cancel()));
   if (!met) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh squares, square_cover(job.mesh(), *met, job.cancel()));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, job.accept({std::move(squares), Movement(met->lattice.diagonal()), 0,
-                                                              RoundingMethod::faces_of_cubes}));
+  A3D_ASSIGN(TriangleMesh squares, square_cover(job.mesh(), *met, job.cancel()));
+  A3D_ASSIGN(const bool is_valid,
+             job.accept({std::move(squares), Movement(met->lattice.diagonal()), 0, RoundingMethod::faces_of_cubes}));
   if (!is_valid) return Error(ErrorCode::internal, "faces of cubes are not a valid surface");
   return true;
 }
@@ -31,9 +32,9 @@ Result<RoundedSurface> rounded_surface(const TriangleMesh& surface, const Coordi
   SurfaceRounding job(surface, grid, monitor);
   if (!job.vertices().are_finite) return RoundedSurface{std::nullopt, out_of_range_text(job.size(), grid)};
   if (job.vertices().moved == 0) return RoundedSurface{surface};
-  ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, round_whole(job));
+  A3D_ASSIGN(bool is_found, round_whole(job));
   if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, cover(job));
+    A3D_ASSIGN(is_found, cover(job));
   }
   if (!is_found) return RoundedSurface{std::nullopt, out_of_range_text(job.size(), grid)};
   RoundedSurface rounded = job.result();

@@ -14,6 +14,7 @@
 #include "algebra3d/kernel/simplification/detail/edge_collapser.h"
 #include "algebra3d/kernel/simplification/detail/taken_back.h"
 #include "base/indices.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -42,7 +43,7 @@ using Attempter = Result<Simplification> (*)(const TriangleMesh&, const Collapse
 Result<Simplification> any_mesh(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
                                 const CollapseConstraints& constraints) {
   EdgeCollapser collapser(mesh, constraints, monitor);
-  ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits));
+  A3D_TRY(collapser.run(limits));
   return collapsed(collapser, 0);
 }
 
@@ -57,8 +58,8 @@ class ValidSearch {
       : mesh_(mesh), limits_(limits), crease_degrees_(crease_degrees), find_defects_(find_defects), monitor_(monitor) {}
 
   Result<Simplification> run() {
-    ALGEBRA3D_RETURN_IF_ERROR(lock_until_valid());
-    if (best_.repetitions > 0) ALGEBRA3D_RETURN_IF_ERROR(try_weaker_limits());
+    A3D_TRY(lock_until_valid());
+    if (best_.repetitions > 0) A3D_TRY(try_weaker_limits());
     return std::move(best_);
   }
 
@@ -70,10 +71,10 @@ class ValidSearch {
     std::vector<std::uint8_t> locked;
     for (std::size_t repetitions = 0;; ++repetitions) {
       EdgeCollapser collapser(mesh_, {locked, crease_degrees_}, monitor_);
-      ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits_));
+      A3D_TRY(collapser.run(limits_));
       best_ = collapsed(collapser, repetitions);
       if (repetitions == 0) wanted_ = best_.mesh.face_count();
-      ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FaceId> defects, defects_of(best_));
+      A3D_ASSIGN(const std::vector<FaceId> defects, defects_of(best_));
       if (defects.empty()) return {};
       if (std::ranges::count(locked, 0) == 0 && !locked.empty()) {
         best_ = unchanged(mesh_, repetitions);
@@ -97,9 +98,9 @@ class ValidSearch {
       const int middle = valid + (invalid - valid) / 2;
       const auto faces = static_cast<std::size_t>(all * std::exp2(-middle / kStepsToHalf));
       EdgeCollapser collapser(mesh_, {{}, crease_degrees_}, monitor_);
-      ALGEBRA3D_RETURN_IF_ERROR(collapser.run({faces, limits_.error}));
+      A3D_TRY(collapser.run({faces, limits_.error}));
       Simplification attempt = collapsed(collapser, best_.repetitions + 1);
-      ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FaceId> defects, defects_of(attempt));
+      A3D_ASSIGN(const std::vector<FaceId> defects, defects_of(attempt));
       (defects.empty() ? valid : invalid) = middle;
       if (defects.empty() && attempt.mesh.face_count() < best_.mesh.face_count()) best_ = std::move(attempt);
     }
@@ -133,9 +134,8 @@ Result<double> deviation_of(const DistanceOperand& before, const TriangleMesh& a
   monitor.tell("measuring the deviation");
   const BoxHierarchy hierarchy(after);
   const DistanceOperand operand{&after, &hierarchy};
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      const auto farthest,
-      farthest_point(std::array{FarthestSearch{before, operand}, FarthestSearch{operand, before}}, monitor));
+  A3D_ASSIGN(const auto farthest,
+             farthest_point(std::array{FarthestSearch{before, operand}, FarthestSearch{operand, before}}, monitor));
   return farthest->upper_bound;
 }
 
@@ -155,9 +155,8 @@ class DeviationSearch {
     const double allowed = target_.deviation + 0x1p-43 * largest_coordinate(mesh_);
     double error = 2 * target_.deviation;
     for (std::size_t i = 0; i < kMaxAttempts && (i < kAttempts || !best_); ++i) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(Simplification attempt,
-                                 attempter_(mesh_, {target_.triangles, error}, monitor_, constraints_));
-      ALGEBRA3D_ASSIGN_OR_RETURN(const double deviation, deviation_of({&mesh_, &hierarchy_}, attempt.mesh, monitor_));
+      A3D_ASSIGN(Simplification attempt, attempter_(mesh_, {target_.triangles, error}, monitor_, constraints_));
+      A3D_ASSIGN(const double deviation, deviation_of({&mesh_, &hierarchy_}, attempt.mesh, monitor_));
       const bool is_enough = attempt.mesh.face_count() <= target_.triangles;
       if (deviation <= allowed) {
         keep(std::move(attempt), deviation);

@@ -3,6 +3,7 @@
 #include "algebra3d/kernel/subdivision/detail/edge_numbers.h"
 #include "algebra3d/kernel/subdivision/detail/refined_mesh.h"
 #include "algebra3d/kernel/subdivision/detail/steps.h"
+#include "base/propagate.h"
 
 namespace algebra3d::subdivision {
 namespace {
@@ -23,11 +24,11 @@ class CatmullClark {
         refined_(std::size_t{first_face_point_} + view.face_count(), std::size_t{4} * view.halfedge_count()) {}
 
   Result<PolygonMesh> step() {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
+    A3D_TRY(monitor_.check());
     edge_vertices_.resize(view_.halfedge_count());
     for_each_element(view_.face_count(), stage_, [&](std::uint32_t f) { make_face_point(f); });
     edges_.for_each(stage_, [&](std::uint32_t h, std::uint32_t e) { make_edge_point(h, view_.vertex_count() + e); });
-    ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
+    A3D_TRY(monitor_.check());
     for_each_element(view_.face_count(), stage_, [&](std::uint32_t f) { write_quadrilaterals(f); });
     for_each_element(view_.vertex_count(), stage_, [&](std::uint32_t v) { move_vertex(v); });
     return std::move(refined_).finish(PolygonLayout::of_degree(4), monitor_);

@@ -5,6 +5,7 @@
 #include "algebra3d/kernel/subdivision/detail/refined_mesh.h"
 #include "algebra3d/kernel/subdivision/detail/ring_masks.h"
 #include "algebra3d/kernel/subdivision/detail/steps.h"
+#include "base/propagate.h"
 
 namespace algebra3d::subdivision {
 namespace {
@@ -27,7 +28,7 @@ class DooSabin {
   }
 
   Result<PolygonMesh> step() {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
+    A3D_TRY(monitor_.check());
     const Place end = vertex_faces_.back();
     RefinedMesh refined(view_.halfedge_count(), end.halfedge);
     starts_.resize(std::size_t{end.face} + 1);
@@ -35,9 +36,9 @@ class DooSabin {
     edge_numbers_.resize(view_.halfedge_count());
     write_faces(refined);
     write_edge_faces(refined);
-    ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
+    A3D_TRY(monitor_.check());
     write_vertex_faces(refined);
-    ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
+    A3D_TRY(monitor_.check());
     return std::move(refined).finish(PolygonLayout(std::move(starts_)), monitor_);
   }
 

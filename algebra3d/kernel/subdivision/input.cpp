@@ -7,6 +7,7 @@
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/subdivision/detail/blocks.h"
 #include "algebra3d/kernel/subdivision/detail/mesh_view.h"
+#include "base/propagate.h"
 
 namespace algebra3d::subdivision {
 namespace {
@@ -116,11 +117,10 @@ Status check_size(const PolygonMesh& mesh, std::size_t steps) {
 }  // namespace
 
 Status check_input(const PolygonMesh& mesh, SubdivisionScheme scheme, std::size_t steps) {
-  if (takes_triangles_only(scheme)) ALGEBRA3D_RETURN_IF_ERROR(check_triangles(mesh, scheme));
-  ALGEBRA3D_RETURN_IF_ERROR(check_manifold(mesh));
-  ALGEBRA3D_RETURN_IF_ERROR(scheme == SubdivisionScheme::catmull_clark ? check_sides(mesh)
-                                                                       : check_valences(mesh, scheme));
-  ALGEBRA3D_RETURN_IF_ERROR(check_coordinates(mesh));
+  if (takes_triangles_only(scheme)) A3D_TRY(check_triangles(mesh, scheme));
+  A3D_TRY(check_manifold(mesh));
+  A3D_TRY(scheme == SubdivisionScheme::catmull_clark ? check_sides(mesh) : check_valences(mesh, scheme));
+  A3D_TRY(check_coordinates(mesh));
   return check_size(mesh, steps);
 }
 

@@ -7,6 +7,7 @@
 #include "algebra3d/kernel/subdivision/detail/loop_rules.h"
 #include "algebra3d/kernel/subdivision/detail/steps.h"
 #include "algebra3d/kernel/subdivision/subdivided.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -68,15 +69,14 @@ Result<PolygonMesh> moved_vertices(const PolygonMesh& mesh, const Monitor& monit
 Result<PolygonMesh> limit_mesh(const PolygonMesh& mesh, SubdivisionScheme scheme, const SubdivisionOptions& options,
                                const Monitor& monitor) {
   assert(scheme == SubdivisionScheme::loop || scheme == SubdivisionScheme::catmull_clark);
-  ALGEBRA3D_RETURN_IF_ERROR(subdivision::check_input(mesh, scheme, 1));
+  A3D_TRY(subdivision::check_input(mesh, scheme, 1));
   if (scheme == SubdivisionScheme::loop) {
     const MeshView<3> view(mesh);
     const subdivision::LoopWeightTable table(options.loop_weights);
     return moved_vertices(mesh, monitor, [&](std::uint32_t v) { return loop_limit(view, v, table); });
   }
   // After a step all faces are quadrilaterals, and vertices have the limits and the numbers that they had before.
-  ALGEBRA3D_ASSIGN_OR_RETURN(const PolygonMesh refined,
-                             subdivision::catmull_clark_step(mesh, monitor, "subdividing for limits"));
+  A3D_ASSIGN(const PolygonMesh refined, subdivision::catmull_clark_step(mesh, monitor, "subdividing for limits"));
   const MeshView<4> view(refined);
   return moved_vertices(mesh, monitor, [&](std::uint32_t v) { return catmull_clark_limit(view, v); });
 }

@@ -4,6 +4,7 @@
 #include "algebra3d/kernel/subdivision/detail/butterfly_rules.h"
 #include "algebra3d/kernel/subdivision/detail/ring_masks.h"
 #include "algebra3d/kernel/subdivision/detail/steps.h"
+#include "base/propagate.h"
 
 namespace algebra3d::subdivision {
 namespace {
@@ -91,9 +92,9 @@ Result<PolygonMesh> modified_butterfly_step(const PolygonMesh& mesh, const Monit
   const Stage stage(monitor, what + ", edges",
                     2 * block_count(view.halfedge_count()) + 3 * block_count(view.vertex_count()));
   const EdgeNumbers edges(view, Edges::all, stage);
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   const LargeVector<Vec3> points = EdgePoints(view, stage, edges).take();
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   return split_triangles(
       mesh, monitor, what, [&](std::uint32_t, std::uint32_t e) { return points[e]; },
       [&](std::uint32_t v) { return view.point(v); });

@@ -11,6 +11,7 @@
 #include "algebra3d/kernel/subdivision/detail/input.h"
 #include "algebra3d/kernel/subdivision/detail/steps.h"
 #include "base/memory_limit.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -48,15 +49,15 @@ Status check_memory(const PolygonMesh& mesh, SubdivisionScheme scheme, std::size
 Result<SubdividedMesh> subdivided(const PolygonMesh& mesh, const MeshAttributes& attributes, SubdivisionScheme scheme,
                                   std::size_t steps, const SubdivisionOptions& options, const Monitor& monitor) {
   if (steps == 0 || mesh.is_empty()) return SubdividedMesh{mesh, attributes};
-  ALGEBRA3D_RETURN_IF_ERROR(subdivision::check_input(mesh, scheme, steps));
-  ALGEBRA3D_RETURN_IF_ERROR(check_memory(mesh, scheme, steps));
+  A3D_TRY(subdivision::check_input(mesh, scheme, steps));
+  A3D_TRY(check_memory(mesh, scheme, steps));
   // Steps read rounded coordinates, so a mesh of others is taken as it is.
   std::optional<PolygonMesh> current;
   MeshAttributes current_attributes = attributes;
   for (std::size_t i = 0; i < steps; ++i) {
     const std::string what = fmt::format("subdividing, step {} of {}", i + 1, steps);
     const PolygonMesh& before = current ? *current : mesh;
-    ALGEBRA3D_ASSIGN_OR_RETURN(PolygonMesh after, step(before, scheme, options, monitor, what));
+    A3D_ASSIGN(PolygonMesh after, step(before, scheme, options, monitor, what));
     current_attributes = subdivision::attributes_after_step(current_attributes, before, after, scheme);
     current = std::move(after);
   }
@@ -65,7 +66,7 @@ Result<SubdividedMesh> subdivided(const PolygonMesh& mesh, const MeshAttributes&
 
 Result<PolygonMesh> subdivided(const PolygonMesh& mesh, SubdivisionScheme scheme, std::size_t steps,
                                const SubdivisionOptions& options, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SubdividedMesh result, subdivided(mesh, {}, scheme, steps, options, monitor));
+  A3D_ASSIGN(SubdividedMesh result, subdivided(mesh, {}, scheme, steps, options, monitor));
   return std::move(result.mesh);
 }
 

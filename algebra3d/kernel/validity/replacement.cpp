@@ -33,6 +33,7 @@
 #include "algebra3d/kernel/validity/validity.h"
 #include "base/indices.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -152,7 +153,7 @@ Result<bool> is_valid_whole(const Replacement& replacement, const std::atomic<bo
   const TriangleMesh whole = with_replaced_faces(*replacement.volume, *replacement.is_removed, *replacement.added);
   const std::size_t count = replacement.added->face_count();
   const ProofOptions options = options_for(whole.face_count(), whole.face_count() - count, count, cancel);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_volume(whole, options));
+  A3D_ASSIGN(const ValidityReport report, prove_volume(whole, options));
   return report.is_valid();
 }
 
@@ -174,7 +175,7 @@ Result<bool> have_right_windings(const Replacement& replacement, const TriangleM
   const bool are_right = std::ranges::all_of(in_question, [&](FaceId face) {
     return !monitor.is_cancelled() && winding_in_front_of(face, around, *replacement.volume, goes_or_is_near) == 0;
   });
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   return are_right;
 }
 
@@ -210,10 +211,9 @@ Result<ProofWithContacts> prove_replacement(const TriangleMesh& volume, const st
       [&] { hierarchy.emplace(mesh); });
   if (!report.is_valid()) return ProofWithContacts{};
   FaceSet ignored;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const FacePairs touching,
-                             find_intersections(mesh, *proved, *hierarchy, options, report, ignored));
+  A3D_ASSIGN(const FacePairs touching, find_intersections(mesh, *proved, *hierarchy, options, report, ignored));
   if (!report.is_valid()) return ProofWithContacts{};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool are_right, have_right_windings(replacement, mesh, near, cancel));
+  A3D_ASSIGN(const bool are_right, have_right_windings(replacement, mesh, near, cancel));
   if (!are_right) return ProofWithContacts{};
   return ProofWithContacts{true, vertex_count_of(vertex_contacts(mesh, touching))};
 }

@@ -15,6 +15,7 @@
 #include "algebra3d/kernel/validity/detail/winding.h"
 #include "algebra3d/kernel/validity/limited_proof.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -47,7 +48,7 @@ Result<ShellWindings> find_windings(const TriangleMesh& mesh, const HeightFields
 
 Status check_windings(const TriangleMesh& mesh, const HeightFields& fields, const BoxHierarchy& hierarchy,
                       const ProofOptions& options, ValidityReport& report) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ShellWindings shells, find_windings(mesh, fields, hierarchy, options));
+  A3D_ASSIGN(const ShellWindings shells, find_windings(mesh, fields, hierarchy, options));
   for (std::size_t shell = 0; shell < shells.fronts.size(); ++shell) {
     if (shells.fronts[shell] == 0) continue;
     const FaceId face(shells.first_faces[shell]);
@@ -76,19 +77,18 @@ Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOpt
       [&] {
         if (is_large) hierarchy.emplace(hierarchy_for_pairs(mesh, all, options.preimage));
       });
-  ALGEBRA3D_RETURN_IF_ERROR(check_cancelled(options));
+  A3D_TRY(check_cancelled(options));
   const SoundFaces sound = check_triangles(mesh, *proved, report);
   if (!free.is_empty()) free = FaceSet(sound);
   if (is_done()) return report;
   if (kind == Kind::volume) check_edges(mesh, sound, report);
   if (is_done()) return report;
-  ALGEBRA3D_RETURN_IF_ERROR(check_cancelled(options));
+  A3D_TRY(check_cancelled(options));
   if (!hierarchy || sound != all) hierarchy.emplace(hierarchy_for_pairs(mesh, sound, options.preimage));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const FacePairs touching,
-                             find_intersections(mesh, *proved, *hierarchy, options, report, free, limit));
+  A3D_ASSIGN(const FacePairs touching, find_intersections(mesh, *proved, *hierarchy, options, report, free, limit));
   // Off the beaten track a winding number means nothing.
   if (kind == Kind::volume && report.is_valid())
-    ALGEBRA3D_RETURN_IF_ERROR(check_windings(mesh, proved->fields, *hierarchy, options, report));
+    A3D_TRY(check_windings(mesh, proved->fields, *hierarchy, options, report));
   if (report.is_valid()) report.contact_vertices = vertex_count_of(vertex_contacts(mesh, touching));
   return report;
 }
@@ -111,7 +111,7 @@ Result<Crossings> find_crossings(const TriangleMesh& mesh, const std::atomic<boo
     crossings.pairs.emplace_back(first, second);
     return true;
   });
-  ALGEBRA3D_RETURN_IF_ERROR(touching);
+  A3D_TRY(touching);
   std::ranges::sort(crossings.pairs);
   return crossings;
 }
@@ -137,7 +137,7 @@ Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const st
     return true;
   };
   const auto touching = for_each_intersection(mesh, proved, hierarchy, cancel, part_from_first);
-  ALGEBRA3D_RETURN_IF_ERROR(touching);
+  A3D_TRY(touching);
   return result;
 }
 
@@ -158,7 +158,7 @@ Result<ValidityReport> prove_volume(const TriangleMesh& mesh, const ProofOptions
 
 Result<VolumeExamination> examine_volume(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
   VolumeExamination result{{}, FaceSet(std::vector<bool>(mesh.face_count(), true))};
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.report, prove(mesh, Kind::volume, {.cancel = cancel}, result.free));
+  A3D_ASSIGN(result.report, prove(mesh, Kind::volume, {.cancel = cancel}, result.free));
   // Of pairs that were not met nothing is known.
   if (result.report.is_cut_short) result.free = {};
   return result;

@@ -8,6 +8,7 @@
 #include "algebra3d/values/constructions/planes.h"
 #include "algebra3d/values/types/codec.h"
 #include "algebra3d/values/types/nested_list.h"
+#include "base/propagate.h"
 
 // The analyzer does not follow how many values share an object.
 // NOLINTBEGIN(clang-analyzer-cplusplus.NewDeleteLeaks,clang-analyzer-cplusplus.NewDelete)
@@ -20,22 +21,22 @@ Error Surroundings::reason(std::string_view otherwise) const {
 }
 
 Result<Value> value_of_bytes(const Type& type, std::string_view bytes) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value value, decode(type, bytes, Origin::elsewhere));
+  A3D_ASSIGN(Value value, decode(type, bytes, Origin::elsewhere));
   if (!value.is_defined()) return Error{ErrorCode::invalid_value, "{}: the value is undefined", type.name()};
   return value;
 }
 
 Result<Value> value_of_text(const Type& type, std::string_view text) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(text));
+  A3D_ASSIGN(const NestedList list, NestedList::parse(text));
   Surroundings surroundings(Monitor{});
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value value, value_from_nested(type, list, surroundings.context));
+  A3D_ASSIGN(Value value, value_from_nested(type, list, surroundings.context));
   if (!value.is_defined()) return surroundings.reason("the value is undefined");
   return value;
 }
 
 Result<Plane3d> plane_through(std::string_view function, const Vec3& point, const Vec3& normal) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_finite(fmt::format("{}: point of the plane", function), point));
-  ALGEBRA3D_RETURN_IF_ERROR(check_finite(fmt::format("{}: normal of the plane", function), normal));
+  A3D_TRY(check_finite(fmt::format("{}: point of the plane", function), point));
+  A3D_TRY(check_finite(fmt::format("{}: normal of the plane", function), normal));
   return defined<Plane3d>(function, algebra3d::plane_through(detail::point(point), vector(normal)));
 }
 

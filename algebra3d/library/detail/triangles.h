@@ -10,6 +10,7 @@
 #include "algebra3d/geometry/solid.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "algebra3d/kernel/soup/weld.h"
+#include "base/propagate.h"
 
 namespace algebra3d::detail {
 
@@ -28,8 +29,8 @@ Result<TriangleMesh> welded_mesh(std::span<const Vec3> points, std::span<const s
 template <typename T>
 Result<T> proved(std::span<const Vec3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
                  const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh mesh, welded_mesh(points, triangles));
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto value, T::prove(std::move(mesh), {.cancel = monitor.cancel()}));
+  A3D_ASSIGN(TriangleMesh mesh, welded_mesh(points, triangles));
+  A3D_ASSIGN(auto value, T::prove(std::move(mesh), {.cancel = monitor.cancel()}));
   if (!value) return Error{ErrorCode::invalid_value, value.reason()};
   return *std::move(value);
 }

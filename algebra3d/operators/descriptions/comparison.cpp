@@ -5,6 +5,7 @@
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -34,8 +35,8 @@ Overload comparison(const Type& left, const Type& right, Test holds) {
   overload.function = [holds](std::span<const Value> values, Context&) -> Result<Outcome> {
     if (!values[0].is_deferred() && !values[1].is_deferred())
       return Outcome(Value::of<bool>(holds(order_of(values[0], values[1]))));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value a, values[0].loaded());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value b, values[1].loaded());
+    A3D_ASSIGN(const Value a, values[0].loaded());
+    A3D_ASSIGN(const Value b, values[1].loaded());
     return Outcome(Value::of<bool>(holds(order_of(a, b))));
   };
   return overload;
@@ -47,9 +48,9 @@ Overload range_test(const Type& type, const Type& lower, const Type& upper) {
   overload.parameters = {{"x", &type}, {"low", &lower}, {"high", &upper}};
   overload.result = &TypeOf<bool>::type();
   overload.function = [](std::span<const Value> values, Context&) -> Result<Outcome> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value x, values[0].loaded());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value low, values[1].loaded());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value high, values[2].loaded());
+    A3D_ASSIGN(const Value x, values[0].loaded());
+    A3D_ASSIGN(const Value low, values[1].loaded());
+    A3D_ASSIGN(const Value high, values[2].loaded());
     return Outcome(Value::of<bool>(order_of(low, x) <= 0 && order_of(x, high) <= 0));
   };
   return overload;

@@ -12,6 +12,7 @@
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -27,7 +28,7 @@ Result<std::optional<RigidMotion>> motion_between(Context& context, const Volume
 
 Result<bool> are_congruent(Context& context, const Volume3d& a, const Volume3d& b, double tolerance) {
   if (a.mesh().is_empty() || b.mesh().is_empty()) return a.mesh().is_empty() && b.mesh().is_empty() && tolerance >= 0;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto motion, motion_between(context, a, b, tolerance));
+  A3D_ASSIGN(const auto motion, motion_between(context, a, b, tolerance));
   return motion.has_value();
 }
 
@@ -35,7 +36,7 @@ using MotionRows = Rows<Point3d, Vector3d, double, Vector3d, bool>;
 
 Result<MotionRows> congruence_row(Context& context, const Volume3d& a, const Volume3d& b, double tolerance) {
   std::vector<MotionRows::Cells> rows;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto motion, motion_between(context, a, b, tolerance));
+  A3D_ASSIGN(const auto motion, motion_between(context, a, b, tolerance));
   if (motion && is_finite(motion->translation))
     rows.emplace_back(Point3d{ExactPoint(motion->centre)}, Vector3d{ExactPoint(motion->axis)}, motion->angle_degrees,
                       Vector3d{ExactPoint(motion->translation)}, motion->is_mirrored);

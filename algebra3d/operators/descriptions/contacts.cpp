@@ -17,6 +17,7 @@
 #include "algebra3d/values/measures/contact_area.h"
 #include "algebra3d/values/spatial_relations/box_meshes.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -61,13 +62,13 @@ Result<Maybe<ClashRows>> clash_row(Context& context, const OnDemand<A>& a, const
   const Box3 first_box = a.header().box, second_box = b.header().box;
   if (first_box.is_empty() || second_box.is_empty() || are_clear(first_box, second_box, clearance))
     return Maybe(ClashRows(std::move(rows)));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const A first, a.load());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const B second, b.load());
+  A3D_ASSIGN(const A first, a.load());
+  A3D_ASSIGN(const B second, b.load());
   const Maybe<Volume3d> first_solid = solid_of(first), second_solid = solid_of(second);
   if (!first_solid) return Maybe<ClashRows>(Undefined{first_solid.reason()});
   if (!second_solid) return Maybe<ClashRows>(Undefined{second_solid.reason()});
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<Clash> clash,
-                             clash_of(*first_solid, *second_solid, Rational(clearance), context.monitor()));
+  A3D_ASSIGN(const std::optional<Clash> clash,
+             clash_of(*first_solid, *second_solid, Rational(clearance), context.monitor()));
   if (clash)
     rows.emplace_back(std::string(name_of(clash->kind)),
                       clash->squared_depth ? root_of(*clash->squared_depth) : std::nullopt,
@@ -130,8 +131,8 @@ Surface3d with_triangles(const Box3& box) {
 template <typename A, typename B>
 Result<double> contact_area_of(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
   if (!a.header().box.intersects(b.header().box)) return 0.0;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const A first, a.load());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const B second, b.load());
+  A3D_ASSIGN(const A first, a.load());
+  A3D_ASSIGN(const B second, b.load());
   return contact_area(with_triangles(first).geometry(), with_triangles(second).geometry(), context.monitor());
 }
 
@@ -189,11 +190,11 @@ Result<double> common_volume_of(Context& context, const OnDemand<A>& a, const On
   if constexpr (std::is_same_v<A, Box3> && std::is_same_v<B, Box3>)
     return volume_of_box(intersect(first_box, second_box));
   if (!first_box.intersects(second_box)) return 0.0;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const A first, a.load());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const B second, b.load());
+  A3D_ASSIGN(const A first, a.load());
+  A3D_ASSIGN(const B second, b.load());
   const Maybe<Volume3d> first_solid = solid_of(first), second_solid = solid_of(second);
   if (!first_solid || !second_solid) return 0.0;  // flat boxes
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational volume, common_volume(*first_solid, *second_solid, context.monitor()));
+  A3D_ASSIGN(const Rational volume, common_volume(*first_solid, *second_solid, context.monitor()));
   return volume.nearest_double();
 }
 

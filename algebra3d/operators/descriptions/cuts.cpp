@@ -9,12 +9,13 @@
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/constructions/solid_sets.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
 
 Result<std::vector<Volume3d>> split_solid(Context& context, const Volume3d& solid, const Plane3d& plane) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SolidParts parts, split(context, solid, plane.plane));
+  A3D_ASSIGN(SolidParts parts, split(context, solid, plane.plane));
   return std::vector<Volume3d>{std::move(parts.in_front), std::move(parts.behind)};
 }
 
@@ -31,7 +32,7 @@ Result<std::vector<Surface3d>> shells_of(Context& context, const std::optional<V
   if (!solid) return shells;
   SubmeshMaker maker(solid->mesh());
   for (const std::vector<FaceId>& faces : connected_components(solid->mesh()).faces()) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    A3D_TRY(context.check_cancelled());
     shells.push_back(Surface3d::trusted(maker.make(faces)));
   }
   return shells;

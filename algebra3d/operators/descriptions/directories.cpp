@@ -9,6 +9,7 @@
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/utf8.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -25,7 +26,7 @@ Result<std::vector<std::string>> files_below(const std::filesystem::path& folder
                  error.message()};
   for (; entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     if (error) return Error{ErrorCode::io_error, "getDirectory: '{}': {}", shown, error.message()};
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    A3D_TRY(context.check_cancelled());
     if (context.folder.hides(entry->path().filename())) {
       entry.disable_recursion_pending();
       continue;
@@ -46,9 +47,8 @@ Result<std::vector<std::string>> files_below(const std::filesystem::path& folder
 }
 
 Result<std::vector<Text>> matching_files(Context& context, const Text& folder, const Text& pattern) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(folder.content));
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<std::string> files,
-                             files_below(path, folder.content, pattern.content, context));
+  A3D_ASSIGN(const std::filesystem::path path, context.resolve(folder.content));
+  A3D_ASSIGN(std::vector<std::string> files, files_below(path, folder.content, pattern.content, context));
   std::vector<Text> names;
   names.reserve(files.size());
   for (std::string& file : files) names.push_back({std::move(file)});

@@ -13,6 +13,7 @@
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/spatial_relations/nearest_points.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -23,7 +24,7 @@ template <typename A, typename B>
 Result<Maybe<double>> distance_of(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
   if (is_either_empty(a.header(), b.header())) return Maybe<double>(kNoDistance);
   return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<Maybe<double>> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto square, squared_distance_of(first, second, context.monitor()));
+    A3D_ASSIGN(const auto square, squared_distance_of(first, second, context.monitor()));
     return square ? Maybe<double>(square->nearest_root()) : Maybe<double>(kNoDistance);
   });
 }
@@ -50,7 +51,7 @@ Result<ClosestRows> closest_points_row(Context& context, const OnDemand<A>& a, c
   std::vector<ClosestRows::Cells> rows;
   if (is_either_empty(a.header(), b.header())) return ClosestRows(std::move(rows));
   return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<ClosestRows> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto nearest, nearest_points(first, second, context.monitor()));
+    A3D_ASSIGN(const auto nearest, nearest_points(first, second, context.monitor()));
     if (nearest) rows.emplace_back(Point3d{nearest->first}, Point3d{nearest->second}, length_of(*nearest));
     return ClosestRows(std::move(rows));
   });

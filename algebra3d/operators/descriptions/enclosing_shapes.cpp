@@ -18,6 +18,7 @@
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -32,7 +33,7 @@ std::optional<double> cell(const Rational& number) {
 
 template <typename T>
 Result<Maybe<Volume3d>> convex_hull_of(Context& context, const T& set) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto hull, convex_hull(spanning_points(set), context.monitor()));
+  A3D_ASSIGN(auto hull, convex_hull(spanning_points(set), context.monitor()));
   if (!hull) return Maybe<Volume3d>(Undefined{hull.reason()});
   return Maybe<Volume3d>(Volume3d::trusted(*std::move(hull)));
 }
@@ -42,7 +43,7 @@ using BallRow = std::tuple<Point3d, std::optional<double>>;
 template <typename T>
 Result<Maybe<BallRow>> bounding_sphere_of(Context& context, const T& set) {
   const PointArray points = spanning_points(set);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto ball, smallest_enclosing_ball(points, context.monitor()));
+  A3D_ASSIGN(const auto ball, smallest_enclosing_ball(points, context.monitor()));
   if (!ball) return Maybe<BallRow>(Undefined{"the empty set has no bounding sphere"});
   const RoundedBall rounded = rounded_ball(*ball, points);
   return Maybe<BallRow>(BallRow(Point3d{ExactPoint(rounded.centre)}, cell(rounded.radius)));
@@ -51,7 +52,7 @@ Result<Maybe<BallRow>> bounding_sphere_of(Context& context, const T& set) {
 /// Calls make(hull) for the hull of a set that has a volume.
 template <typename Row, typename T, typename Make>
 Result<Maybe<Row>> row_of_hull(Context& context, const T& set, const Make& make) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto hull, convex_hull(spanning_points(set), context.monitor()));
+  A3D_ASSIGN(const auto hull, convex_hull(spanning_points(set), context.monitor()));
   if (!hull) return Maybe<Row>(Undefined{hull.reason()});
   if (hull->is_empty()) return Maybe<Row>(Undefined{"nothing encloses the empty set"});
   return make(*hull);
@@ -63,7 +64,7 @@ using BoxRow = std::tuple<Volume3d, std::optional<double>, std::optional<double>
 template <typename T>
 Result<Maybe<BoxRow>> minimal_box_of(Context& context, const T& set) {
   return row_of_hull<BoxRow>(context, set, [&](const TriangleMesh& hull) -> Result<Maybe<BoxRow>> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto box, minimal_box(hull, context.monitor()));
+    A3D_ASSIGN(auto box, minimal_box(hull, context.monitor()));
     if (!box) return Maybe<BoxRow>(Undefined{box.reason()});
     const auto& [length, width, height] = box->sizes;
     return Maybe<BoxRow>(BoxRow(Volume3d::trusted(std::move(box->mesh)), cell(length), cell(width), cell(height),
@@ -76,7 +77,7 @@ using CylinderRow = std::tuple<Point3d, Vector3d, double, double, std::optional<
 template <typename T>
 Result<Maybe<CylinderRow>> bounding_cylinder_of(Context& context, const T& set) {
   return row_of_hull<CylinderRow>(context, set, [&](const TriangleMesh& hull) -> Result<Maybe<CylinderRow>> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto found, bounding_cylinder(hull, context.monitor()));
+    A3D_ASSIGN(const auto found, bounding_cylinder(hull, context.monitor()));
     if (!found) return Maybe<CylinderRow>(Undefined{"the cylinder is beyond the range of doubles"});
     const double volume = std::numbers::pi * found->radius * found->radius * found->height;
     return Maybe<CylinderRow>(CylinderRow(Point3d{ExactPoint(found->base)}, Vector3d{ExactPoint(found->axis)},

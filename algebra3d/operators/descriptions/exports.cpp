@@ -17,6 +17,7 @@
 #include "algebra3d/values/types/spatial.h"
 #include "base/diagnostics.h"
 #include "base/mesh_content.h"
+#include "base/propagate.h"
 #include "mesh_formats/mesh_format.h"
 
 namespace algebra3d {
@@ -68,7 +69,7 @@ Result<ExportedSolid> export_value(Context& context, const std::string& op, cons
 Result<ExportedSolid> export_value(Context& context, const std::string& op, const Mesh3d& mesh, const std::string& name,
                                    const std::string& file, const MeshFileForm& form) {
   if (!form.format->stores_triangles) return export_mesh(context, op, mesh, name, file, form);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Mesh3d triangles, triangulated(mesh, context.monitor()));
+  A3D_ASSIGN(const Mesh3d triangles, triangulated(mesh, context.monitor()));
   return export_mesh(context, op, triangles, name, file, form);
 }
 
@@ -88,11 +89,10 @@ Result<Outcome> export_to(const MeshFormat& format, std::span<const Value> given
       return unwritten(context, fmt::format("{}: the {} is undefined", op, what));
   MeshFileForm form{&format, format.forms.front().encoding};
   if (is_binary != nullptr) form.encoding = is_binary->get<bool>() ? Encoding::binary : Encoding::ascii;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, exported.loaded());
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      const ExportedSolid result,
-      export_value(context, op, loaded.get<T>(), name != nullptr ? name->get<std::string>() : std::string(),
-                   file.get<Text>().content, form));
+  A3D_ASSIGN(const Value loaded, exported.loaded());
+  A3D_ASSIGN(const ExportedSolid result,
+             export_value(context, op, loaded.get<T>(), name != nullptr ? name->get<std::string>() : std::string(),
+                          file.get<Text>().content, form));
   return Outcome(Value::of<bool>(!result.refusal));
 }
 

@@ -13,6 +13,7 @@
 #include "algebra3d/values/types/planar.h"
 #include "algebra3d/values/types/scalars.h"
 #include "base/file_content.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -28,8 +29,8 @@ struct FeatureFile {
 };
 
 Result<std::shared_ptr<const FeatureFile>> open_features(const std::string& name, const Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(name));
-  ALGEBRA3D_ASSIGN_OR_RETURN(FileContent file, FileContent::read(path, context.cancel));
+  A3D_ASSIGN(const std::filesystem::path path, context.resolve(name));
+  A3D_ASSIGN(FileContent file, FileContent::read(path, context.cancel));
   Result<GeoFeatures> features = GeoFeatures::find(file.bytes(), context.monitor());
   if (!features && features.error().code == ErrorCode::interrupted) return features.error();
   if (!features) return Error{features.error().code, "{} {}", name, features.error().message};
@@ -42,7 +43,7 @@ std::optional<Text> text_or_undefined(std::optional<std::string> text) {
 }
 
 Result<FeatureRows::Cells> feature_row(const FeatureFile& from, std::size_t index, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(GeoFeature feature, from.features.feature(index, context.monitor()));
+  A3D_ASSIGN(GeoFeature feature, from.features.feature(index, context.monitor()));
   if (!feature.shape)
     context.diagnostics.report_undefined("importGeoJSON: " + feature.shape.reason(),
                                          fmt::format("{}, feature {}", from.name, index + 1));
@@ -58,8 +59,8 @@ Result<FeatureRows> features_of_file(Context& context, const Text& file) {
   using Next = Result<std::optional<FeatureRows::Cells>>;
   return FeatureRows([from = *opened, index = std::size_t{0}](Context& running) mutable -> Next {
     if (index == from->features.size()) return Next(std::nullopt);
-    ALGEBRA3D_RETURN_IF_ERROR(running.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(FeatureRows::Cells row, feature_row(*from, index++, running));
+    A3D_TRY(running.check_cancelled());
+    A3D_ASSIGN(FeatureRows::Cells row, feature_row(*from, index++, running));
     return std::optional(std::move(row));
   });
 }

@@ -15,6 +15,7 @@
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/types/scalars.h"
 #include "base/number_text.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -31,7 +32,7 @@ Result<Maybe<double>> hausdorff_distance_of(Context& context, const OnDemand<A>&
   const Undefined no_distance{"the empty set has no distance"};
   if (is_either_empty(a.header(), b.header())) return Maybe<double>(no_distance);
   return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<Maybe<double>> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto farthest, hausdorff_distance(first, second, context.monitor()));
+    A3D_ASSIGN(const auto farthest, hausdorff_distance(first, second, context.monitor()));
     if (!farthest) return Maybe<double>(no_distance);
     const double distance = farthest->squared_distance.nearest_root();
     if (!farthest->is_bounded) context.diagnostics.report(bound_text(distance, farthest->upper_bound));

@@ -13,6 +13,7 @@
 #include "algebra3d/values/conversions/mesh3d_files.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 #include "mesh_formats/mesh_format.h"
 
 namespace algebra3d {
@@ -26,8 +27,8 @@ std::string operator_name(const MeshFormat& format) {
 
 Result<Maybe<Volume3d>> import_with(Context& context, const MeshFormat& format, const Text& file,
                                     const RepairOptions& options) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file.content));
-  ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSolid imported, import_solid(path, &format, options, context.monitor()));
+  A3D_ASSIGN(const std::filesystem::path path, context.resolve(file.content));
+  A3D_ASSIGN(ImportedSolid imported, import_solid(path, &format, options, context.monitor()));
   for (const std::string& remark : imported.remarks)
     context.diagnostics.report(operator_name(format) + ": " + remark, file.content);
   if (imported.solid) return Maybe<Volume3d>(*std::move(imported.solid));
@@ -44,7 +45,7 @@ Result<Outcome> import_as(const MeshFormat& format, std::span<const Value> given
     if (!parsed) return Error{ErrorCode::invalid_value, "{}: {}", operator_name(format), parsed.error().message};
     options = *std::move(parsed);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(Maybe<Volume3d> solid, import_with(context, format, given[0].get<Text>(), options));
+  A3D_ASSIGN(Maybe<Volume3d> solid, import_with(context, format, given[0].get<Text>(), options));
   if (!solid) return Outcome(Undefined{solid.reason()});
   return Outcome(Value::of<Volume3d>(*std::move(solid)));
 }
@@ -62,15 +63,14 @@ Overload import_overload(const MeshFormat& format, bool has_options) {
 
 Result<Text> check_stl(Context& context, const Text& file) {
   const MeshFormat* const stl = mesh_formats::known_mesh_formats().named("STL");
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file.content));
-  ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSolid imported,
-                             import_solid(path, stl, RepairOptions::strict(), context.monitor()));
+  A3D_ASSIGN(const std::filesystem::path path, context.resolve(file.content));
+  A3D_ASSIGN(ImportedSolid imported, import_solid(path, stl, RepairOptions::strict(), context.monitor()));
   return Text{context.folder.with_names(std::move(imported.status))};
 }
 
 Result<Maybe<Surface3d>> import_as_surface(Context& context, const Text& file) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file.content));
-  ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSurface imported, import_surface(path, context.monitor()));
+  A3D_ASSIGN(const std::filesystem::path path, context.resolve(file.content));
+  A3D_ASSIGN(ImportedSurface imported, import_surface(path, context.monitor()));
   for (const std::string& remark : imported.remarks)
     context.diagnostics.report("importSurface: " + remark, file.content);
   if (imported.surface) return Maybe<Surface3d>(*std::move(imported.surface));
@@ -78,8 +78,8 @@ Result<Maybe<Surface3d>> import_as_surface(Context& context, const Text& file) {
 }
 
 Result<Maybe<Mesh3d>> import_as_mesh(Context& context, const Text& file) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file.content));
-  ALGEBRA3D_ASSIGN_OR_RETURN(ImportedMesh imported, import_mesh(path, context.monitor()));
+  A3D_ASSIGN(const std::filesystem::path path, context.resolve(file.content));
+  A3D_ASSIGN(ImportedMesh imported, import_mesh(path, context.monitor()));
   for (const std::string& remark : imported.remarks) context.diagnostics.report("importMesh: " + remark, file.content);
   if (imported.mesh) return Maybe<Mesh3d>(*std::move(imported.mesh));
   return Maybe<Mesh3d>(Undefined{imported.refusal->message});

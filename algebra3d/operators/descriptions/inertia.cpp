@@ -12,6 +12,7 @@
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -30,9 +31,8 @@ Vector3d direction(const Vec3& axis) {
 
 Result<Maybe<InertiaRow>> inertia_of(Context& context, const Volume3d& solid) {
   if (solid.mesh().is_empty()) return Maybe<InertiaRow>(Undefined{"an empty solid has no inertia"});
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      const NearestMassProperties mass,
-      nearest_mass_properties(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
+  A3D_ASSIGN(const NearestMassProperties mass,
+             nearest_mass_properties(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
   const auto& [xx, yy, zz, yz, zx, xy] = mass.inertia;
   const auto& [values, axes, are_equal] = mass.principal;
   // The centre of mass lies in the box of the solid, so its coordinates are finite.

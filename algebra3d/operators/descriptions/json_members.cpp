@@ -11,6 +11,7 @@
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/utf8.h"
 #include "base/number_text.h"
+#include "base/propagate.h"
 #include "base/text.h"
 
 namespace algebra3d {
@@ -40,7 +41,7 @@ Result<Maybe<JsonMember>> json_member(const Context& context, const Text& object
 
 Result<Maybe<Text>> json_text(Context& context, const Text& object, const Text& name) {
   const std::string& key = name.content;
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto member, json_member(context, object, key));
+  A3D_ASSIGN(auto member, json_member(context, object, key));
   if (!member) return Maybe<Text>(Undefined{member.reason()});
   if (const std::size_t at = first_no_text(member->text); at != std::string::npos)
     return Maybe<Text>(Undefined{"the member " + quoted_key(key) + ": " + no_text_message(member->text[at])});
@@ -49,7 +50,7 @@ Result<Maybe<Text>> json_text(Context& context, const Text& object, const Text& 
 
 Result<Maybe<double>> json_number(Context& context, const Text& object, const Text& name) {
   const std::string& key = name.content;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto member, json_member(context, object, key));
+  A3D_ASSIGN(const auto member, json_member(context, object, key));
   if (!member) return Maybe<double>(Undefined{member.reason()});
   if (member->kind != JsonKind::number)
     return Maybe<double>(Undefined{"the member " + quoted_key(key) + " is not a number"});

@@ -9,6 +9,7 @@
 #include "algebra3d/values/types/planar.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -18,8 +19,7 @@ Result<double> volume_of(Context& context, const Volume3d& solid) {
 }
 
 Result<Text> volume_text(Context& context, const Volume3d& solid) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational volume,
-                             exact_volume(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
+  A3D_ASSIGN(const Rational volume, exact_volume(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
   return Text{volume.text()};
 }
 
@@ -35,8 +35,7 @@ double area_of_region(const Region& region) {
 Result<Maybe<Point3d>> centroid_of(Context& context, const Volume3d& solid) {
   if (solid.mesh().is_empty()) return Maybe<Point3d>(Undefined{"an empty solid has no centroid"});
   // A valid solid that is not empty has a positive volume, and its centroid lies in its box.
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Vec3 centroid,
-                             nearest_centroid(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
+  A3D_ASSIGN(const Vec3 centroid, nearest_centroid(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
   return Maybe<Point3d>(Point3d{ExactPoint(centroid)});
 }
 

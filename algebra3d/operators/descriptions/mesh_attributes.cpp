@@ -18,6 +18,7 @@
 #include "algebra3d/values/types/planar.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -76,7 +77,7 @@ Result<MeshElement> element_of(const std::string& operator_name, const std::stri
 template <typename T>
 Result<Mesh3d> with_attribute(const Mesh3d& mesh, const std::string& elements, const std::string& name,
                               const T& value) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshElement element, element_of("withAttribute", elements));
+  A3D_ASSIGN(const MeshElement element, element_of("withAttribute", elements));
   const std::size_t count = element_count(mesh.mesh(), element);
   AttributeValues one(ValueOf<T>::kKind, 1);
   ValueOf<T>::set(one, 0, value);
@@ -94,7 +95,7 @@ std::optional<Undefined> number_fault(const Mesh3d& mesh, MeshElement element, s
 template <typename T>
 Result<Maybe<Mesh3d>> set_attribute(const Mesh3d& mesh, const std::string& elements, const std::string& name,
                                     std::int64_t id, const T& value) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshElement element, element_of("setAttribute", elements));
+  A3D_ASSIGN(const MeshElement element, element_of("setAttribute", elements));
   if (auto fault = number_fault(mesh, element, id)) return Maybe<Mesh3d>(*std::move(fault));
   AttributeValues values(ValueOf<T>::kKind, element_count(mesh.mesh(), element));
   if (const MeshAttribute* const found = mesh.attributes().find(element, name)) {
@@ -109,7 +110,7 @@ Result<Maybe<Mesh3d>> set_attribute(const Mesh3d& mesh, const std::string& eleme
 
 Result<Maybe<Mesh3d>> clear_attribute(const Mesh3d& mesh, const std::string& elements, const std::string& name,
                                       std::int64_t id) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshElement element, element_of("clearAttribute", elements));
+  A3D_ASSIGN(const MeshElement element, element_of("clearAttribute", elements));
   if (auto fault = number_fault(mesh, element, id)) return Maybe<Mesh3d>(*std::move(fault));
   const MeshAttribute* const found = mesh.attributes().find(element, name);
   if (found == nullptr) return Maybe<Mesh3d>(mesh);
@@ -119,7 +120,7 @@ Result<Maybe<Mesh3d>> clear_attribute(const Mesh3d& mesh, const std::string& ele
 }
 
 Result<Mesh3d> remove_attribute(const Mesh3d& mesh, const std::string& elements, const std::string& name) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshElement element, element_of("removeAttribute", elements));
+  A3D_ASSIGN(const MeshElement element, element_of("removeAttribute", elements));
   return mesh.with_attributes(mesh.attributes().without(element, name));
 }
 
@@ -141,7 +142,7 @@ using ValueRows = Rows<std::int64_t, std::optional<T>>;
 
 template <typename T>
 Result<Maybe<ValueRows<T>>> value_rows(const Mesh3d& mesh, const std::string& elements, const std::string& name) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshElement element, element_of(ValueOf<T>::kOperator, elements));
+  A3D_ASSIGN(const MeshElement element, element_of(ValueOf<T>::kOperator, elements));
   const MeshAttribute* const found = mesh.attributes().find(element, name);
   if (found == nullptr || found->values->kind() != ValueOf<T>::kKind)
     return Maybe<ValueRows<T>>(Undefined{fmt::format("the mesh has no attribute {} of the kind {} of each {}", name,

@@ -16,6 +16,7 @@
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
 #include "base/number_text.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -55,27 +56,27 @@ template <typename Edit>
 Outcome3d edited(Context& context, const Mesh3d& mesh, const Edit& edit) {
   Maybe<MeshEditor> editor = MeshEditor::of(mesh.mesh());
   if (!editor) return Maybe<Mesh3d>(Undefined{editor.reason()});
-  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  A3D_TRY(context.check_cancelled());
   if (auto done = edit(*editor); !done) return Maybe<Mesh3d>(Undefined{done.reason()});
   PolygonMesh result = editor->mesh();
-  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  A3D_TRY(context.check_cancelled());
   MeshAttributes attributes = editor->attributes(mesh.attributes(), mesh.mesh(), result);
   return Maybe<Mesh3d>(Mesh3d(std::move(result), std::move(attributes)));
 }
 
 Outcome3d with_flipped_edge(Context& context, const Mesh3d& mesh, std::int64_t edge) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("flipEdge", mesh.mesh(), edge));
+  A3D_ASSIGN(const HalfedgeId h, edge_of("flipEdge", mesh.mesh(), edge));
   return edited(context, mesh, [h](MeshEditor& editor) { return editor.flip_edge(h); });
 }
 
 Outcome3d with_edge_split_at(Context& context, const Mesh3d& mesh, std::int64_t edge, const Point3d& point) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("splitEdge", mesh.mesh(), edge));
+  A3D_ASSIGN(const HalfedgeId h, edge_of("splitEdge", mesh.mesh(), edge));
   return edited(context, mesh,
                 [&](MeshEditor& editor) { return Maybe<VertexId>(editor.split_edge(h, point.position)); });
 }
 
 Outcome3d with_split_edge(Context& context, const Mesh3d& mesh, std::int64_t edge, double share) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("splitEdge", mesh.mesh(), edge));
+  A3D_ASSIGN(const HalfedgeId h, edge_of("splitEdge", mesh.mesh(), edge));
   if (!(share > 0 && share < 1))
     return Maybe<Mesh3d>(Undefined{"the share must be greater than 0 and less than 1, got " + real_text(share)});
   const RationalVec3 from = mesh.mesh().point(mesh.mesh().origin(h)).rational();
@@ -87,23 +88,23 @@ Outcome3d with_split_edge(Context& context, const Mesh3d& mesh, std::int64_t edg
 }
 
 Outcome3d with_collapsed_edge(Context& context, const Mesh3d& mesh, std::int64_t edge) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("collapseEdge", mesh.mesh(), edge));
+  A3D_ASSIGN(const HalfedgeId h, edge_of("collapseEdge", mesh.mesh(), edge));
   return edited(context, mesh, [h](MeshEditor& editor) { return editor.collapse_edge(h); });
 }
 
 Outcome3d with_split_face(Context& context, const Mesh3d& mesh, std::int64_t face, std::int64_t from, std::int64_t to) {
   if (!is_below(face, mesh.mesh().face_count())) return no_element("splitFace", "face", face, mesh.mesh().face_count());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId first, vertex_of("splitFace", mesh.mesh(), from));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId second, vertex_of("splitFace", mesh.mesh(), to));
+  A3D_ASSIGN(const VertexId first, vertex_of("splitFace", mesh.mesh(), from));
+  A3D_ASSIGN(const VertexId second, vertex_of("splitFace", mesh.mesh(), to));
   const FaceId f(static_cast<std::size_t>(face));
   return edited(context, mesh, [&](MeshEditor& editor) { return editor.split_face(f, first, second); });
 }
 
 Outcome3d with_split_vertex(Context& context, const Mesh3d& mesh, std::int64_t vertex, std::int64_t first,
                             std::int64_t last, const Point3d& point) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId v, vertex_of("splitVertex", mesh.mesh(), vertex));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId from, vertex_of("splitVertex", mesh.mesh(), first));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId to, vertex_of("splitVertex", mesh.mesh(), last));
+  A3D_ASSIGN(const VertexId v, vertex_of("splitVertex", mesh.mesh(), vertex));
+  A3D_ASSIGN(const VertexId from, vertex_of("splitVertex", mesh.mesh(), first));
+  A3D_ASSIGN(const VertexId to, vertex_of("splitVertex", mesh.mesh(), last));
   return edited(context, mesh, [&](MeshEditor& editor) -> Maybe<VertexId> {
     const HalfedgeId begin = editor.find(v, from), end = editor.find(v, to);
     for (const auto& [h, neighbour] : {std::pair(begin, from), std::pair(end, to)})
@@ -114,7 +115,7 @@ Outcome3d with_split_vertex(Context& context, const Mesh3d& mesh, std::int64_t v
 }
 
 Outcome3d with_moved_vertex(Context& /*context*/, const Mesh3d& mesh, std::int64_t vertex, const Point3d& point) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId v, vertex_of("moveVertex", mesh.mesh(), vertex));
+  A3D_ASSIGN(const VertexId v, vertex_of("moveVertex", mesh.mesh(), vertex));
   PointArray points;
   points.reserve(mesh.mesh().vertex_count());
   points.append(mesh.mesh().points(), 0, v.index());

@@ -12,6 +12,7 @@
 #include "algebra3d/operators/descriptions/detail/mesh_rows.h"
 #include "algebra3d/operators/descriptions/detail/sample_values.h"
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -32,7 +33,7 @@ detail::EdgeRows edges_of_value(const T& value) {
     const auto& mesh = value.mesh();
     std::optional<detail::EdgeRows::Cells> row;
     for (; h < mesh.halfedge_count() && !row; ++h) {
-      ALGEBRA3D_RETURN_IF_ERROR(detail::check_sometimes(context, h));
+      A3D_TRY(detail::check_sometimes(context, h));
       if (first_along(mesh, HalfedgeId(h)) == HalfedgeId(h))
         row = detail::edge_cells(mesh, EdgeId(edge++), HalfedgeId(h));
     }

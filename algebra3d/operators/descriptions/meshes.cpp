@@ -9,27 +9,27 @@
 #include "algebra3d/values/types/mesh3d.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
 
 template <typename T>
 Result<Mesh3d> mesh_of(Context& context, const T& geometry) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(PolygonMesh mesh, polygon_mesh_of(geometry.mesh(), Merging::none, context.monitor()));
+  A3D_ASSIGN(PolygonMesh mesh, polygon_mesh_of(geometry.mesh(), Merging::none, context.monitor()));
   return Mesh3d(std::move(mesh));
 }
 
 template <typename T>
 Result<Mesh3d> merged_mesh_of(Context& context, const T& geometry, bool is_merged) {
   if (!is_merged) return mesh_of(context, geometry);
-  ALGEBRA3D_ASSIGN_OR_RETURN(PolygonMesh mesh,
-                             polygon_mesh_of(geometry.mesh(), Merging::coplanar_facets, context.monitor()));
+  A3D_ASSIGN(PolygonMesh mesh, polygon_mesh_of(geometry.mesh(), Merging::coplanar_facets, context.monitor()));
   return Mesh3d(std::move(mesh));
 }
 
 template <typename T>
 Result<Maybe<T>> proved(Context& context, const Mesh3d& mesh) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh triangles, welded_triangles_of(mesh.mesh(), context.monitor()));
+  A3D_ASSIGN(TriangleMesh triangles, welded_triangles_of(mesh.mesh(), context.monitor()));
   return T::prove(std::move(triangles), {.cancel = context.cancel});
 }
 

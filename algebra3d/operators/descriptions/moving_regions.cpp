@@ -5,12 +5,13 @@
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/types/moving_region.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
 
 Result<Maybe<Region>> region_of_unit(Context& context, const RegionUnit& unit, Instant instant) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Region region, unit.at(instant, context.monitor()));
+  A3D_ASSIGN(Region region, unit.at(instant, context.monitor()));
   return Maybe<Region>(std::move(region));
 }
 

@@ -14,6 +14,7 @@
 #include "algebra3d/values/measures/thickness.h"
 #include "algebra3d/values/spatial_relations/box_meshes.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -58,7 +59,7 @@ Maybe<RayRows> hits_of_box(const Box3& box, const Point3d& from, const Vector3d&
 }
 
 Result<Maybe<double>> thickness_of(Context& context, const Volume3d& solid) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FacetThickness> all, facet_thicknesses(solid, context.monitor()));
+  A3D_ASSIGN(const std::vector<FacetThickness> all, facet_thicknesses(solid, context.monitor()));
   if (all.empty()) return Maybe<double>(Undefined{"the empty solid has no thickness"});
   const auto least = std::ranges::min_element(all, {}, &FacetThickness::thickness);
   return Maybe<double>(least->thickness);
@@ -67,7 +68,7 @@ Result<Maybe<double>> thickness_of(Context& context, const Volume3d& solid) {
 using ThicknessRows = Rows<std::int64_t, Point3d, std::optional<double>, std::int64_t>;
 
 Result<ThicknessRows> thickness_rows(Context& context, const Volume3d& solid) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FacetThickness> all, facet_thicknesses(solid, context.monitor()));
+  A3D_ASSIGN(const std::vector<FacetThickness> all, facet_thicknesses(solid, context.monitor()));
   std::vector<ThicknessRows::Cells> rows;
   rows.reserve(all.size());
   for (const FacetThickness& facet : all)

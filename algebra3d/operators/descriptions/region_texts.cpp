@@ -10,6 +10,7 @@
 #include "algebra3d/values/conversions/wkt.h"
 #include "algebra3d/values/types/planar.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -24,7 +25,7 @@ Result<Maybe<Region>> region_of_wkt(Context& context, const Text& text) {
 Status report_rounding(Context& context, const Polygons& polygons) {
   Polygons rounded = polygons;
   rounded.corners = PointArray(polygons.corners.approx());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto region, Region::prove(rounded, context.monitor()));
+  A3D_ASSIGN(const auto region, Region::prove(rounded, context.monitor()));
   const std::size_t count = polygons.corners.exact_count();
   context.diagnostics.report(fmt::format("region2wkt: rounded {} corner{} to doubles{}", count, count == 1 ? "" : "s",
                                          region ? "" : "; the result bounds no region: " + region.reason()));
@@ -33,7 +34,7 @@ Status report_rounding(Context& context, const Polygons& polygons) {
 
 Result<Text> wkt_of_region(Context& context, const Region& region) {
   const Polygons& polygons = region.polygons();
-  if (polygons.corners.exact_count() > 0) ALGEBRA3D_RETURN_IF_ERROR(report_rounding(context, polygons));
+  if (polygons.corners.exact_count() > 0) A3D_TRY(report_rounding(context, polygons));
   return Text{wkt_of(polygons)};
 }
 

@@ -11,6 +11,7 @@
 #include "algebra3d/values/constructions/solid_sets.h"
 #include "algebra3d/values/types/planar.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -52,19 +53,19 @@ std::int64_t hole_count_of(const Region& region) {
 }
 
 Result<Surface3d> surface_of(Context& context, const Region& region) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh mesh, flat_mesh(region, context.monitor()));
+  A3D_ASSIGN(TriangleMesh mesh, flat_mesh(region, context.monitor()));
   return Surface3d::trusted(std::move(mesh));
 }
 
 Result<Maybe<Volume3d>> prism_of(Context& context, const Region& region, double height) {
   if (height == 0) return Maybe<Volume3d>(Undefined{"the height is 0"});
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh mesh, prism(region, height, context.monitor()));
+  A3D_ASSIGN(TriangleMesh mesh, prism(region, height, context.monitor()));
   return Maybe<Volume3d>(Volume3d::trusted(std::move(mesh)));
 }
 
 Result<Region> slice_of(Context& context, const Volume3d& solid, double height) {
   const auto plane = ExactPlane::through(RationalVec3(Vec3{0, 0, height}), RationalVec3(Vec3{0, 0, 1}));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Surface3d cut, section(context, solid, *plane));
+  A3D_ASSIGN(const Surface3d cut, section(context, solid, *plane));
   return covered_region(cut.mesh(), context.monitor());
 }
 

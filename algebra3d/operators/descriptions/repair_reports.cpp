@@ -18,6 +18,7 @@
 #include "algebra3d/values/types/spatial.h"
 #include "base/diagnostics.h"
 #include "base/mesh_content.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -96,8 +97,8 @@ std::string reason_with_file(const ImportedSolid& imported, const std::string& n
 Result<ReportRows> report(Context& context, const Text& file, const Text& words) {
   const Result<RepairOptions> options = parse_repair_options(words.content);
   if (!options) return Error{options.error().code, "repairReport: {}", options.error().message};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file.content));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ImportedSolid imported, import_solid(path, nullptr, *options, context.monitor()));
+  A3D_ASSIGN(const std::filesystem::path path, context.resolve(file.content));
+  A3D_ASSIGN(const ImportedSolid imported, import_solid(path, nullptr, *options, context.monitor()));
   if (!imported.solid)
     context.diagnostics.report("repairReport: " + reason_with_file(imported, file.content, path), {},
                                Diagnostics::About::unreadable);

@@ -18,6 +18,7 @@
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
 #include "base/number_text.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -63,14 +64,14 @@ Volume3d reported(Context& context, RoundedSolid rounded, std::size_t vertex_cou
 
 Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, const CoordinateGrid& grid,
                                    const char* name = "roundCoordinates") {
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.monitor()));
+  A3D_ASSIGN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.monitor()));
   if (!rounded.mesh) return Maybe<Volume3d>(Undefined{std::move(rounded.reason)});
   if (rounded.moved_vertices == 0) return Maybe<Volume3d>(solid);
   return Maybe<Volume3d>(reported(context, std::move(rounded), solid.mesh().vertex_count(), name));
 }
 
 Result<Maybe<Surface3d>> rounded_to(Context& context, const Surface3d& surface, const CoordinateGrid& grid) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSurface rounded, rounded_surface(surface.mesh(), grid, context.monitor()));
+  A3D_ASSIGN(RoundedSurface rounded, rounded_surface(surface.mesh(), grid, context.monitor()));
   if (!rounded.mesh) return Maybe<Surface3d>(Undefined{std::move(rounded.reason)});
   if (rounded.moved_vertices == 0) return Maybe<Surface3d>(surface);
   context.diagnostics.report("roundCoordinates: " + rounding_note(rounded, surface.mesh().vertex_count()));
@@ -104,15 +105,15 @@ Result<Maybe<Volume3d>> rotated_and_rounded(Context& context, const Volume3d& so
   const auto map = AffineMap::rotation(centre.position.rational(), axis.components.rational(), angle_degrees);
   if (!map) return Maybe<Volume3d>(Undefined{"the axis is the zero vector"});
   if (solid.mesh().points().exact_count() == 0) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto rounded, rounded_image_of(context, *map, solid));
+    A3D_ASSIGN(auto rounded, rounded_image_of(context, *map, solid));
     if (!rounded) return Maybe<Volume3d>(Undefined{rounded.reason()});
     if (*rounded) return Maybe<Volume3d>(**std::move(rounded));
   } else if (!map->has_dyadic_matrix()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<RoundedSolid> rounded, rounded_image(*map, solid.mesh(), context.cancel));
+    A3D_ASSIGN(std::optional<RoundedSolid> rounded, rounded_image(*map, solid.mesh(), context.cancel));
     if (rounded)
       return Maybe<Volume3d>(reported(context, *std::move(rounded), solid.mesh().vertex_count(), kRotateRounded));
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto exact, exact_image_of(context, *map, solid));
+  A3D_ASSIGN(const auto exact, exact_image_of(context, *map, solid));
   if (!exact) return Maybe<Volume3d>(Undefined{exact.reason()});
   return rounded_to(context, *exact, CoordinateGrid::doubles(), kRotateRounded);
 }

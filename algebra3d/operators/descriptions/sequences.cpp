@@ -6,6 +6,7 @@
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -16,7 +17,7 @@ Elements<std::int64_t> ints_between(const std::int64_t& first, const std::int64_
   using Next = Result<std::optional<std::tuple<std::int64_t>>>;
   return Elements<std::int64_t>([next = first, end = last](Context& context) mutable -> Next {
     if (next > end) return Next(std::nullopt);
-    if (next % kStepsBetweenChecks == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    if (next % kStepsBetweenChecks == 0) A3D_TRY(context.check_cancelled());
     const std::int64_t value = next;
     // After the largest int comes nothing: an empty range.
     if (next < end)
@@ -36,7 +37,7 @@ Elements<double> reals_between(Context& context, const double& first, const doub
     const double next = std::fma(static_cast<double>(count), step, first);
     const bool is_over = step > 0 ? next > last : step < 0 ? next < last : true;
     if (is_over || !std::isfinite(next)) return Next(std::nullopt);
-    if (++count % kStepsBetweenChecks == 0) ALGEBRA3D_RETURN_IF_ERROR(running.check_cancelled());
+    if (++count % kStepsBetweenChecks == 0) A3D_TRY(running.check_cancelled());
     return Next(std::tuple(next));
   });
 }

@@ -9,6 +9,7 @@
 #include "algebra3d/operators/registry/aggregate.h"
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/constructions/solid_sets.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -47,7 +48,7 @@ class IntersectionOfSolids {
   void combine(IntersectionOfSolids&& later) { list_.combine(std::move(later.list_)); }
   Result<Maybe<Volume3d>> finish(Context& context) {
     if (list_.solids().empty()) return Maybe<Volume3d>(Undefined{"there is no defined value"});
-    ALGEBRA3D_ASSIGN_OR_RETURN(Volume3d common, intersected(context, list_.solids()));
+    A3D_ASSIGN(Volume3d common, intersected(context, list_.solids()));
     return Maybe<Volume3d>(std::move(common));
   }
 
@@ -73,7 +74,7 @@ class UnionOfPoints {
 class IntersectionOfPoints {
  public:
   Status step(const Points3d& set, Context& context) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    A3D_TRY(context.check_cancelled());
     if (!common_) return common_ = set, Status();
     std::vector<ExactPoint> points;
     std::ranges::set_intersection(common_->points(), set.points(), std::back_inserter(points));

@@ -24,6 +24,7 @@
 #include "base/large_allocator.h"
 #include "base/number_text.h"
 #include "base/polygon_soup.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -34,15 +35,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// The triangles of a value with double coordinates, as simplification takes them.
 Result<Maybe<TriangleMesh>> rounded_triangles(Context& context, const Volume3d& solid) {
   if (solid.mesh().points().exact_count() == 0) return Maybe<TriangleMesh>(solid.mesh());
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded,
-                             rounded_solid(solid.mesh(), CoordinateGrid::doubles(), context.monitor()));
+  A3D_ASSIGN(RoundedSolid rounded, rounded_solid(solid.mesh(), CoordinateGrid::doubles(), context.monitor()));
   if (!rounded.mesh) return Maybe<TriangleMesh>(Undefined{rounded.reason});
   return Maybe<TriangleMesh>(*std::move(rounded.mesh));
 }
 Result<Maybe<TriangleMesh>> rounded_triangles(Context& context, const Surface3d& surface) {
   if (surface.mesh().points().exact_count() == 0) return Maybe<TriangleMesh>(surface.mesh());
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSurface rounded,
-                             rounded_surface(surface.mesh(), CoordinateGrid::doubles(), context.monitor()));
+  A3D_ASSIGN(RoundedSurface rounded, rounded_surface(surface.mesh(), CoordinateGrid::doubles(), context.monitor()));
   if (!rounded.mesh) return Maybe<TriangleMesh>(Undefined{rounded.reason});
   return Maybe<TriangleMesh>(*std::move(rounded.mesh));
 }
@@ -59,9 +58,9 @@ Result<Maybe<TriangleMesh>> rounded_triangles(Context& context, const Mesh3d& me
     const HalfedgeId opposite = faces.opposite(HalfedgeId(h));
     opposites[h] = opposite.is_valid() ? opposite.index() : TriangleMesh::kUnlinked;
   });
-  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  A3D_TRY(context.check_cancelled());
   PointArray points(faces.points().approx());
-  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  A3D_TRY(context.check_cancelled());
   return Maybe<TriangleMesh>(
       TriangleMesh::with_proposed_links(std::move(points), faces.origins(), std::move(opposites)));
 }
@@ -116,9 +115,9 @@ template <typename T>
 Result<Maybe<T>> simplified_to(Context& context, const T& value, const SimplificationTarget& target) {
   if (!(target.crease_degrees >= 0 && target.crease_degrees <= 180))
     return Maybe<T>(Undefined{"the crease angle must be between 0 and 180 degrees"});
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto mesh, rounded_triangles(context, value));
+  A3D_ASSIGN(const auto mesh, rounded_triangles(context, value));
   if (!mesh) return Maybe<T>(Undefined{mesh.reason()});
-  ALGEBRA3D_ASSIGN_OR_RETURN(Simplification result, simplified_as(value, *mesh, target, context.monitor()));
+  A3D_ASSIGN(Simplification result, simplified_as(value, *mesh, target, context.monitor()));
   report(context, mesh->face_count(), result, target);
   return Maybe<T>(value_of(value, std::move(result)));
 }

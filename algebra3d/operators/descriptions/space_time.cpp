@@ -10,6 +10,7 @@
 #include "algebra3d/values/constructions/solid_sets.h"
 #include "algebra3d/values/types/moving_region.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -41,7 +42,7 @@ Result<Maybe<Volume3d>> solid_of_unit(const RegionUnit& unit, const TimeAxis& ax
   if (!std::isfinite(slab.to)) return Maybe<Volume3d>(Undefined{"its end is beyond the range of doubles"});
   if (!(slab.from < slab.to))
     return Maybe<Volume3d>(Undefined{"its height is too small to separate its end from its start"});
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto mesh, swept_solid(slab, monitor));
+  A3D_ASSIGN(auto mesh, swept_solid(slab, monitor));
   if (!mesh) return Maybe<Volume3d>(Undefined{mesh.reason()});
   return Maybe<Volume3d>(Volume3d::trusted(*std::move(mesh)));
 }
@@ -58,11 +59,11 @@ Result<Maybe<Volume3d>> solid_swept_by(Context& context, const MovingRegion& reg
     if (!stage.begin_step()) return Monitor::interrupted();
     // A single instant sweeps nothing.
     if (units[i].interval().start == units[i].interval().end) continue;
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto solid, solid_of_unit(units[i], axis, context.monitor().silent()));
+    A3D_ASSIGN(auto solid, solid_of_unit(units[i], axis, context.monitor().silent()));
     if (!solid) return Maybe<Volume3d>(Undefined{unit_text(i + 1, units[i]) + ": " + solid.reason()});
     solids.push_back(*std::move(solid));
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(Volume3d all, united(context, solids));
+  A3D_ASSIGN(Volume3d all, united(context, solids));
   return Maybe<Volume3d>(std::move(all));
 }
 

@@ -15,6 +15,7 @@
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/time.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -93,7 +94,7 @@ template <typename A, typename B>
 Result<RelationRow> relation_row(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
   if (are_apart(a.header(), b.header())) return RelationRow("disjoint", -1, -1);
   return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<RelationRow> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialRelation relation, relation_of(first, second, context.monitor()));
+    A3D_ASSIGN(const SpatialRelation relation, relation_of(first, second, context.monitor()));
     return RelationRow(name_of(relation), relation.shared_dimension, relation.shared_boundary_dimension);
   });
 }
@@ -111,7 +112,7 @@ Result<WitnessRows> common_point_row(Context& context, const OnDemand<A>& a, con
   std::vector<WitnessRows::Cells> rows;
   if (are_apart(a.header(), b.header())) return WitnessRows(std::move(rows));
   return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<WitnessRows> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto witness, witness_of_meeting(first, second, context.monitor()));
+    A3D_ASSIGN(const auto witness, witness_of_meeting(first, second, context.monitor()));
     if (witness)
       rows.emplace_back(Point3d{witness->point}, number_of(witness->first_face), number_of(witness->second_face));
     return WitnessRows(std::move(rows));

@@ -11,6 +11,7 @@
 #include "algebra3d/values/types/mesh3d.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -66,15 +67,15 @@ Result<Maybe<Mesh3d>> after_steps(Context& context, const T& geometry, Subdivisi
 template <typename T>
 Result<Maybe<Mesh3d>> subdivided_mesh(Context& context, const T& geometry, const std::string& scheme_name,
                                       std::int64_t steps) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionScheme scheme, scheme_of("subdivide", scheme_name));
+  A3D_ASSIGN(const SubdivisionScheme scheme, scheme_of("subdivide", scheme_name));
   return after_steps(context, geometry, scheme, steps, {});
 }
 
 template <typename T>
 Result<Maybe<Mesh3d>> subdivided_with_weights(Context& context, const T& geometry, const std::string& scheme_name,
                                               std::int64_t steps, const std::string& weights) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionScheme scheme, scheme_of("subdivide", scheme_name));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionOptions options, options_of("subdivide", scheme, weights));
+  A3D_ASSIGN(const SubdivisionScheme scheme, scheme_of("subdivide", scheme_name));
+  A3D_ASSIGN(const SubdivisionOptions options, options_of("subdivide", scheme, weights));
   return after_steps(context, geometry, scheme, steps, options);
 }
 
@@ -95,15 +96,15 @@ Result<Mesh3d> at_limit(Context& context, const T& geometry, SubdivisionScheme s
 
 template <typename T>
 Result<Mesh3d> limit_of(Context& context, const T& geometry, const std::string& scheme_name) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionScheme scheme, limit_scheme_of(scheme_name));
+  A3D_ASSIGN(const SubdivisionScheme scheme, limit_scheme_of(scheme_name));
   return at_limit(context, geometry, scheme, {});
 }
 
 template <typename T>
 Result<Mesh3d> limit_with_weights(Context& context, const T& geometry, const std::string& scheme_name,
                                   const std::string& weights) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionScheme scheme, limit_scheme_of(scheme_name));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionOptions options, options_of("limitPosition", scheme, weights));
+  A3D_ASSIGN(const SubdivisionScheme scheme, limit_scheme_of(scheme_name));
+  A3D_ASSIGN(const SubdivisionOptions options, options_of("limitPosition", scheme, weights));
   return at_limit(context, geometry, scheme, options);
 }
 

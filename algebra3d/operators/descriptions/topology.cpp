@@ -15,6 +15,7 @@
 #include "algebra3d/operators/descriptions/detail/mesh_rows.h"
 #include "algebra3d/operators/descriptions/detail/sample_values.h"
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -54,7 +55,7 @@ Maybe<Number> valence_of(const T& value, const Number& vertex) {
 
 template <typename T>
 Result<Mesh3d> dual_of(Context& context, const T& value) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(PolygonMesh dual, dual_mesh(value.mesh(), context.monitor()));
+  A3D_ASSIGN(PolygonMesh dual, dual_mesh(value.mesh(), context.monitor()));
   return Mesh3d(std::move(dual));
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -35,7 +36,7 @@ Result<ExampleTerm> applied(Kind kind, const Operator* op, const NestedList::Lis
   term.kind = kind;
   term.op = op;
   for (std::size_t i = 1; i < elements.size(); ++i) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(ExampleTerm argument, term_of(elements[i], registry));
+    A3D_ASSIGN(ExampleTerm argument, term_of(elements[i], registry));
     term.arguments.push_back(std::move(argument));
   }
   return term;
@@ -74,7 +75,7 @@ Result<ExampleTerm> term_of(const NestedList& list, const Registry& registry) {
 }  // namespace
 
 Result<ExampleTerm> ExampleTerm::parse(std::string_view text, const Registry& registry) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(text));
+  A3D_ASSIGN(const NestedList list, NestedList::parse(text));
   return term_of(list, registry);
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -29,7 +30,7 @@ class OnDemand {
   /// The value. Errors: those of loading.
   Result<T> load() const {
     if (!value_->is_deferred()) return value_->get<T>();
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value_->loaded());
+    A3D_ASSIGN(const Value loaded, value_->loaded());
     return loaded.template get<T>();
   }
 

@@ -11,6 +11,7 @@
 #include "algebra3d/base/error.h"
 #include "algebra3d/values/types/value.h"
 #include "base/context.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -78,7 +79,7 @@ class Rows {
    public:
     explicit Source(Next next) : next_(std::move(next)) {}
     Result<std::optional<Row>> next(Context& context) override {
-      ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<Cells> cells, next_(context));
+      A3D_ASSIGN(std::optional<Cells> cells, next_(context));
       if (!cells) return std::optional<Row>();
       return std::optional(std::apply(
           [](T&... cell) {

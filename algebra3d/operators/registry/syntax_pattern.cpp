@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/propagate.h"
+
 namespace algebra3d {
 namespace {
 
@@ -75,7 +77,7 @@ class PatternParser {
     }
     if (scanner_.at_end()) return misunderstood(text_, "");
     pattern_.name = std::string(scanner_.take());
-    ALGEBRA3D_RETURN_IF_ERROR(parse_rest());
+    A3D_TRY(parse_rest());
     if (!scanner_.at_end()) return misunderstood(text_, scanner_.token());
     return std::move(pattern_);
   }
@@ -107,7 +109,7 @@ class PatternParser {
         pattern_.is_open_ended = true;
         continue;
       }
-      ALGEBRA3D_RETURN_IF_ERROR(parse_place(before));
+      A3D_TRY(parse_place(before));
       if (scanner_.at(",") || scanner_.at(";"))
         before = scanner_.take().front();
       else if (!scanner_.at(close) && !scanner_.at("..."))

@@ -15,6 +15,7 @@
 #include "algebra3d/kernel/soup/weld.h"
 #include "base/indices.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -52,7 +53,7 @@ class FacetMerger {
   Result<PolygonMesh> merge(const Monitor& monitor) {
     std::vector<std::vector<HalfedgeId>> outlines;
     for (const CoplanarFacetId facet : facets_.ids()) {
-      if (outlines.size() % 4096 == 0) ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+      if (outlines.size() % 4096 == 0) A3D_TRY(monitor.check());
       outlines.push_back(outline_of(facet));
     }
     for (const VertexId v : vertices(mesh_)) needed_[v.index()] = needed_[v.index()] || !is_within_line(v);
@@ -168,7 +169,7 @@ Result<PolygonMesh> polygon_mesh_of(const TriangleMesh& mesh, Merging merging, c
 }
 
 Result<TriangleMesh> welded_triangles_of(const PolygonMesh& mesh, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CornerTriangle> corners, triangulate_faces(mesh, monitor));
+  A3D_ASSIGN(const std::vector<CornerTriangle> corners, triangulate_faces(mesh, monitor));
   if (corners.size() > TriangleMesh::kMaxFaces)
     return Error{ErrorCode::limit_exceeded, "{} triangles; at most {} can be joined", corners.size(),
                  TriangleMesh::kMaxFaces};
@@ -191,7 +192,7 @@ Result<TriangleMesh> welded_triangles_of(const PolygonMesh& mesh, const Monitor&
 Result<Mesh3d> triangulated(const Mesh3d& mesh, const Monitor& monitor) {
   const PolygonMesh& polygons = mesh.mesh();
   if (polygons.common_degree() == 3 || polygons.is_empty()) return mesh;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CornerTriangle> triangles, triangulate_faces(polygons, monitor));
+  A3D_ASSIGN(const std::vector<CornerTriangle> triangles, triangulate_faces(polygons, monitor));
   LargeVector<std::uint32_t> corners;
   corners.reserve(3 * triangles.size());
   for (const CornerTriangle& triangle : triangles)

@@ -10,6 +10,7 @@
 #include "algebra3d/kernel/soup/weld.h"
 #include "algebra3d/kernel/validity/validity.h"
 #include "algebra3d/values/constructions/detail/heights.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -46,10 +47,8 @@ class SlabSurface {
 /// At the end of a slab corners may fall together and segments lie on each other: the faces that they bound are
 /// covered.
 Status SlabSurface::add_cover(const Polygons& polygons, bool is_above) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<DirectedEdge> edges,
-                             noded(polygons.corners, segments_of(polygons), monitor_));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Triangle> cover,
-                             constrained_delaunay(polygons.corners, edges, monitor_));
+  A3D_ASSIGN(const std::vector<DirectedEdge> edges, noded(polygons.corners, segments_of(polygons), monitor_));
+  A3D_ASSIGN(const std::vector<Triangle> cover, constrained_delaunay(polygons.corners, edges, monitor_));
   for (const auto& [a, b, c] : cover)
     triangles_.push_back(is_above ? Triangle{count_ + a, count_ + b, count_ + c} : Triangle{a, c, b});
   return {};
@@ -75,8 +74,8 @@ void SlabSurface::add_sides() {
 }
 
 Result<TriangleMesh> SlabSurface::mesh() {
-  ALGEBRA3D_RETURN_IF_ERROR(add_cover(start_, false));
-  ALGEBRA3D_RETURN_IF_ERROR(add_cover(end_, true));
+  A3D_TRY(add_cover(start_, false));
+  A3D_TRY(add_cover(end_, true));
   add_sides();
   std::vector<std::array<ExactPoint, 3>> corners;
   corners.reserve(triangles_.size());
@@ -90,20 +89,20 @@ Result<TriangleMesh> SlabSurface::mesh() {
 }  // namespace
 
 Result<Maybe<TriangleMesh>> swept_solid(const MovingSlab& slab, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh surface, SlabSurface(slab, monitor).mesh());
+  A3D_ASSIGN(TriangleMesh surface, SlabSurface(slab, monitor).mesh());
   const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = monitor.cancel()};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport proof, prove_volume(surface, options));
+  A3D_ASSIGN(const ValidityReport proof, prove_volume(surface, options));
   if (proof.is_valid()) return Maybe<TriangleMesh>(std::move(surface));
   // Where covers have corners in the middle of edges, or sides touch, the surface is divided first. It bounds a solid
   // if it winds round every place once or not at all.
   bool is_simple = true;
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh solid, solid_by_winding(
-                                                     surface,
-                                                     [&](int winding) {
-                                                       is_simple = is_simple && winding == 1;
-                                                       return winding > 0;
-                                                     },
-                                                     monitor));
+  A3D_ASSIGN(TriangleMesh solid, solid_by_winding(
+                                     surface,
+                                     [&](int winding) {
+                                       is_simple = is_simple && winding == 1;
+                                       return winding > 0;
+                                     },
+                                     monitor));
   if (!is_simple) return Maybe<TriangleMesh>(Undefined{"the sides of the solid pass through one another"});
   return Maybe<TriangleMesh>(std::move(solid));
 }

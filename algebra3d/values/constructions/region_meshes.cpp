@@ -13,6 +13,7 @@
 #include "algebra3d/kernel/soup/weld.h"
 #include "algebra3d/values/constructions/detail/heights.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -36,15 +37,14 @@ TriangleMesh pressed_flat(const TriangleMesh& mesh) {
 
 Result<TriangleMesh> flat_mesh(const Region& region, const Monitor& monitor) {
   const Polygons& polygons = region.polygons();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Triangle> triangles, triangulate(polygons, monitor));
+  A3D_ASSIGN(const std::vector<Triangle> triangles, triangulate(polygons, monitor));
   return in_spatial_order(TriangleMesh(polygons.corners, triangles));
 }
 
 Result<TriangleMesh> prism(const Region& region, double height, const Monitor& monitor) {
   const Polygons& polygons = region.polygons();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<DirectedEdge> edges,
-                             noded(polygons.corners, segments_of(polygons), monitor));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Triangle> flat, constrained_delaunay(polygons.corners, edges, monitor));
+  A3D_ASSIGN(const std::vector<DirectedEdge> edges, noded(polygons.corners, segments_of(polygons), monitor));
+  A3D_ASSIGN(const std::vector<Triangle> flat, constrained_delaunay(polygons.corners, edges, monitor));
   const auto count = static_cast<std::uint32_t>(polygons.corners.size());
   const std::uint32_t lower = height > 0 ? 0 : count, upper = height > 0 ? count : 0;
   PointArray points;
@@ -71,22 +71,22 @@ Result<Region> covered_region(const TriangleMesh& mesh, const Monitor& monitor) 
   }
   PointArray points;
   add_at_height(mesh.points(), 0, points);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<DirectedEdge> boundary, noded(points, edges, monitor));
-  ALGEBRA3D_ASSIGN_OR_RETURN(Polygons polygons, boundary_polygons(points, boundary, monitor));
+  A3D_ASSIGN(const std::vector<DirectedEdge> boundary, noded(points, edges, monitor));
+  A3D_ASSIGN(Polygons polygons, boundary_polygons(points, boundary, monitor));
   return Region::trusted(std::move(polygons));
 }
 
 Result<Region> combined_regions(const Region& a, const Region& b, SurfaceRule rule, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh first, flat_mesh(a, monitor));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh second, flat_mesh(b, monitor));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh result, combine_surfaces({&first, 0}, {&second, 1}, rule, monitor));
+  A3D_ASSIGN(const TriangleMesh first, flat_mesh(a, monitor));
+  A3D_ASSIGN(const TriangleMesh second, flat_mesh(b, monitor));
+  A3D_ASSIGN(const TriangleMesh result, combine_surfaces({&first, 0}, {&second, 1}, rule, monitor));
   return covered_region(result, monitor);
 }
 
 Result<Region> shadow(const TriangleMesh& mesh, const Monitor& monitor) {
   const TriangleMesh flat = pressed_flat(mesh);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(flat, monitor));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh united, unite_surfaces(parts.operands(), monitor));
+  A3D_ASSIGN(const ValidParts parts, ValidParts::make(flat, monitor));
+  A3D_ASSIGN(const TriangleMesh united, unite_surfaces(parts.operands(), monitor));
   return covered_region(united, monitor);
 }
 

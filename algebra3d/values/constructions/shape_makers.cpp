@@ -11,6 +11,7 @@
 #include "algebra3d/kernel/exact/trigonometry.h"
 #include "algebra3d/kernel/validity/star_shape.h"
 #include "base/memory_limit.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -55,9 +56,8 @@ Result<Maybe<Volume3d>> prove(Context& context, TriangleMesh mesh, const Vec3& c
 Result<Maybe<Volume3d>> finish(Context& context, Draft draft, const Vec3& centre) {
   for (const Vec3& p : draft.points)
     if (!is_finite(p)) return undefined("a corner is beyond the range of doubles");
-  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      auto proved, prove(context, TriangleMesh(PointArray(std::move(draft.points)), draft.triangles), centre));
+  A3D_TRY(context.check_cancelled());
+  A3D_ASSIGN(auto proved, prove(context, TriangleMesh(PointArray(std::move(draft.points)), draft.triangles), centre));
   if (proved) return proved;
   return undefined("the shape collapses when its corners are rounded to doubles");
 }
@@ -121,7 +121,7 @@ Result<std::vector<CirclePoint>> unit_circle(Context& context, std::uint32_t cou
   std::vector<CirclePoint> circle;
   circle.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (i % 8192 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    if (i % 8192 == 0) A3D_TRY(context.check_cancelled());
     circle.push_back(next_corner(circle, i, count));
   }
   return circle;
@@ -158,11 +158,11 @@ Result<Maybe<Volume3d>> upright_prism(Context& context, const Point3d& base, dou
                                       std::int64_t corners) {
   if (auto complaint = circle_complaint(radius, corners); !complaint.empty()) return undefined(std::move(complaint));
   if (!(height > 0)) return undefined(fmt::format("the height is {}; it must be positive", height));
-  ALGEBRA3D_RETURN_IF_ERROR(check_memory(4 * corners));
+  A3D_TRY(check_memory(4 * corners));
   const auto n = static_cast<std::uint32_t>(corners);
   const AffineMap place = placement(base, radius, height);
   Draft draft;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CirclePoint> circle, unit_circle(context, n));
+  A3D_ASSIGN(const std::vector<CirclePoint> circle, unit_circle(context, n));
   add_circle(place, 0, circle, draft);
   add_circle(place, 1, circle, draft);
   add_disc(0, n, false, draft);
@@ -178,11 +178,11 @@ Result<Maybe<Volume3d>> upright_pyramid(Context& context, const Point3d& base, d
                                         std::int64_t corners) {
   if (auto complaint = circle_complaint(radius, corners); !complaint.empty()) return undefined(std::move(complaint));
   if (!(height > 0)) return undefined(fmt::format("the height is {}; it must be positive", height));
-  ALGEBRA3D_RETURN_IF_ERROR(check_memory(2 * corners));
+  A3D_TRY(check_memory(2 * corners));
   const auto n = static_cast<std::uint32_t>(corners);
   const AffineMap place = placement(base, radius, height);
   Draft draft;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CirclePoint> circle, unit_circle(context, n));
+  A3D_ASSIGN(const std::vector<CirclePoint> circle, unit_circle(context, n));
   add_circle(place, 0, circle, draft);
   draft.points.push_back(place.apply_rounded(Vec3{0, 0, 1}));
   add_disc(0, n, false, draft);
@@ -211,13 +211,13 @@ Result<Maybe<Volume3d>> sphere_polyhedron(Context& context, const Point3d& centr
   if (std::int64_t{n} * (n - 2) > kMaxSphereTriangles)
     return undefined(fmt::format("{} corners give {} triangles; there must be at most {}", n, std::int64_t{n} * (n - 2),
                                  kMaxSphereTriangles));
-  ALGEBRA3D_RETURN_IF_ERROR(check_memory(std::int64_t{n} * (n - 2)));
+  A3D_TRY(check_memory(std::int64_t{n} * (n - 2)));
   const AffineMap place = placement(centre, radius, radius);
   const std::uint32_t rings = n / 2 - 1;
   Draft draft;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CirclePoint> circle, unit_circle(context, n));
+  A3D_ASSIGN(const std::vector<CirclePoint> circle, unit_circle(context, n));
   for (std::uint32_t i = 1; i <= rings; ++i) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    A3D_TRY(context.check_cancelled());
     add_ring(centre, radius, circle[i], circle, draft);
   }
   const std::uint32_t first_pole = rings * n, last_pole = first_pole + 1;

@@ -19,6 +19,7 @@
 #include "algebra3d/kernel/exact/vertical_line.h"
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/validity/shell_tops.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -131,7 +132,7 @@ Result<std::vector<T>> parts_of(Context& context, const T& geometry,
   std::vector<T> result;
   SubmeshMaker maker(geometry.mesh());
   for (const std::vector<FaceId>& faces : components) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    A3D_TRY(context.check_cancelled());
     // No proof: triangles that are fine among others are so among fewer. A component of a volume holds the outer shell
     // of a body and the walls of its cavities, so next to these the winding numbers are what they were in the whole.
     result.push_back(T::trusted(maker.make(faces)));
@@ -146,8 +147,7 @@ Result<std::vector<Surface3d>> components_of(Context& context, const Surface3d& 
 }
 
 Result<std::vector<Volume3d>> components_of(Context& context, const Volume3d& solid) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto components,
-                             solid_components(solid.mesh(), solid.geometry().hierarchy(), context.cancel));
+  A3D_ASSIGN(const auto components, solid_components(solid.mesh(), solid.geometry().hierarchy(), context.cancel));
   return parts_of(context, solid, components);
 }
 

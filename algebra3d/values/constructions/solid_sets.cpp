@@ -11,6 +11,7 @@
 #include "algebra3d/kernel/exact/affine_map.h"
 #include "algebra3d/kernel/halfedge/mesh_image.h"
 #include "algebra3d/values/constructions/detail/half_space.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -21,9 +22,8 @@ Operand operand_of(const Volume3d& solid, std::uint32_t group) {
 
 /// One set operation on two solids, that of the second group last.
 Result<Volume3d> combined(Context& context, const Volume3d& a, const Volume3d& b, const KeepRule& rule) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      TriangleMesh mesh,
-      combine_solids(std::array<Operand, 2>{operand_of(a, 0), operand_of(b, 1)}, rule, context.monitor()));
+  A3D_ASSIGN(TriangleMesh mesh,
+             combine_solids(std::array<Operand, 2>{operand_of(a, 0), operand_of(b, 1)}, rule, context.monitor()));
   return Volume3d::trusted(std::move(mesh));
 }
 
@@ -53,31 +53,31 @@ bool has_room(const Volume3d& solid) {
 /// The exact image, of which it is known that it stays within the range of doubles.
 template <typename T>
 Result<T> image_in_range(Context& context, const AffineMap& map, const T& geometry) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto image, exact_image(map, geometry.mesh(), context.cancel));
+  A3D_ASSIGN(auto image, exact_image(map, geometry.mesh(), context.cancel));
   if (!image) return Error{ErrorCode::internal, "cutting a solid: {}", image.reason()};
   return T::trusted(*std::move(image));
 }
 
 Result<SolidParts> split_reduced(Context& context, const Volume3d& solid, const ExactPlane& plane) {
   const AffineMap reduction = scaling(kReduction), back = scaling(1 / kReduction);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Volume3d reduced, image_in_range(context, reduction, solid));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SolidParts parts, split(context, reduced, reduction.apply(plane)));
-  ALGEBRA3D_ASSIGN_OR_RETURN(Volume3d in_front, image_in_range(context, back, parts.in_front));
-  ALGEBRA3D_ASSIGN_OR_RETURN(Volume3d behind, image_in_range(context, back, parts.behind));
+  A3D_ASSIGN(const Volume3d reduced, image_in_range(context, reduction, solid));
+  A3D_ASSIGN(const SolidParts parts, split(context, reduced, reduction.apply(plane)));
+  A3D_ASSIGN(Volume3d in_front, image_in_range(context, back, parts.in_front));
+  A3D_ASSIGN(Volume3d behind, image_in_range(context, back, parts.behind));
   return SolidParts{std::move(in_front), std::move(behind)};
 }
 
 Result<Surface3d> section_reduced(Context& context, const Volume3d& solid, const ExactPlane& plane) {
   const AffineMap reduction = scaling(kReduction);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Volume3d reduced, image_in_range(context, reduction, solid));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Surface3d found, section(context, reduced, reduction.apply(plane)));
+  A3D_ASSIGN(const Volume3d reduced, image_in_range(context, reduction, solid));
+  A3D_ASSIGN(const Surface3d found, section(context, reduced, reduction.apply(plane)));
   return image_in_range(context, scaling(1 / kReduction), found);
 }
 
 }  // namespace
 
 Result<Volume3d> united(Context& context, std::span<const Volume3d> solids) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh mesh, unite_solids(operands_of(solids), context.monitor()));
+  A3D_ASSIGN(TriangleMesh mesh, unite_solids(operands_of(solids), context.monitor()));
   return Volume3d::trusted(std::move(mesh));
 }
 
@@ -85,7 +85,7 @@ Result<Volume3d> intersected(Context& context, std::span<const Volume3d> solids)
   Box3 common = solids.front().box();
   for (const Volume3d& solid : solids) common = intersect(common, solid.box());
   if (common.is_empty()) return Volume3d();
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh mesh, intersect_solids(operands_of(solids), context.monitor()));
+  A3D_ASSIGN(TriangleMesh mesh, intersect_solids(operands_of(solids), context.monitor()));
   return Volume3d::trusted(std::move(mesh));
 }
 
@@ -100,9 +100,8 @@ Result<Volume3d> in_either(Context& context, const Volume3d& solid, const Volume
 }
 
 Result<Surface3d> combined(Context& context, const Surface3d& a, const Surface3d& b, SurfaceRule rule) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh mesh,
-                             combine_surfaces({&a.mesh(), 0, &a.geometry().hierarchy()},
-                                              {&b.mesh(), 0, &b.geometry().hierarchy()}, rule, context.monitor()));
+  A3D_ASSIGN(TriangleMesh mesh, combine_surfaces({&a.mesh(), 0, &a.geometry().hierarchy()},
+                                                 {&b.mesh(), 0, &b.geometry().hierarchy()}, rule, context.monitor()));
   return Surface3d::trusted(std::move(mesh));
 }
 
@@ -113,11 +112,9 @@ Result<SolidParts> split(Context& context, const Volume3d& solid, const ExactPla
   if (!has_room(solid)) return split_reduced(context, solid, plane);
   const TriangleMesh behind = half_space_within(solid.box(), plane);
   const std::array<Operand, 2> operands{{operand_of(solid, 0), {&behind, 1}}};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, context.monitor()));
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh front,
-                             arrangement.solid([](const WindingVector& h) { return h[0] > 0 && h[1] == 0; }));
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh back,
-                             arrangement.solid([](const WindingVector& h) { return h[0] > 0 && h[1] > 0; }));
+  A3D_ASSIGN(const SolidArrangement arrangement, SolidArrangement::make(operands, context.monitor()));
+  A3D_ASSIGN(TriangleMesh front, arrangement.solid([](const WindingVector& h) { return h[0] > 0 && h[1] == 0; }));
+  A3D_ASSIGN(TriangleMesh back, arrangement.solid([](const WindingVector& h) { return h[0] > 0 && h[1] > 0; }));
   return SolidParts{Volume3d::trusted(std::move(front)), Volume3d::trusted(std::move(back))};
 }
 
@@ -134,11 +131,10 @@ Result<Surface3d> section(Context& context, const Volume3d& solid, const ExactPl
   if (side_of(room, plane) != 0) return Surface3d();
   const TriangleMesh behind = half_space_within(room, plane);
   const std::array<Operand, 2> operands{{operand_of(solid, 0), {&behind, 1}}};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, context.monitor()));
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh mesh,
-                             arrangement.faces([](const WindingVector& front, const WindingVector& back) {
-                               return front[0] > 0 || back[0] > 0 ? back[1] - front[1] : 0;
-                             }));
+  A3D_ASSIGN(const SolidArrangement arrangement, SolidArrangement::make(operands, context.monitor()));
+  A3D_ASSIGN(TriangleMesh mesh, arrangement.faces([](const WindingVector& front, const WindingVector& back) {
+    return front[0] > 0 || back[0] > 0 ? back[1] - front[1] : 0;
+  }));
   return Surface3d::trusted(std::move(mesh));
 }
 

@@ -11,6 +11,7 @@
 #include "algebra3d/kernel/halfedge/mesh_image.h"
 #include "algebra3d/kernel/soup/weld.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -42,7 +43,7 @@ Result<RoundedPoints> round_points(Context& context, const AffineMap& map, const
   RoundedPoints result;
   result.points.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i % 8192 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    if (i % 8192 == 0) A3D_TRY(context.check_cancelled());
     result.points.push_back(map.apply_rounded(points[i]));
     result.are_exact =
         result.are_exact && is_finite(result.points.back()) && map.image_is_double(points[i], result.points.back());
@@ -63,7 +64,7 @@ TriangleMesh rounded_mesh(const std::vector<Vec3>& points, const std::vector<Tri
 template <typename T>
 Result<Maybe<T>> exact_image_of_mesh(Context& context, const AffineMap& map, const T& geometry) {
   if (map.orientation() == 0) return Maybe<T>(Undefined{kFlattened});
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto image, exact_image(map, geometry.mesh(), context.cancel));
+  A3D_ASSIGN(auto image, exact_image(map, geometry.mesh(), context.cancel));
   if (!image) return Maybe<T>(Undefined{image.reason()});
   return Maybe<T>(T::trusted(*std::move(image)));
 }
@@ -74,7 +75,7 @@ Result<Maybe<std::optional<T>>> rounded_image_of_mesh(Context& context, const Af
   using Image = Maybe<std::optional<T>>;
   if (map.orientation() == 0) return Image(Undefined{kFlattened});
   const TriangleMesh& mesh = geometry.mesh();
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedPoints rounded, round_points(context, map, mesh.points()));
+  A3D_ASSIGN(RoundedPoints rounded, round_points(context, map, mesh.points()));
   if (!std::ranges::all_of(rounded.points, is_finite)) return Image(Undefined{kImageOutOfRange});
   const std::vector<TriangleMesh::Triangle> triangles = image_triangles(map, mesh);
   // Only rounding can break an image.
@@ -83,14 +84,14 @@ Result<Maybe<std::optional<T>>> rounded_image_of_mesh(Context& context, const Af
   const ProofOptions options{.thoroughness = Thoroughness::first_defect,
                              .cancel = context.cancel,
                              .preimage = preimage_of(map, mesh, rounded.points)};
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto proved, T::prove(rounded_mesh(rounded.points, triangles), options));
+  A3D_ASSIGN(auto proved, T::prove(rounded_mesh(rounded.points, triangles), options));
   return Image(proved ? std::optional(*std::move(proved)) : std::nullopt);
 }
 
 template <typename T>
 Result<Maybe<T>> image_of_mesh(Context& context, const AffineMap& map, const T& geometry) {
   if (!keeps_exact_image(map, geometry.mesh().points().exact_count() > 0)) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto rounded, rounded_image_of_mesh(context, map, geometry));
+    A3D_ASSIGN(auto rounded, rounded_image_of_mesh(context, map, geometry));
     if (!rounded) return Maybe<T>(Undefined{rounded.reason()});
     if (*rounded) return Maybe<T>(**std::move(rounded));
     report_unrounded(context);
@@ -101,7 +102,7 @@ Result<Maybe<T>> image_of_mesh(Context& context, const AffineMap& map, const T& 
 /// The vertices of a mesh: all exact, or all rounded once.
 Result<Maybe<PointArray>> image_of_points(Context& context, const AffineMap& map, const PointArray& points) {
   if (keeps_exact_image(map, points.exact_count() > 0)) return exact_images(map, points, context.cancel);
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedPoints rounded, round_points(context, map, points));
+  A3D_ASSIGN(RoundedPoints rounded, round_points(context, map, points));
   if (!std::ranges::all_of(rounded.points, is_finite)) return Maybe<PointArray>(Undefined{kImageOutOfRange});
   return Maybe<PointArray>(PointArray(std::move(rounded.points)));
 }
@@ -184,7 +185,7 @@ MeshAttributes image_attributes(const AffineMap& map, const Mesh3d& mesh, const 
 
 Result<Maybe<Region>> exact_image_of(Context& context, const AffineMap& map, const Region& region) {
   Polygons image = region.polygons();
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto corners, exact_images(map, image.corners, context.cancel));
+  A3D_ASSIGN(auto corners, exact_images(map, image.corners, context.cancel));
   if (!corners) return Maybe<Region>(Undefined{corners.reason()});
   image.corners = *std::move(corners);
   return Maybe<Region>(Region::trusted(std::move(image)));
@@ -193,7 +194,7 @@ Result<Maybe<Region>> exact_image_of(Context& context, const AffineMap& map, con
 Result<Maybe<RegionUnit>> exact_image_of(Context& context, const AffineMap& map, const RegionUnit& unit) {
   MovingPolygons image = unit.polygons();
   for (PointArray* corners : {&image.start.corners, &image.end.corners}) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto images, exact_images(map, *corners, context.cancel));
+    A3D_ASSIGN(auto images, exact_images(map, *corners, context.cancel));
     if (!images) return Maybe<RegionUnit>(Undefined{images.reason()});
     *corners = *std::move(images);
   }
@@ -204,15 +205,15 @@ Result<Maybe<RegionUnit>> image_of_unit(Context& context, const AffineMap& map, 
   MovingPolygons image = unit.polygons();
   bool are_exact = true;
   for (PointArray* corners : {&image.start.corners, &image.end.corners}) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(RoundedPoints rounded, round_points(context, map, *corners));
+    A3D_ASSIGN(RoundedPoints rounded, round_points(context, map, *corners));
     if (!std::ranges::all_of(rounded.points, is_finite)) return Maybe<RegionUnit>(Undefined{kImageOutOfRange});
     *corners = PointArray(std::move(rounded.points));
     are_exact = are_exact && rounded.are_exact;
   }
   if (are_exact) return Maybe<RegionUnit>(RegionUnit::trusted(unit.interval(), std::move(image)));
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto proved, RegionUnit::prove(unit.interval(), image, context.monitor()));
+  A3D_ASSIGN(auto proved, RegionUnit::prove(unit.interval(), image, context.monitor()));
   if (proved) return proved;
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto exact, exact_image_of(context, map, unit));
+  A3D_ASSIGN(auto exact, exact_image_of(context, map, unit));
   if (exact) report_unrounded(context);
   return exact;
 }
@@ -241,7 +242,7 @@ Result<Maybe<Points3d>> image_of(Context& context, const AffineMap& map, const P
   std::vector<ExactPoint> images;
   images.reserve(points.points().size());
   for (const ExactPoint& point : points.points()) {
-    if (images.size() % 8192 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    if (images.size() % 8192 == 0) A3D_TRY(context.check_cancelled());
     auto image = image_of_point(map, point);
     if (!image) return Maybe<Points3d>(Undefined{image.reason()});
     images.push_back(*std::move(image));
@@ -258,7 +259,7 @@ Result<Maybe<Volume3d>> image_of(Context& context, const AffineMap& map, const V
 }
 
 Result<Maybe<Mesh3d>> image_of(Context& context, const AffineMap& map, const Mesh3d& mesh) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto points, image_of_points(context, map, mesh.mesh().points()));
+  A3D_ASSIGN(auto points, image_of_points(context, map, mesh.mesh().points()));
   if (!points) return Maybe<Mesh3d>(Undefined{points.reason()});
   PolygonMesh image(*std::move(points), mesh.mesh().layout(), image_corners(map, mesh.mesh()));
   if (mesh.attributes().is_empty()) return Maybe<Mesh3d>(Mesh3d(std::move(image)));
@@ -269,13 +270,13 @@ Result<Maybe<Mesh3d>> image_of(Context& context, const AffineMap& map, const Mes
 Result<Maybe<Region>> image_of(Context& context, const AffineMap& map, const Region& region) {
   Polygons image = region.polygons();
   if (keeps_exact_image(map, image.corners.exact_count() > 0)) return exact_image_of(context, map, region);
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedPoints rounded, round_points(context, map, image.corners));
+  A3D_ASSIGN(RoundedPoints rounded, round_points(context, map, image.corners));
   if (!std::ranges::all_of(rounded.points, is_finite)) return Maybe<Region>(Undefined{kImageOutOfRange});
   image.corners = PointArray(std::move(rounded.points));
   if (rounded.are_exact) return Maybe<Region>(Region::trusted(std::move(image)));
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto proved, Region::prove(image, context.monitor()));
+  A3D_ASSIGN(auto proved, Region::prove(image, context.monitor()));
   if (proved) return proved;
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto exact, exact_image_of(context, map, region));
+  A3D_ASSIGN(auto exact, exact_image_of(context, map, region));
   if (exact) report_unrounded(context);
   return exact;
 }
@@ -285,8 +286,7 @@ Result<Maybe<MovingRegion>> image_of(Context& context, const AffineMap& map, con
   const bool is_exact = keeps_exact_image(map, std::ranges::any_of(moving.units(), has_fractions));
   std::vector<RegionUnit> images;
   for (const RegionUnit& unit : moving.units()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto image,
-                               is_exact ? exact_image_of(context, map, unit) : image_of_unit(context, map, unit));
+    A3D_ASSIGN(auto image, is_exact ? exact_image_of(context, map, unit) : image_of_unit(context, map, unit));
     if (!image) return Maybe<MovingRegion>(Undefined{image.reason()});
     images.push_back(*std::move(image));
   }

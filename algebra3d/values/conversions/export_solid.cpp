@@ -20,6 +20,7 @@
 #include "base/mesh_content.h"
 #include "base/number_text.h"
 #include "base/polygon_soup.h"
+#include "base/propagate.h"
 #include "mesh_formats/mesh_format.h"
 
 namespace algebra3d {
@@ -77,8 +78,8 @@ double diagonal_of(const TriangleMesh& mesh) {
 /// The visible changes of the shape by rounding; empty if there are none.
 Result<std::string> visible_change(const Context& context, const TriangleMesh& solid, const RoundedSolid& rounded) {
   if (rounded.moved_vertices == 0) return std::string();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const double before, nearest_volume(solid, context.monitor()));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const double after, nearest_volume(*rounded.mesh, context.monitor()));
+  A3D_ASSIGN(const double before, nearest_volume(solid, context.monitor()));
+  A3D_ASSIGN(const double after, nearest_volume(*rounded.mesh, context.monitor()));
   const bool changes_volume = std::abs(after - before) > kVisiblePart * before;
   const bool loses_shells = rounded.shells_after < rounded.shells_before;
   const bool is_seen = rounded.largest_movement > kVisiblePart * diagonal_of(solid) || changes_volume || loses_shells;
@@ -100,10 +101,10 @@ struct DividedMesh {
 /// Many programs take vertices inside edges or faces of others for crossings, and edges that touch, too.
 Result<DividedMesh> divided_where_it_touches(const TriangleMesh& mesh, const CoordinateGrid& grid,
                                              const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(FacePairs touching, touching_faces(mesh, cancel));
+  A3D_ASSIGN(FacePairs touching, touching_faces(mesh, cancel));
   if (touching.empty()) return DividedMesh{mesh};
   const TriangleMesh divided = divided_at_contacts(mesh, vertex_contacts(mesh, touching));
-  ALGEBRA3D_ASSIGN_OR_RETURN(touching, touching_faces(divided, cancel));
+  A3D_ASSIGN(touching, touching_faces(divided, cancel));
   const std::vector<EdgeContact> at_edges = edge_contacts(divided, touching);
   const auto is_left = [&](const EdgeContact& contact) { return !is_on_grid(contact.point, grid); };
   return DividedMesh{divided_at_edge_contacts(divided, at_edges, grid), std::ranges::count_if(at_edges, is_left)};
@@ -111,18 +112,17 @@ Result<DividedMesh> divided_where_it_touches(const TriangleMesh& mesh, const Coo
 
 Result<ExportedSolid> export_rounded(Context& context, const std::string& name, const Volume3d& solid,
                                      const std::string& file, const FileNumbers& numbers, const MeshWriter& write) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const OutputPath path, context.resolve_output(file));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundedSolid rounded, rounded_solid(solid.mesh(), numbers.grid, context.monitor()));
+  A3D_ASSIGN(const OutputPath path, context.resolve_output(file));
+  A3D_ASSIGN(const RoundedSolid rounded, rounded_solid(solid.mesh(), numbers.grid, context.monitor()));
   const std::string rounding = fmt::format("{}: {}: rounded to {}, ", name, file, numbers.name);
   if (!rounded.mesh) return refuse(context, ErrorCode::invalid_value, rounding + rounded.reason + numbers.advice);
   if (rounded.mesh->is_empty() && !solid.mesh().is_empty())
     return refuse(context, ErrorCode::invalid_value, rounding + "nothing of the solid is left" + numbers.advice);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string change, visible_change(context, solid.mesh(), rounded));
+  A3D_ASSIGN(const std::string change, visible_change(context, solid.mesh(), rounded));
   if (!change.empty())
     context.diagnostics.report(fmt::format("{}: rounded to {}, {}{}", name, numbers.name, change, numbers.advice),
                                file);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const DividedMesh divided,
-                             divided_where_it_touches(*rounded.mesh, numbers.grid, context.cancel));
+  A3D_ASSIGN(const DividedMesh divided, divided_where_it_touches(*rounded.mesh, numbers.grid, context.cancel));
   if (divided.contacts_left > 0)
     context.diagnostics.report(
         fmt::format("{}: {} in points that are not {}: other programs may take them for crossings", name,

@@ -9,6 +9,7 @@
 #include "algebra3d/values/conversions/json_tree.h"
 #include "algebra3d/values/types/utf8.h"
 #include "base/ascii_cursor.h"
+#include "base/propagate.h"
 #include "base/text.h"
 
 namespace algebra3d {
@@ -95,7 +96,7 @@ Status GeoReader::read_position(std::size_t part) {
   std::array<double, 2> position{};
   std::size_t count = 0;
   for (std::size_t part_of = JsonTree::first(part); part_of != tree_.end(part); part_of = tree_.after(part_of)) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const double value, number(part_of));
+    A3D_ASSIGN(const double value, number(part_of));
     if (count < 2) position[count] = value;
     ++count;
   }
@@ -109,7 +110,7 @@ Status GeoReader::read_position(std::size_t part) {
 Status GeoReader::read_ring(std::size_t part) {
   if (tree_.kind(part) != JsonKind::array) return expected(part, "a ring of positions");
   for (std::size_t position = JsonTree::first(part); position != tree_.end(part); position = tree_.after(position))
-    ALGEBRA3D_RETURN_IF_ERROR(read_position(position));
+    A3D_TRY(read_position(position));
   const Status ended = rings_.end_ring();
   if (!ended) return Error{ended.error().code, "byte {}: {}", place(part), ended.error().message};
   return {};
@@ -118,7 +119,7 @@ Status GeoReader::read_ring(std::size_t part) {
 Status GeoReader::read_polygon(std::size_t part) {
   if (tree_.kind(part) != JsonKind::array) return expected(part, "an array of rings");
   for (std::size_t ring = JsonTree::first(part); ring != tree_.end(part); ring = tree_.after(ring))
-    ALGEBRA3D_RETURN_IF_ERROR(read_ring(ring));
+    A3D_TRY(read_ring(ring));
   rings_.end_face();
   return {};
 }
@@ -126,7 +127,7 @@ Status GeoReader::read_polygon(std::size_t part) {
 Status GeoReader::read_multiple(std::size_t part) {
   if (tree_.kind(part) != JsonKind::array) return expected(part, "an array of polygons");
   for (std::size_t polygon = JsonTree::first(part); polygon != tree_.end(part); polygon = tree_.after(polygon))
-    ALGEBRA3D_RETURN_IF_ERROR(read_polygon(polygon));
+    A3D_TRY(read_polygon(polygon));
   return {};
 }
 
@@ -143,16 +144,16 @@ Status GeoReader::read_collection(std::size_t part) {
   const auto geometries = tree_.member(part, "geometries", JsonKind::array);
   if (!geometries) return missing(part, "an array \"geometries\"");
   for (std::size_t one = JsonTree::first(*geometries); one != tree_.end(*geometries); one = tree_.after(one))
-    ALGEBRA3D_RETURN_IF_ERROR(read_geometry(one));
+    A3D_TRY(read_geometry(one));
   return {};
 }
 
 Result<Polygons> GeoReader::polygons_of_geometry(std::size_t part) {
   const auto type = type_of(part);
   if (type == "GeometryCollection") {
-    ALGEBRA3D_RETURN_IF_ERROR(read_collection(part));
+    A3D_TRY(read_collection(part));
   } else if (type == "Polygon" || type == "MultiPolygon") {
-    ALGEBRA3D_RETURN_IF_ERROR(read_geometry(part));
+    A3D_TRY(read_geometry(part));
   } else {
     return expected(part, "a Polygon, a MultiPolygon or a GeometryCollection of these");
   }
@@ -197,7 +198,7 @@ Error at_line(Error error, std::string_view text, std::size_t begin) {
 
 Result<GeoFeatures> GeoFeatures::find(std::string_view text, const Monitor& monitor) {
   // The object, its members, and the features, but nothing in them.
-  ALGEBRA3D_ASSIGN_OR_RETURN(const JsonTree tree, JsonTree::parse(text, 2, monitor));
+  A3D_ASSIGN(const JsonTree tree, JsonTree::parse(text, 2, monitor));
   const GeoReader reader(tree, 0);
   const auto type = reader.type_of(0);
   GeoFeatures result;
@@ -221,11 +222,10 @@ Result<GeoFeatures> GeoFeatures::find(std::string_view text, const Monitor& moni
 
 Result<GeoFeature> GeoFeatures::feature(std::size_t index, const Monitor& monitor) const {
   const auto [begin, end] = places_[index];
-  ALGEBRA3D_ASSIGN_OR_RETURN(const JsonTree tree,
-                             JsonTree::parse(text_.substr(begin, end - begin), JsonTree::kWholeDepth, monitor));
+  A3D_ASSIGN(const JsonTree tree, JsonTree::parse(text_.substr(begin, end - begin), JsonTree::kWholeDepth, monitor));
   GeoReader reader(tree, begin);
   const auto polygons = is_bare_ ? reader.polygons_of_geometry(0) : reader.polygons_of_feature(0);
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto shape, proved(polygons, monitor));
+  A3D_ASSIGN(auto shape, proved(polygons, monitor));
   if (is_bare_) return GeoFeature{{}, {}, std::move(shape)};
   return GeoFeature{id_of_feature(tree), properties_of(tree), std::move(shape)};
 }

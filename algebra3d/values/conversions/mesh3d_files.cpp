@@ -14,6 +14,7 @@
 #include "base/diagnostics.h"
 #include "base/interruption_scope.h"
 #include "base/mesh_content.h"
+#include "base/propagate.h"
 #include "base/text.h"
 #include "mesh_formats/mesh_format.h"
 
@@ -32,15 +33,15 @@ Result<PolygonMesh> mesh_of(PolygonSoup soup, const std::string& name) {
 }
 
 Result<ImportedMesh> read_mesh3d(const std::filesystem::path& path, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(MeshFacets read, read_mesh_facets(path, nullptr, monitor.cancel()));
+  A3D_ASSIGN(MeshFacets read, read_mesh_facets(path, nullptr, monitor.cancel()));
   ImportedMesh result;
   result.remarks = std::move(read.remarks);
   if (read.wrong_count) result.remarks.push_back(read.wrong_count->text());
-  ALGEBRA3D_ASSIGN_OR_RETURN(PolygonSoup soup, polygons_of(std::move(read.facets), path.string()));
+  A3D_ASSIGN(PolygonSoup soup, polygons_of(std::move(read.facets), path.string()));
   MeshAttributes attributes;
   if (soup.attributes != nullptr) attributes = attributes_of_file(*soup.attributes);
   soup.attributes.reset();
-  ALGEBRA3D_ASSIGN_OR_RETURN(PolygonMesh mesh, mesh_of(std::move(soup), path.string()));
+  A3D_ASSIGN(PolygonMesh mesh, mesh_of(std::move(soup), path.string()));
   if (std::string text = nonmanifold_text(mesh); !text.empty()) result.remarks.push_back(std::move(text));
   result.mesh = Mesh3d(std::move(mesh), std::move(attributes));
   return result;
@@ -118,8 +119,8 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Monito
 
 Result<ExportedSolid> export_mesh(Context& context, const std::string& command, const Mesh3d& mesh,
                                   const std::string& name, const std::string& file, const MeshFileForm& form) {
-  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const OutputPath path, context.resolve_output(file));
+  A3D_TRY(context.check_cancelled());
+  A3D_ASSIGN(const OutputPath path, context.resolve_output(file));
   PolygonSoup soup = soup_of(mesh.mesh());
   const std::size_t left_out = add_attributes(mesh.attributes(), *form.format, soup);
   const std::size_t changed_texts = count_changed_texts(soup.attributes.get());

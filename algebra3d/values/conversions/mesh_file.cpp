@@ -10,6 +10,7 @@
 #include "algebra3d/kernel/soup/weld.h"
 #include "base/file_content.h"
 #include "base/mesh_content.h"
+#include "base/propagate.h"
 #include "mesh_formats/foreign_file.h"
 #include "mesh_formats/mesh_format.h"
 #include "mesh_formats/unwritten_file.h"
@@ -28,18 +29,18 @@ Result<MeshFacets> read_as(const MeshFormat& format, std::string_view bytes, con
                            const std::atomic<bool>* cancel, Extras extras) {
   const bool has_attributes = extras == Extras::attributes && format.read_with_attributes != nullptr;
   const auto read_bytes = has_attributes ? format.read_with_attributes : format.read;
-  ALGEBRA3D_ASSIGN_OR_RETURN(MeshContent read, read_bytes(bytes, name, cancel));
+  A3D_ASSIGN(MeshContent read, read_bytes(bytes, name, cancel));
   return MeshFacets{std::move(read.facets), std::move(read.remarks), &format, read.encoding, read.wrong_count};
 }
 
 Result<MeshFacets> read_facets(std::string_view bytes, const std::string& name, const MeshFormat* format,
                                const std::atomic<bool>* cancel, const MeshFormats& formats, Extras extras) {
   if (format == nullptr) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const MeshFormat* const detected, formats.detect(bytes, name));
+    A3D_ASSIGN(const MeshFormat* const detected, formats.detect(bytes, name));
     return read_as(*detected, bytes, name, cancel, extras);
   }
   const MeshFormat* const known = formats.of_content(bytes);
-  if (known == nullptr) ALGEBRA3D_RETURN_IF_ERROR(mesh_formats::refuse_foreign(bytes, name, formats.names("or")));
+  if (known == nullptr) A3D_TRY(mesh_formats::refuse_foreign(bytes, name, formats.names("or")));
   const MeshFormat& found = known != nullptr ? *known : *format;
   auto read = read_as(found, bytes, name, cancel, extras);
   if (found.name == format->name) return read;
@@ -50,8 +51,8 @@ Result<MeshFacets> read_facets(std::string_view bytes, const std::string& name, 
 }
 
 Result<FileContent> content_of(const std::filesystem::path& path, const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const InputFile input, InputFile::open(path));
-  ALGEBRA3D_RETURN_IF_ERROR(mesh_formats::refuse_unwritten(input));
+  A3D_ASSIGN(const InputFile input, InputFile::open(path));
+  A3D_TRY(mesh_formats::refuse_unwritten(input));
   return FileContent::read(input, cancel);
 }
 
@@ -59,20 +60,20 @@ Result<FileContent> content_of(const std::filesystem::path& path, const std::ato
 
 Result<MeshFacets> read_mesh_facets(const std::filesystem::path& path, const MeshFormat* format,
                                     const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const FileContent file, content_of(path, cancel));
+  A3D_ASSIGN(const FileContent file, content_of(path, cancel));
   return read_facets(file.bytes(), path.string(), format, cancel, mesh_formats::known_mesh_formats(),
                      Extras::attributes);
 }
 
 Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshFormat* format,
                                 const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const FileContent file, content_of(path, cancel));
+  A3D_ASSIGN(const FileContent file, content_of(path, cancel));
   return read_mesh(file.bytes(), path.string(), format, cancel);
 }
 
 Result<MeshFile> read_mesh(std::string_view bytes, const std::string& name, const MeshFormat* format,
                            const std::atomic<bool>* cancel, const MeshFormats& formats) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(MeshFacets read, read_facets(bytes, name, format, cancel, formats, Extras::none));
+  A3D_ASSIGN(MeshFacets read, read_facets(bytes, name, format, cancel, formats, Extras::none));
   return MeshFile{triangles_of(std::move(read.facets)), std::move(read.remarks), read.format, read.encoding,
                   read.wrong_count};
 }

@@ -7,6 +7,7 @@
 #include "base/ascii_cursor.h"
 #include "base/interruption_scope.h"
 #include "base/number_text.h"
+#include "base/propagate.h"
 #include "base/text.h"
 
 namespace algebra3d {
@@ -118,7 +119,7 @@ Result<bool> WktReader::read_tag() {
     const std::string mark = tag.substr(name.size());
     if (!mark.empty() && mark != "Z" && mark != "M" && mark != "ZM") break;
     pass(tag);
-    ALGEBRA3D_RETURN_IF_ERROR(read_mark(mark));
+    A3D_TRY(read_mark(mark));
     return name == "MULTIPOLYGON";
   }
   return expected("POLYGON or MULTIPOLYGON");
@@ -127,7 +128,7 @@ Result<bool> WktReader::read_tag() {
 Status WktReader::read_list(Status (WktReader::*read_item)()) {
   if (!take('(')) return expected("'('");
   do {
-    ALGEBRA3D_RETURN_IF_ERROR((this->*read_item)());
+    A3D_TRY((this->*read_item)());
   } while (take(','));
   return take(')') ? Status() : expected("',' or ')'");
 }
@@ -136,25 +137,25 @@ Status WktReader::read_polygon() {
   const std::string next = word();
   if (next == "EMPTY") return pass(next), Status();
   if (!next.empty()) return expected("'(' or EMPTY");
-  ALGEBRA3D_RETURN_IF_ERROR(read_list(&WktReader::read_ring));
+  A3D_TRY(read_list(&WktReader::read_ring));
   rings_.end_face();
   return {};
 }
 
 Status WktReader::read_ring() {
-  ALGEBRA3D_RETURN_IF_ERROR(read_list(&WktReader::read_point));
+  A3D_TRY(read_list(&WktReader::read_point));
   const Status ended = rings_.end_ring();
   if (!ended) return Error{ended.error().code, "character {}: {}", at_, ended.error().message};
   return {};
 }
 
 Status WktReader::read_point() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const double x, read_number());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const double y, read_number());
+  A3D_ASSIGN(const double x, read_number());
+  A3D_ASSIGN(const double y, read_number());
   for (std::size_t count = 2; count < most_coordinates_; ++count) {
     skip_blanks();
     if (count >= least_coordinates_ && number_text().empty()) break;
-    ALGEBRA3D_RETURN_IF_ERROR(read_number());
+    A3D_TRY(read_number());
   }
   rings_.add_point(x, y);
   return {};
@@ -172,18 +173,18 @@ Result<double> WktReader::read_number() {
 }
 
 Result<Polygons> WktReader::read() {
-  ALGEBRA3D_RETURN_IF_ERROR(skip_srid());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_multiple, read_tag());
+  A3D_TRY(skip_srid());
+  A3D_ASSIGN(const bool is_multiple, read_tag());
   if (is_multiple) {
     const std::string next = word();
     if (next == "EMPTY") {
       pass(next);
     } else {
       if (!next.empty()) return expected("'(' or EMPTY");
-      ALGEBRA3D_RETURN_IF_ERROR(read_list(&WktReader::read_polygon));
+      A3D_TRY(read_list(&WktReader::read_polygon));
     }
   } else {
-    ALGEBRA3D_RETURN_IF_ERROR(read_polygon());
+    A3D_TRY(read_polygon());
   }
   skip_blanks();
   if (at_ != text_.size()) return expected("the end of the text");

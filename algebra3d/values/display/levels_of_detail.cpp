@@ -12,6 +12,7 @@
 #include "algebra3d/values/display/vertex_clustering.h"
 #include "algebra3d/values/types/mesh3d.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -29,7 +30,7 @@ Result<std::vector<IndexTriangle>> triangles_in(const TriangleMesh& mesh, const 
   return triangles_of(mesh);
 }
 Result<std::vector<IndexTriangle>> triangles_in(const PolygonMesh& mesh, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CornerTriangle> corners, triangulate_faces(mesh, monitor));
+  A3D_ASSIGN(const std::vector<CornerTriangle> corners, triangulate_faces(mesh, monitor));
   std::vector<IndexTriangle> triangles;
   triangles.reserve(corners.size());
   for (const auto& [a, b, c] : corners)
@@ -39,9 +40,9 @@ Result<std::vector<IndexTriangle>> triangles_in(const PolygonMesh& mesh, const M
 
 template <typename T>
 Result<LevelSource> source_of(const T& value, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape whole, detail::shape_in(value.box()));
+  A3D_ASSIGN(DrawnShape whole, detail::shape_in(value.box()));
   whole.kind = TypeOf<T>::type().name();
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<IndexTriangle> triangles, triangles_in(value.mesh(), monitor));
+  A3D_ASSIGN(std::vector<IndexTriangle> triangles, triangles_in(value.mesh(), monitor));
   whole.triangle_count = triangles.size();
   return LevelSource{std::move(whole), std::move(triangles), &value.mesh().points(), detail::defects_of(value.mesh())};
 }
@@ -69,7 +70,7 @@ class LevelMaker {
 
   Result<DrawnShape> next(std::size_t max_triangles) {
     const TrianglesView fine = is_first_ ? TrianglesView{points_, source_.triangles} : level_.view();
-    ALGEBRA3D_ASSIGN_OR_RETURN(level_, clustered(fine, max_triangles, monitor_));
+    A3D_ASSIGN(level_, clustered(fine, max_triangles, monitor_));
     is_first_ = false;
     source_.defects = detail::drawn_together(source_.defects, level_.point_of);
     return detail::shape_of_level(source_.whole, level_, source_.defects, max_triangles, monitor_);
@@ -110,21 +111,21 @@ Result<std::vector<DrawnShape>> levels_of_detail(const Value& value, std::span<c
   assert(has_levels(value.type()));
   std::vector<DrawnShape> levels;
   if (!value.is_defined()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const DrawnShape empty, shape_of(value));
+    A3D_ASSIGN(const DrawnShape empty, shape_of(value));
     levels.assign(max_triangles.size(), empty);
     return levels;
   }
   const Progress progress(monitor);
   progress.before_reading();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  A3D_ASSIGN(const Value loaded, value.loaded());
   progress.before_drawing_whole();
   const Monitor silent = monitor.silent();
-  ALGEBRA3D_ASSIGN_OR_RETURN(LevelSource source, source_of(loaded, silent));
+  A3D_ASSIGN(LevelSource source, source_of(loaded, silent));
   const std::uint64_t count = source.whole.triangle_count;
   LevelMaker maker(std::move(source), silent);
   for (const std::size_t most : max_triangles) {
     progress.before_level(levels.size());
-    ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape level, count <= most ? shape_of(loaded, silent) : maker.next(most));
+    A3D_ASSIGN(DrawnShape level, count <= most ? shape_of(loaded, silent) : maker.next(most));
     levels.push_back(std::move(level));
   }
   return levels;

@@ -11,6 +11,7 @@
 #include "algebra3d/values/types/nested_relation.h"
 #include "algebra3d/values/types/planar.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -60,10 +61,10 @@ Result<DrawnShape> shape_of_nested(const Value& value, const Monitor& monitor) {
   const auto& relation = value.get<NestedRelation>();
   std::vector<DrawnShape> shapes;
   for (std::size_t i = 0; i < relation.size(); ++i) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     for (const Value& attribute : relation.tuple(i)) {
       if (!attribute.is_defined() || !is_drawable(attribute.type())) continue;
-      ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_of(attribute, monitor.silent()));
+      A3D_ASSIGN(DrawnShape shape, shape_of(attribute, monitor.silent()));
       if (!shape.is_empty()) shapes.push_back(std::move(shape));
     }
   }
@@ -83,8 +84,8 @@ Result<DrawnShape> shape_of(const Value& value, const Monitor& monitor) {
   assert(maker != nullptr);
   DrawnShape shape;
   if (value.is_defined()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
-    ALGEBRA3D_ASSIGN_OR_RETURN(shape, maker(loaded, monitor));
+    A3D_ASSIGN(const Value loaded, value.loaded());
+    A3D_ASSIGN(shape, maker(loaded, monitor));
   }
   detail::draw_as_point_if_tiny(shape);
   shape.kind = value.type().name();

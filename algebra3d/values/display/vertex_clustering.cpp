@@ -8,6 +8,7 @@
 #include "algebra3d/values/display/detail/cluster_grid.h"
 #include "algebra3d/values/display/detail/task_size.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -178,12 +179,12 @@ double ClusteredTriangles::deviation() const {
 }
 
 Result<ClusteredTriangles> clustered(const TrianglesView& fine, std::size_t max_triangles, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const detail::CellsOfPoints chosen, detail::choose_cells(fine, max_triangles, monitor));
+  A3D_ASSIGN(const detail::CellsOfPoints chosen, detail::choose_cells(fine, max_triangles, monitor));
   Clusters clusters = number_clusters(fine, chosen.cells, max_triangles / 2);
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   ClusteredTriangles coarse;
   coarse.sums = fine.sums.empty() ? sums_of_originals(fine, clusters) : sums_of_level(fine, clusters);
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   coarse.points.resize(coarse.sums.size());
   parallel_for(coarse.points.size(), detail::kElementsPerTask, [&](std::size_t i) {
     coarse.points[i] = moved_into(chosen.grid.box_of(clusters.cells[i]), place_of(coarse.sums[i]));
@@ -191,7 +192,7 @@ Result<ClusteredTriangles> clustered(const TrianglesView& fine, std::size_t max_
   coarse.point_of = std::move(clusters.of_point);
   coarse.moved = distances_moved(fine, coarse);
   coarse.triangles = kept_triangles(fine, coarse.point_of);
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   drop_repetitions(coarse.triangles);
   return coarse;
 }

@@ -9,6 +9,7 @@
 #include "algebra3d/values/spatial_relations/boundary_faces.h"
 #include "algebra3d/values/spatial_relations/nearest_points.h"
 #include "algebra3d/values/spatial_relations/relation.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -22,7 +23,7 @@ DistanceOperand boundary_of(const Volume3d& solid) {
 /// The triangle of a solid that is nearest to a point.
 Result<FaceId> triangle_near(const ExactPoint& point, const Volume3d& solid, const Monitor& monitor) {
   const BoundaryFaces place(PointSet{{&point, 1}});
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto closest, closest_points(place.operand(), boundary_of(solid), monitor));
+  A3D_ASSIGN(const auto closest, closest_points(place.operand(), boundary_of(solid), monitor));
   return closest->second_face;
 }
 
@@ -36,14 +37,14 @@ Result<FoundClash> with_depth(ClashKind kind, const Volume3d& a, const Volume3d&
   };
   add(of_a_in_b, b);
   add(of_b_in_a, a);
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<FarthestPoint> deepest, farthest_point(searches, monitor));
+  A3D_ASSIGN(std::optional<FarthestPoint> deepest, farthest_point(searches, monitor));
   if (!deepest) {
     // They have whole bodies in common.
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MeetingWitness> witness, witness_of_meeting(a, b, monitor));
+    A3D_ASSIGN(const std::optional<MeetingWitness> witness, witness_of_meeting(a, b, monitor));
     return FoundClash(Clash{kind, Rational(0), 0, witness->point, witness->first_face, witness->second_face});
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const FaceId of_first, triangle_near(deepest->point, a, monitor));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const FaceId of_second, triangle_near(deepest->point, b, monitor));
+  A3D_ASSIGN(const FaceId of_first, triangle_near(deepest->point, a, monitor));
+  A3D_ASSIGN(const FaceId of_second, triangle_near(deepest->point, b, monitor));
   return FoundClash(
       Clash{kind, std::move(deepest->squared_distance), 0, std::move(deepest->point), of_first, of_second});
 }
@@ -55,24 +56,23 @@ Result<FoundClash> envelopment(const Volume3d& a, const Volume3d& b, bool is_fir
 }
 
 Result<FoundClash> overlap(const Volume3d& a, const Volume3d& b, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Overlap overlap, Overlap::of(a, b, monitor));
+  A3D_ASSIGN(const Overlap overlap, Overlap::of(a, b, monitor));
   return with_depth(overlap.is_divided ? ClashKind::piercing : ClashKind::protrusion, a, b, overlap.of_first_in_second,
                     overlap.of_second_in_first, monitor);
 }
 
 Result<FoundClash> meeting(ClashKind kind, const Volume3d& a, const Volume3d& b, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MeetingWitness> witness, witness_of_meeting(a, b, monitor));
+  A3D_ASSIGN(const std::optional<MeetingWitness> witness, witness_of_meeting(a, b, monitor));
   return FoundClash(Clash{kind, std::nullopt, 0, witness->point, witness->first_face, witness->second_face});
 }
 
 Result<FoundClash> violated_clearance(const Volume3d& a, const Volume3d& b, const Rational& clearance,
                                       const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_near, are_within(a, b, clearance, monitor));
+  A3D_ASSIGN(const bool is_near, are_within(a, b, clearance, monitor));
   if (!is_near) return FoundClash();
   const Geometry &first = a.geometry(), &second = b.geometry();
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      std::optional<ClosestPoints> closest,
-      closest_points({&first.mesh, &first.hierarchy()}, {&second.mesh, &second.hierarchy()}, monitor));
+  A3D_ASSIGN(std::optional<ClosestPoints> closest,
+             closest_points({&first.mesh, &first.hierarchy()}, {&second.mesh, &second.hierarchy()}, monitor));
   if (!closest || closest->squared_distance >= clearance * clearance) return FoundClash();
   return FoundClash(Clash{ClashKind::clearance, std::nullopt, std::move(closest->squared_distance),
                           std::move(closest->first), closest->first_face, closest->second_face});
@@ -88,7 +88,7 @@ std::string_view name_of(ClashKind kind) {
 
 Result<std::optional<Clash>> clash_of(const Volume3d& a, const Volume3d& b, const Rational& clearance,
                                       const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialRelation relation, relation_of(a, b, monitor));
+  A3D_ASSIGN(const SpatialRelation relation, relation_of(a, b, monitor));
   if (!relation.do_meet) return violated_clearance(a, b, clearance, monitor);
   if (!relation.do_interiors_meet) return meeting(ClashKind::touching, a, b, monitor);
   if (relation.is_first_inside && relation.is_second_inside) return meeting(ClashKind::duplication, a, b, monitor);

@@ -9,6 +9,7 @@
 #include "algebra3d/kernel/exact/plane.h"
 #include "algebra3d/kernel/exact/predicates.h"
 #include "algebra3d/kernel/exact/real_sum.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -93,7 +94,7 @@ Result<double> contact_area(const Geometry& a, const Geometry& b, const Monitor&
         return true;
       },
       [&] { return !monitor.is_cancelled(); });
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   RealSum sum;
   for (const auto& [face, doubled] : doubled_areas) {
     const TriangleRef triangle = a.mesh.corners(face);

@@ -6,6 +6,7 @@
 
 #include "algebra3d/values/measures/detail/opposite_triangle.h"
 #include "algebra3d/values/measures/detail/ray_sections.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -50,7 +51,7 @@ Result<std::vector<FacetThickness>> facet_thicknesses(const Volume3d& solid, con
           part.push_back(thickness_behind(search, geometry, FaceId(f)));
         return part;
       });
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   return all;
 }
 

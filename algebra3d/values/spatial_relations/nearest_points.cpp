@@ -4,6 +4,7 @@
 
 #include "algebra3d/kernel/distance/distance.h"
 #include "algebra3d/values/spatial_relations/boundary_faces.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -22,11 +23,10 @@ Result<std::optional<MeetingWitness>> enclosed_point(const SpatialSet& a, const 
 
 Result<std::optional<NearestPoints>> nearest_points(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
   const BoundaryFaces first(a), second(b);
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<ClosestPoints> closest,
-                             closest_points(first.operand(), second.operand(), monitor));
+  A3D_ASSIGN(std::optional<ClosestPoints> closest, closest_points(first.operand(), second.operand(), monitor));
   if (!closest) return std::optional<NearestPoints>();
   if (closest->squared_distance.sign() > 0) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MeetingWitness> enclosed, enclosed_point(a, b, monitor));
+    A3D_ASSIGN(const std::optional<MeetingWitness> enclosed, enclosed_point(a, b, monitor));
     if (enclosed) return std::optional(NearestPoints{enclosed->point, enclosed->point, 0});
   }
   return std::optional(
@@ -35,18 +35,17 @@ Result<std::optional<NearestPoints>> nearest_points(const SpatialSet& a, const S
 
 // Where sets cross, many pairs of triangles are at the distance 0, and each would be a candidate.
 Result<std::optional<Rational>> squared_distance_of(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool meet, do_meet(a, b, monitor));
+  A3D_ASSIGN(const bool meet, do_meet(a, b, monitor));
   if (meet) return std::optional<Rational>(0);
   const BoundaryFaces first(a), second(b);
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<ClosestPoints> closest,
-                             closest_points(first.operand(), second.operand(), monitor));
+  A3D_ASSIGN(std::optional<ClosestPoints> closest, closest_points(first.operand(), second.operand(), monitor));
   if (!closest) return std::optional<Rational>();
   return std::optional(std::move(closest->squared_distance));
 }
 
 Result<std::optional<DistanceRange>> distance_range_of(const SpatialSet& a, const SpatialSet& b, double reach,
                                                        const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool meet, do_meet(a, b, monitor));
+  A3D_ASSIGN(const bool meet, do_meet(a, b, monitor));
   if (meet) return std::optional(DistanceRange{0, 0});
   const BoundaryFaces first(a), second(b);
   return distance_range(first.operand(), second.operand(), reach, monitor);
@@ -55,9 +54,9 @@ Result<std::optional<DistanceRange>> distance_range_of(const SpatialSet& a, cons
 Result<bool> are_within(const SpatialSet& a, const SpatialSet& b, const Rational& distance, const Monitor& monitor) {
   if (distance.sign() < 0) return false;
   const BoundaryFaces first(a), second(b);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool are_near, are_within(first.operand(), second.operand(), distance, monitor));
+  A3D_ASSIGN(const bool are_near, are_within(first.operand(), second.operand(), distance, monitor));
   if (are_near) return true;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MeetingWitness> enclosed, enclosed_point(a, b, monitor));
+  A3D_ASSIGN(const std::optional<MeetingWitness> enclosed, enclosed_point(a, b, monitor));
   return enclosed.has_value();
 }
 

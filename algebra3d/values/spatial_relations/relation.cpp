@@ -10,6 +10,7 @@
 #include "algebra3d/values/spatial_relations/detail/mesh_relation.h"
 #include "algebra3d/values/spatial_relations/detail/point_relation.h"
 #include "algebra3d/values/spatial_relations/detail/segment_relation.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -104,7 +105,7 @@ Result<Emptiness> find(const SpatialSet& a, const SpatialSet& b, Findings& findi
           pair.relate(second, first, Role::second);
       },
       a, b);
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   return emptiness;
 }
 
@@ -112,31 +113,31 @@ Result<Emptiness> find(const SpatialSet& a, const SpatialSet& b, Findings& findi
 
 Result<bool> do_meet(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
   Findings findings(Question::meeting);
-  ALGEBRA3D_RETURN_IF_ERROR(find(a, b, findings, monitor));
+  A3D_TRY(find(a, b, findings, monitor));
   return findings.do_meet();
 }
 
 Result<bool> do_touch(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
   Findings findings(Question::touching);
-  ALGEBRA3D_RETURN_IF_ERROR(find(a, b, findings, monitor));
+  A3D_TRY(find(a, b, findings, monitor));
   return findings.do_meet() && !findings.do_interiors_meet();
 }
 
 Result<bool> is_inside(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
   Findings findings(Question::first_inside);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Emptiness is_empty, find(a, b, findings, monitor));
+  A3D_ASSIGN(const Emptiness is_empty, find(a, b, findings, monitor));
   return is_empty[0] || (!is_empty[1] && !findings.leaves(Role::first));
 }
 
 Result<bool> do_overlap(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
   Findings findings(Question::overlap);
-  ALGEBRA3D_RETURN_IF_ERROR(find(a, b, findings, monitor));
+  A3D_TRY(find(a, b, findings, monitor));
   return findings.do_interiors_meet() && findings.leaves(Role::first) && findings.leaves(Role::second);
 }
 
 Result<SpatialRelation> relation_of(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
   Findings findings(Question::everything);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Emptiness is_empty, find(a, b, findings, monitor));
+  A3D_ASSIGN(const Emptiness is_empty, find(a, b, findings, monitor));
   if (is_empty[0] || is_empty[1]) return SpatialRelation{false, false, is_empty[0], is_empty[1], -1, -1};
   return SpatialRelation{findings.do_meet(),
                          findings.do_interiors_meet(),
@@ -149,7 +150,7 @@ Result<SpatialRelation> relation_of(const SpatialSet& a, const SpatialSet& b, co
 Result<std::optional<MeetingWitness>> witness_of_meeting(const SpatialSet& a, const SpatialSet& b,
                                                          const Monitor& monitor) {
   Findings findings(Question::witness);
-  ALGEBRA3D_RETURN_IF_ERROR(find(a, b, findings, monitor));
+  A3D_TRY(find(a, b, findings, monitor));
   std::optional<MeetingWitness> witness = findings.witness();
   // The triangles of a box are not those of a value.
   if (witness && std::holds_alternative<Box3>(a)) witness->first_face = {};

@@ -16,6 +16,7 @@
 #include "algebra3d/values/types/detail/codec_points.h"
 #include "base/interruption_scope.h"
 #include "base/memory_limit.h"
+#include "base/propagate.h"
 
 // The format is that of docs/file_format.md, which is changed first.
 
@@ -122,7 +123,7 @@ Result<Frame> read_frame(std::string_view bytes) {
   if (bytes.size() < kCodecHeaderBytes)
     return corrupt(bytes.size(), fmt::format("{} bytes before the body, found the end", kCodecHeaderBytes));
   ByteReader reader(bytes, "stored value");
-  ALGEBRA3D_RETURN_IF_ERROR(read_version(reader));
+  A3D_TRY(read_version(reader));
   Frame frame;
   frame.flags = reader.u16();
   if (frame.flags > (kDefined | kCompressed) || frame.flags == kCompressed)
@@ -132,10 +133,10 @@ Result<Frame> read_frame(std::string_view bytes) {
   if (frame.type.empty()) return corrupt(12, "the name of a type");
   frame.geometry.box.min = read_corner(reader);
   frame.geometry.box.max = read_corner(reader);
-  ALGEBRA3D_RETURN_IF_ERROR(check_box(frame.geometry.box));
+  A3D_TRY(check_box(frame.geometry.box));
   frame.stored_bytes = reader.u64();
   frame.body_bytes = reader.u64();
-  ALGEBRA3D_RETURN_IF_ERROR(check_lengths(frame));
+  A3D_TRY(check_lengths(frame));
   frame.checksum = reader.u64();
   return frame;
 }
@@ -242,7 +243,7 @@ Result<Buffer> decompress(std::string_view stored, std::uint64_t body_bytes) {
   // The size that the first frame announces is checked before anything is allocated.
   const auto announced = ZSTD_getFrameContentSize(stored.data(), stored.size());
   if (announced != body_bytes) return corrupt(kCodecHeaderBytes, fmt::format("a frame of {} bytes", body_bytes));
-  ALGEBRA3D_RETURN_IF_ERROR(require_memory(body_bytes, "stored value"));
+  A3D_TRY(require_memory(body_bytes, "stored value"));
   Buffer buffer{std::unique_ptr<char[]>(new (std::nothrow) char[body_bytes]), static_cast<std::size_t>(body_bytes)};
   ZSTD_DCtx* const context = decompression_context();
   if (buffer.bytes == nullptr || context == nullptr)
@@ -258,7 +259,7 @@ Result<Buffer> decompress(std::string_view stored, std::uint64_t body_bytes) {
 Result<Value> decode_body(const Type& type, const Frame& frame, std::string_view stored, Origin origin) {
   const bool trusted = origin == Origin::own_store;
   if (!frame.is_compressed()) return type.decode(stored, trusted);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Buffer buffer, decompress(stored, frame.body_bytes));
+  A3D_ASSIGN(const Buffer buffer, decompress(stored, frame.body_bytes));
   return type.decode(buffer.view(), trusted);
 }
 
@@ -305,7 +306,7 @@ Result<std::string> encode_to_store(const Value& value) {
 }
 
 Result<Value> decode(const Type& type, std::string_view bytes, Origin origin) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Frame frame, read_frame(bytes));
+  A3D_ASSIGN(const Frame frame, read_frame(bytes));
   if (frame.type != type.name()) return corrupt(12, fmt::format("type {}, found {}", type.name(), frame.type));
   const std::string_view stored = bytes.substr(kCodecHeaderBytes);
   if (stored.size() != frame.stored_bytes)
@@ -314,7 +315,7 @@ Result<Value> decode(const Type& type, std::string_view bytes, Origin origin) {
     return corrupt(kChecksumOffset, "the checksum of these bytes; they were changed");
   Value value(type);
   if (frame.is_defined()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(value, decode_body(type, frame, stored, origin));
+    A3D_ASSIGN(value, decode_body(type, frame, stored, origin));
   }
   const GeometryHeader header = header_of(value);
   if (header.size != frame.geometry.size) return corrupt(8, fmt::format("size {}", header.size));
@@ -323,7 +324,7 @@ Result<Value> decode(const Type& type, std::string_view bytes, Origin origin) {
 }
 
 Result<GeometryHeader> decode_header(std::string_view first_bytes) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Frame frame, read_frame(first_bytes));
+  A3D_ASSIGN(const Frame frame, read_frame(first_bytes));
   return frame.geometry;
 }
 

@@ -8,6 +8,7 @@
 
 #include "algebra3d/kernel/exact/rational_text.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -94,9 +95,9 @@ NestedList triple_to_nested(const RationalVec3& triple) {
 
 Result<RationalVec3> triple_from_nested(const NestedList& list, std::string_view what) {
   if (!is_triple(list)) return expected(what, "(x y z)", list);
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto x, coordinate_from_nested(list.elements()[0], what));
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto y, coordinate_from_nested(list.elements()[1], what));
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto z, coordinate_from_nested(list.elements()[2], what));
+  A3D_ASSIGN(auto x, coordinate_from_nested(list.elements()[0], what));
+  A3D_ASSIGN(auto y, coordinate_from_nested(list.elements()[1], what));
+  A3D_ASSIGN(auto z, coordinate_from_nested(list.elements()[2], what));
   return RationalVec3(std::move(x), std::move(y), std::move(z));
 }
 
@@ -105,7 +106,7 @@ Result<ExactPoint> point_from_nested(const NestedList& list, std::string_view wh
   if (is_triple(list)) {
     if (const auto doubles = doubles_of(list)) return ExactPoint(*doubles);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RationalVec3 exact, triple_from_nested(list, what));
+  A3D_ASSIGN(const RationalVec3 exact, triple_from_nested(list, what));
   return point_in_range(exact, list, what);
 }
 
@@ -120,8 +121,8 @@ Result<ExactPoint> planar_point_from_nested(const NestedList& list, std::string_
   if (!is_pair(list)) return expected(what, "(x y)", list);
   const auto x = double_of(list.elements()[0]), y = double_of(list.elements()[1]);
   if (x && y) return ExactPoint(Vec3{*x, *y, 0});
-  ALGEBRA3D_ASSIGN_OR_RETURN(Rational exact_x, coordinate_from_nested(list.elements()[0], what));
-  ALGEBRA3D_ASSIGN_OR_RETURN(Rational exact_y, coordinate_from_nested(list.elements()[1], what));
+  A3D_ASSIGN(Rational exact_x, coordinate_from_nested(list.elements()[0], what));
+  A3D_ASSIGN(Rational exact_y, coordinate_from_nested(list.elements()[1], what));
   return point_in_range(RationalVec3(std::move(exact_x), std::move(exact_y), Rational()), list, what);
 }
 

@@ -1,6 +1,7 @@
 #include "algebra3d/values/types/binary_io.h"
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/time.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -49,7 +50,7 @@ class DurationType final : public DescribedType {
     ByteReader reader(bytes, name());
     const auto duration = Duration::make(static_cast<std::int64_t>(reader.u64()));
     reader.require(duration.is_defined(), "a duration whose days fit 32 bits");
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     return Value::of(*duration);
   }
 };

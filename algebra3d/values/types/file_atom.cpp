@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "base/open_databases.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -25,7 +26,7 @@ Result<std::string> file_atom_content(const NestedList& atom, const Context& con
   std::string_view path = atom.as_symbol();
   path.remove_prefix(kFileAtomBegin.size());
   path.remove_suffix(kFileAtomEnd.size());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path file, context.resolve(path));
+  A3D_ASSIGN(const std::filesystem::path file, context.resolve(path));
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status))

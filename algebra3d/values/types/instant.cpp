@@ -7,6 +7,7 @@
 #include "algebra3d/values/types/coordinate_text.h"
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/time.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -108,7 +109,7 @@ class InstantType final : public DescribedType {
                        .kinds = {Kind::data}}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Maybe<Instant> instant, instant_from_nested(list, name()));
+    A3D_ASSIGN(const Maybe<Instant> instant, instant_from_nested(list, name()));
     return instant ? Value::of(*instant) : undefined(instant.reason(), list, context);
   }
   NestedList to_nested(const Value& value) const override { return instant_to_nested(value.get<Instant>()); }
@@ -132,7 +133,7 @@ class InstantType final : public DescribedType {
     ByteReader reader(bytes, name());
     const auto instant = Instant::make(static_cast<std::int64_t>(reader.u64()));
     reader.require(instant.is_defined(), "an instant of the years 1 to 9999");
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     return Value::of(*instant);
   }
 };

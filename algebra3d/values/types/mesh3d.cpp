@@ -13,6 +13,7 @@
 #include "algebra3d/values/types/detail/corner_code.h"
 #include "algebra3d/values/types/detail/mesh_attribute_codec.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -27,8 +28,7 @@ Result<PointArray> points_from_nested(const NestedList& list) {
   PointArray points;
   points.reserve(list.elements().size());
   for (const NestedList& element : list.elements()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const ExactPoint point,
-                               point_from_nested(element, fmt::format("mesh3d: vertex {}", points.size())));
+    A3D_ASSIGN(const ExactPoint point, point_from_nested(element, fmt::format("mesh3d: vertex {}", points.size())));
     points.push_back(point);
   }
   return points;
@@ -126,17 +126,17 @@ class Mesh3dType final : public DescribedType {
     if (!list.is_list() || (list.elements().size() != 2 && list.elements().size() != 3) ||
         !std::ranges::all_of(list.elements(), is_list))
       return expected("((points) (faces)) or ((points) (faces) (attributes))", list);
-    ALGEBRA3D_ASSIGN_OR_RETURN(PointArray points, points_from_nested(list.elements()[0]));
+    A3D_ASSIGN(PointArray points, points_from_nested(list.elements()[0]));
     LargeVector<std::uint32_t> corners;
     LargeVector<std::uint32_t> starts{0};
     const NestedList::List& faces = list.elements()[1].elements();
     for (std::size_t f = 0; f < faces.size(); ++f) {
-      ALGEBRA3D_RETURN_IF_ERROR(add_face(faces[f], f, points.size(), corners));
+      A3D_TRY(add_face(faces[f], f, points.size(), corners));
       starts.push_back(static_cast<std::uint32_t>(corners.size()));
     }
     PolygonMesh mesh(std::move(points), PolygonLayout(std::move(starts)), std::move(corners));
     if (list.elements().size() == 2) return Value::of(Mesh3d(std::move(mesh)));
-    ALGEBRA3D_ASSIGN_OR_RETURN(MeshAttributes attributes, attributes_from_nested(list.elements()[2], mesh));
+    A3D_ASSIGN(MeshAttributes attributes, attributes_from_nested(list.elements()[2], mesh));
     return Value::of(Mesh3d(std::move(mesh), std::move(attributes)));
   }
 
@@ -203,10 +203,10 @@ class Mesh3dType final : public DescribedType {
     PointArray points = read_points(reader);
     LargeVector<std::uint32_t> starts = read_starts(reader);
     LargeVector<std::uint32_t> corners = read_corners(reader, starts.empty() ? 0 : starts.back(), points.size());
-    ALGEBRA3D_RETURN_IF_ERROR(reader.status());
+    A3D_TRY(reader.status());
     PolygonMesh mesh(std::move(points), PolygonLayout(std::move(starts)), std::move(corners));
     MeshAttributes attributes = read_attributes(reader, mesh);
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     return Value::of(Mesh3d(std::move(mesh), std::move(attributes)));
   }
 

@@ -3,6 +3,7 @@
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/detail/moving_region_text.h"
 #include "algebra3d/values/types/moving_region.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -30,7 +31,7 @@ class MovingRegionType final : public DescribedType {
     if (!list.is_list()) return expected(notation(), list);
     std::vector<RegionUnit> units;
     for (const NestedList& element : list.elements()) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const auto unit, unit_from_nested(element, name(), context.monitor()));
+      A3D_ASSIGN(const auto unit, unit_from_nested(element, name(), context.monitor()));
       if (!unit) return undefined(fmt::format("unit {}: {}", units.size() + 1, unit.reason()), element, context);
       units.push_back(*unit);
     }
@@ -77,11 +78,11 @@ class MovingRegionType final : public DescribedType {
     std::vector<RegionUnit> units;
     const std::size_t count = reader.count(kSmallestUnit);
     for (std::size_t i = 0; i < count; ++i) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const auto unit, read_unit(reader, name(), trusted));
+      A3D_ASSIGN(const auto unit, read_unit(reader, name(), trusted));
       if (!reader.ok()) break;
       units.push_back(*unit);
     }
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     const auto region = MovingRegion::make(std::move(units));
     if (!region) return corrupt(region.reason());
     return Value::of(*region);

@@ -11,6 +11,7 @@
 #include "algebra3d/values/types/utf8.h"
 #include "base/interruption_scope.h"
 #include "base/number_text.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -103,10 +104,10 @@ class Parser {
   Result<NestedList> run() {
     do {
       poll_interruption();
-      ALGEBRA3D_RETURN_IF_ERROR(skip_blanks());
-      ALGEBRA3D_RETURN_IF_ERROR(read_token());
+      A3D_TRY(skip_blanks());
+      A3D_TRY(read_token());
     } while (!open_.empty());
-    ALGEBRA3D_RETURN_IF_ERROR(skip_blanks());
+    A3D_TRY(skip_blanks());
     if (!at_end()) return expected("the end of the list", position_);
     return std::move(complete_.front());
   }
@@ -164,12 +165,12 @@ class Parser {
       case CharClass::close:
         return close_list();
       case CharClass::quote:
-        ALGEBRA3D_RETURN_IF_ERROR(read_quoted(source_[position_]));
+        A3D_TRY(read_quoted(source_[position_]));
         break;
       case CharClass::other:
         return expected("a list or an atom", position_);
       default:
-        ALGEBRA3D_RETURN_IF_ERROR(read_unquoted());
+        A3D_TRY(read_unquoted());
     }
     return check_separated();
   }
@@ -223,7 +224,7 @@ class Parser {
       if (source_[stop] == quote) break;
       content += escaped(quote);
     }
-    ALGEBRA3D_RETURN_IF_ERROR(check_text(begin, position_));
+    A3D_TRY(check_text(begin, position_));
     if (quote == '"') {
       complete_.emplace_back(std::move(content));
     } else {
@@ -240,12 +241,12 @@ class Parser {
 
   Status read_unquoted() {
     if (rest().starts_with(kTextBegin)) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const std::string_view content, read_tagged(kTextBegin, kTextEnd, "text"));
+      A3D_ASSIGN(const std::string_view content, read_tagged(kTextBegin, kTextEnd, "text"));
       complete_.emplace_back(NestedList::Text{std::string(content)});
       return {};
     }
     if (rest().starts_with(kFileAtomBegin)) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const std::string_view path, read_tagged(kFileAtomBegin, kFileAtomEnd, "file atom"));
+      A3D_ASSIGN(const std::string_view path, read_tagged(kFileAtomBegin, kFileAtomEnd, "file atom"));
       complete_.push_back(file_atom(path));
       return {};
     }
@@ -257,7 +258,7 @@ class Parser {
     const auto end = source_.find(close, begin);
     if (end == kNowhere)
       return error_at(position_, ErrorCode::invalid_value, fmt::format("this {} is not closed by {}", what, close));
-    ALGEBRA3D_RETURN_IF_ERROR(check_text(begin, end));
+    A3D_TRY(check_text(begin, end));
     position_ = end + close.size();
     return source_.substr(begin, end - begin);
   }

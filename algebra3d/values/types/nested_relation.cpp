@@ -7,6 +7,7 @@
 
 #include "algebra3d/values/types/all.h"
 #include "algebra3d/values/types/binary_io.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -92,7 +93,7 @@ Result<const NestedRelationType*> NestedRelationType::of(const TypeExpr& tuple) 
   for (const auto& [name, type] : tuple.attributes()) {
     const Type* known = nullptr;
     if (type.is_nested_relation()) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const NestedRelationType* inner, of(type.element()));
+      A3D_ASSIGN(const NestedRelationType* inner, of(type.element()));
       depth = std::max(depth, inner->depth() + 1);
       known = inner;
     } else {
@@ -127,7 +128,7 @@ Result<Value> NestedRelationType::from_nested(const NestedList& list, Context& c
   values.reserve(list.elements().size() * attributes_.size());
   for (const NestedList& tuple : list.elements()) {
     const std::size_t number = values.size() / attributes_.size() + 1;
-    if (number % kTuplesBetweenChecks == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    if (number % kTuplesBetweenChecks == 0) A3D_TRY(context.check_cancelled());
     if (!tuple.is_list() || tuple.elements().size() != attributes_.size())
       return Error{ErrorCode::invalid_value, "arel: tuple {}: expected a list of {} values, got {}", number,
                    attributes_.size(), tuple.print_short()};
@@ -205,7 +206,7 @@ Result<Value> NestedRelationType::decode(std::string_view bytes, bool trusted) c
     const std::uint8_t flag = reader.u8();
     reader.require(flag <= 1, "0 or 1 for a value that is undefined or defined");
     const std::string_view body = flag == 1 ? reader.text() : std::string_view();
-    ALGEBRA3D_RETURN_IF_ERROR(reader.status());
+    A3D_TRY(reader.status());
     if (flag == 0) {
       values.emplace_back(type);
       continue;
@@ -214,7 +215,7 @@ Result<Value> NestedRelationType::decode(std::string_view bytes, bool trusted) c
     if (!value) return at(values.size(), value.error());
     values.push_back(std::move(value).value());
   }
-  ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+  A3D_TRY(reader.finish());
   return value_of(std::move(values));
 }
 

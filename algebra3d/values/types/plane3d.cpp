@@ -5,6 +5,7 @@
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/detail/codec_points.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -91,7 +92,7 @@ class Plane3dType final : public DescribedType {
   Result<Value> from_quadruple(const NestedList& list, Context& context) const {
     Quadruple quadruple{};
     for (std::size_t i = 0; i < quadruple.size(); ++i) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(quadruple[i], double_from_nested(list.elements()[i], name()));
+      A3D_ASSIGN(quadruple[i], double_from_nested(list.elements()[i], name()));
     }
     if (auto plane = plane_from(quadruple)) return Value::of(*std::move(plane));
     const bool is_zero = normal_of(quadruple) == Vec3{};
@@ -100,8 +101,8 @@ class Plane3dType final : public DescribedType {
   }
 
   Result<Value> from_point_and_normal(const NestedList& list, Context& context) const {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto point, triple_from_nested(list.elements()[0], "plane3d: point"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto normal, triple_from_nested(list.elements()[1], "plane3d: normal"));
+    A3D_ASSIGN(auto point, triple_from_nested(list.elements()[0], "plane3d: point"));
+    A3D_ASSIGN(auto normal, triple_from_nested(list.elements()[1], "plane3d: normal"));
     if (auto plane = plane_from(std::move(point), normal)) return Value::of(*std::move(plane));
     return undefined(kZeroNormal, list, context);
   }
@@ -148,7 +149,7 @@ Result<Value> Plane3dType::decode(std::string_view bytes, bool /*trusted*/) cons
     reader.fail("0 (quadruple) or 1 (point and normal)");
   }
   reader.require(plane.has_value(), "a normal that is not zero, and finite numbers");
-  ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+  A3D_TRY(reader.finish());
   return Value::of(*std::move(plane));
 }
 

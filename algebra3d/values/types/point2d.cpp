@@ -2,6 +2,7 @@
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/detail/codec_points.h"
 #include "algebra3d/values/types/planar.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -16,7 +17,7 @@ class Point2dType final : public DescribedType {
                        .kinds = {Kind::data, Kind::spatial2d}}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& /*context*/) const override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(ExactPoint point, planar_point_from_nested(list, name()));
+    A3D_ASSIGN(ExactPoint point, planar_point_from_nested(list, name()));
     return Value::of(Point2d{std::move(point)});
   }
   NestedList to_nested(const Value& value) const override { return planar_point_to_nested(position_of(value)); }
@@ -39,7 +40,7 @@ class Point2dType final : public DescribedType {
     ByteReader reader(bytes, name());
     ExactPoint point = read_point(reader);
     reader.require(point.ref().coordinate(2).sign() == 0, "a point of the plane");
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     return Value::of(Point2d{std::move(point)});
   }
 

@@ -6,6 +6,7 @@
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/detail/codec_points.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -32,7 +33,7 @@ class Points3dType final : public DescribedType {
     std::vector<ExactPoint> points;
     points.reserve(list.elements().size());
     for (const auto& element : list.elements()) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(auto point, point_from_nested(element, name()));
+      A3D_ASSIGN(auto point, point_from_nested(element, name()));
       points.push_back(std::move(point));
     }
     return Value::of(Points3d(std::move(points)));
@@ -78,7 +79,7 @@ class Points3dType final : public DescribedType {
   Result<Value> decode(std::string_view bytes, bool /*trusted*/) const override {
     ByteReader reader(bytes, name());
     const auto array = read_points(reader);
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     std::vector<ExactPoint> points;
     points.reserve(array.size());
     for (std::size_t i = 0; i < array.size(); ++i) points.push_back(array.point(i));

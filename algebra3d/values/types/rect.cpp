@@ -5,6 +5,7 @@
 #include "algebra3d/values/types/coordinate_text.h"
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/planar.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -29,7 +30,7 @@ class RectType final : public DescribedType {
     if (!list.is_list() || list.elements().size() != 4) return expected(notation(), list);
     Sides sides{};
     for (std::size_t i = 0; i < sides.size(); ++i) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(sides[i], double_from_nested(list.elements()[i], name()));
+      A3D_ASSIGN(sides[i], double_from_nested(list.elements()[i], name()));
     }
     for (std::size_t axis = 0; axis < 2; ++axis)
       if (sides[2 * axis] > sides[2 * axis + 1])
@@ -70,7 +71,7 @@ class RectType final : public DescribedType {
       reader.require(std::isfinite(side), "a finite side");
     }
     reader.require(sides[0] <= sides[1] && sides[2] <= sides[3], "no minimum above its maximum");
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     return Value::of(Rect{sides[0], sides[1], sides[2], sides[3]});
   }
 };

@@ -5,6 +5,7 @@
 #include "algebra3d/values/types/coordinate_text.h"
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -35,7 +36,7 @@ class Rect3Type final : public DescribedType {
     if (!list.is_list() || list.elements().size() != 6) return expected(notation(), list);
     Bounds bounds{};
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(bounds[i], double_from_nested(list.elements()[i], name()));
+      A3D_ASSIGN(bounds[i], double_from_nested(list.elements()[i], name()));
     }
     const auto box = box_from(bounds);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -83,7 +84,7 @@ class Rect3Type final : public DescribedType {
     }
     const auto box = box_from(bounds);
     reader.require(!box.is_empty(), "no minimum above its maximum");
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     return Value::of(box);
   }
 };

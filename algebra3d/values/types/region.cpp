@@ -9,6 +9,7 @@
 #include "algebra3d/values/types/detail/polygons_codec.h"
 #include "algebra3d/values/types/planar.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -34,8 +35,8 @@ class RegionType final : public DescribedType {
                        .is_large = true}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Polygons polygons, polygons_from(list));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto region, Region::prove(polygons, context.monitor()));
+    A3D_ASSIGN(const Polygons polygons, polygons_from(list));
+    A3D_ASSIGN(const auto region, Region::prove(polygons, context.monitor()));
     if (!region) return undefined(region.reason(), list, context);
     return Value::of(*region);
   }
@@ -75,7 +76,7 @@ Status RegionType::add_face(const NestedList& face, Polygons& polygons) const {
     if (!cycle.is_list() || cycle.elements().size() < 3)
       return expected("a cycle of at least 3 corners ((x y) (x y) (x y) ...)", cycle);
     for (const NestedList& corner : cycle.elements()) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const ExactPoint point, planar_point_from_nested(corner, name()));
+      A3D_ASSIGN(const ExactPoint point, planar_point_from_nested(corner, name()));
       polygons.corners.push_back(point);
     }
     polygons.cycle_ends.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
@@ -87,7 +88,7 @@ Status RegionType::add_face(const NestedList& face, Polygons& polygons) const {
 Result<Polygons> RegionType::polygons_from(const NestedList& list) const {
   if (!list.is_list()) return expected(notation(), list);
   Polygons polygons;
-  for (const NestedList& face : list.elements()) ALGEBRA3D_RETURN_IF_ERROR(add_face(face, polygons));
+  for (const NestedList& face : list.elements()) A3D_TRY(add_face(face, polygons));
   return polygons;
 }
 
@@ -116,10 +117,10 @@ void RegionType::encode(const Value& value, std::string& bytes) const {
 Result<Value> RegionType::decode(std::string_view bytes, bool trusted) const {
   ByteReader reader(bytes, name());
   Polygons polygons = read_polygons(reader);
-  ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+  A3D_TRY(reader.finish());
   if (trusted) return Value::of(Region::trusted(std::move(polygons)));
   if (!is_in_plane(polygons.corners)) return corrupt("expected corners in the plane");
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto region, Region::prove(polygons));
+  A3D_ASSIGN(const auto region, Region::prove(polygons));
   if (!region) return Error{ErrorCode::database_corrupt, "{}: {}", name(), region.reason()};
   return Value::of(*region);
 }
@@ -133,7 +134,7 @@ Region::Region() {
 }
 
 Result<Maybe<Region>> Region::prove(const Polygons& polygons, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto defect, polygon_defect(polygons, monitor));
+  A3D_ASSIGN(auto defect, polygon_defect(polygons, monitor));
   if (defect) return Maybe<Region>(Undefined{*std::move(defect)});
   return Maybe<Region>(trusted(oriented(polygons)));
 }

@@ -9,6 +9,7 @@
 #include "algebra3d/kernel/planar/polygon_validity.h"
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/moving_region.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -100,9 +101,9 @@ Result<std::optional<std::string>> defect_of_unit(const TimeInterval& interval, 
 
 /// A region of polygons that bound one once the segments that lie on each other are left out.
 Result<Region> regularised(const Polygons& polygons, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto given, Region::prove(polygons, monitor));
+  A3D_ASSIGN(auto given, Region::prove(polygons, monitor));
   if (given) return *std::move(given);
-  ALGEBRA3D_ASSIGN_OR_RETURN(Polygons boundary, boundary_polygons(polygons, monitor));
+  A3D_ASSIGN(Polygons boundary, boundary_polygons(polygons, monitor));
   return Region::trusted(std::move(boundary));
 }
 
@@ -110,7 +111,7 @@ Result<Region> regularised(const Polygons& polygons, const Monitor& monitor) {
 
 Result<Maybe<RegionUnit>> RegionUnit::prove(const TimeInterval& interval, const MovingPolygons& polygons,
                                             const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto defect, defect_of_unit(interval, polygons, monitor));
+  A3D_ASSIGN(auto defect, defect_of_unit(interval, polygons, monitor));
   if (defect) return Maybe<RegionUnit>(Undefined{*std::move(defect)});
   return Maybe<RegionUnit>(trusted(interval, oriented_motion(polygons)));
 }

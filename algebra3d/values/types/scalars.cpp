@@ -10,6 +10,7 @@
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/file_atom.h"
 #include "algebra3d/values/types/utf8.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -58,7 +59,7 @@ class IntType final : public DescribedType {
     const std::int64_t value =
         is_short ? static_cast<std::int32_t>(reader.u32()) : static_cast<std::int64_t>(reader.u64());
     reader.require(is_short || value != static_cast<std::int32_t>(value), "a number that does not fit 4 bytes");
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     return Value::of(value);
   }
 };
@@ -100,7 +101,7 @@ class RealType final : public DescribedType {
     ByteReader reader(bytes, name());
     const double value = reader.f64();
     reader.require(std::isfinite(value), "a finite number");
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     return Value::of(value);
   }
 };
@@ -136,7 +137,7 @@ class BoolType final : public DescribedType {
     ByteReader reader(bytes, name());
     const auto value = reader.u8();
     reader.require(value <= 1, "0 or 1");
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     return Value::of(value == 1);
   }
 };
@@ -151,7 +152,7 @@ class CharactersType final : public DescribedType {
   Result<Value> from_nested(const NestedList& list, [[maybe_unused]] Context& context) const override {
     if constexpr (std::is_same_v<T, Text>) {
       if (is_file_atom(list)) {
-        ALGEBRA3D_ASSIGN_OR_RETURN(std::string content, file_atom_content(list, context));
+        A3D_ASSIGN(std::string content, file_atom_content(list, context));
         return Value::of(Text{std::move(content)});
       }
       if (!list.is_text()) return expected("a text in single quotes", list);

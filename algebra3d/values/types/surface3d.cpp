@@ -1,6 +1,7 @@
 #include "algebra3d/values/types/detail/geometry.h"
 #include "algebra3d/values/types/detail/geometry_type.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -29,7 +30,7 @@ Surface3d::Surface3d() {
 }
 
 Result<Maybe<Surface3d>> Surface3d::prove(TriangleMesh mesh, const ProofOptions& options) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto report, prove_surface(mesh, options));
+  A3D_ASSIGN(const auto report, prove_surface(mesh, options));
   if (!report.is_valid())
     return Maybe<Surface3d>(Undefined{fmt::format("surface3d: no valid surface: {}", report.text())});
   return Maybe<Surface3d>(trusted(std::move(mesh)));

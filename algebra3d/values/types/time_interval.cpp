@@ -1,6 +1,7 @@
 #include "algebra3d/values/types/binary_io.h"
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/time.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -18,7 +19,7 @@ class TimeIntervalType final : public DescribedType {
                        .kinds = {Kind::data}}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Maybe<TimeInterval> interval, interval_from_nested(list, name()));
+    A3D_ASSIGN(const Maybe<TimeInterval> interval, interval_from_nested(list, name()));
     return interval ? Value::of(*interval) : undefined(interval.reason(), list, context);
   }
   NestedList to_nested(const Value& value) const override { return interval_to_nested(value.get<TimeInterval>()); }
@@ -39,7 +40,7 @@ class TimeIntervalType final : public DescribedType {
   Result<Value> decode(std::string_view bytes, bool /*trusted*/) const override {
     ByteReader reader(bytes, name());
     const TimeInterval interval = read_interval(reader);
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     return Value::of(interval);
   }
 };
@@ -71,8 +72,8 @@ Result<Maybe<TimeInterval>> interval_from_nested(const NestedList& list, std::st
   if (!list.is_list() || list.elements().size() != 4 || !list.elements()[2].is_bool() || !list.elements()[3].is_bool())
     return Error{ErrorCode::invalid_value, "{}: expected {}, got {}", what, kIntervalNotation, list.print_short()};
   const auto& parts = list.elements();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Maybe<Instant> start, instant_from_nested(parts[0], what));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Maybe<Instant> end, instant_from_nested(parts[1], what));
+  A3D_ASSIGN(const Maybe<Instant> start, instant_from_nested(parts[0], what));
+  A3D_ASSIGN(const Maybe<Instant> end, instant_from_nested(parts[1], what));
   if (!start) return Maybe<TimeInterval>(Undefined{start.reason()});
   if (!end) return Maybe<TimeInterval>(Undefined{end.reason()});
   return TimeInterval::make(*start, *end, parts[2].as_bool(), parts[3].as_bool());

@@ -5,6 +5,7 @@
 #include "algebra3d/values/types/binary_io.h"
 #include "algebra3d/values/types/described_type.h"
 #include "base/number_text.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -53,7 +54,7 @@ class TupleNumberType final : public DescribedType {
     ByteReader reader(bytes, name());
     const std::uint64_t number = reader.u64();
     reader.require(0 < number && number <= static_cast<std::uint64_t>(kLargestNumber), "a positive number");
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     return Value::of(TupleNumber{static_cast<std::int64_t>(number)});
   }
 };

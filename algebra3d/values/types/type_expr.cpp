@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/propagate.h"
+
 namespace algebra3d {
 
 namespace {
@@ -22,7 +24,7 @@ Result<TypeExpr::Attribute> attribute_from_nested(const NestedList& list) {
       !is_name(list.elements()[0].as_symbol())) {
     return no_type("an attribute (Name type)", list);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto type, TypeExpr::from_nested(list.elements()[1]));
+  A3D_ASSIGN(auto type, TypeExpr::from_nested(list.elements()[1]));
   return TypeExpr::Attribute{list.elements()[0].as_symbol(), std::move(type)};
 }
 
@@ -32,7 +34,7 @@ Result<TypeExpr> tuple_from_nested(const NestedList& list) {
   std::vector<TypeExpr::Attribute> attributes;
   attributes.reserve(terms[1].elements().size());
   for (const auto& element : terms[1].elements()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto attribute, attribute_from_nested(element));
+    A3D_ASSIGN(auto attribute, attribute_from_nested(element));
     attributes.push_back(std::move(attribute));
   }
   return TypeExpr::tuple(std::move(attributes));
@@ -95,7 +97,7 @@ Result<TypeExpr> TypeExpr::from_nested(const NestedList& list) {
   std::vector<TypeExpr> arguments;
   arguments.reserve(terms.size() - 1);
   for (auto term = terms.begin() + 1; term != terms.end(); ++term) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto argument, from_nested(*term));
+    A3D_ASSIGN(auto argument, from_nested(*term));
     arguments.push_back(std::move(argument));
   }
   return TypeExpr(terms[0].as_symbol(), std::move(arguments));

@@ -1,6 +1,7 @@
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/detail/moving_region_text.h"
 #include "algebra3d/values/types/moving_region.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -18,7 +19,7 @@ class RegionUnitType final : public DescribedType {
                        .is_large = true}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto unit, unit_from_nested(list, name(), context.monitor()));
+    A3D_ASSIGN(const auto unit, unit_from_nested(list, name(), context.monitor()));
     return unit ? Value::of(*unit) : undefined(unit.reason(), list, context);
   }
   NestedList to_nested(const Value& value) const override { return unit_to_nested(value.get<RegionUnit>()); }
@@ -44,8 +45,8 @@ class RegionUnitType final : public DescribedType {
   }
   Result<Value> decode(std::string_view bytes, bool trusted) const override {
     ByteReader reader(bytes, name());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto unit, read_unit(reader, name(), trusted));
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_ASSIGN(const auto unit, read_unit(reader, name(), trusted));
+    A3D_TRY(reader.finish());
     return Value::of(*unit);
   }
 };

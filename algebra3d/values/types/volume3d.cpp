@@ -1,6 +1,7 @@
 #include "algebra3d/values/types/detail/geometry.h"
 #include "algebra3d/values/types/detail/geometry_type.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -30,7 +31,7 @@ Volume3d::Volume3d() {
 }
 
 Result<Maybe<Volume3d>> Volume3d::prove(TriangleMesh mesh, const ProofOptions& options) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto report, prove_volume(mesh, options));
+  A3D_ASSIGN(const auto report, prove_volume(mesh, options));
   if (!report.is_valid()) return Maybe<Volume3d>(Undefined{fmt::format("volume3d: no valid solid: {}", report.text())});
   return Maybe<Volume3d>(trusted(std::move(mesh)));
 }

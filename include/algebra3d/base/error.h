@@ -62,10 +62,12 @@ struct SourcePlace {
   bool is_known() const { return line > 0; }
 };
 
-/// The command is wrong or a resource failed. The message says what was found, where, and what was expected.
+/// The command is wrong or a resource failed. The message says what was found, where, and what was expected. Who passes
+/// an error on and knows more of it sets the subject; the parts are joined where the error is shown (`text`).
 struct Error {
   ErrorCode code = ErrorCode::internal;
   std::string message;
+  std::string subject;  ///< what the message is about (file, operator, function), if it does not say so itself
   SourcePlace place;
 
   Error(ErrorCode error_code, std::string text) : code(error_code), message(std::move(text)) {}
@@ -76,6 +78,10 @@ struct Error {
 
   /// The error with the position `where`, unless it has one already.
   Error at(SourcePlace where) &&;
+  /// The error with the subject `what`; a subject that it has already stands behind it.
+  Error about(std::string_view what) &&;
+  /// For people: the subject, a colon and the message; without a subject the message.
+  std::string text() const;
 };
 
 /// Either a value or an error.

@@ -8,6 +8,7 @@
 #include "algebra3d/values/types/utf8.h"
 #include "base/diagnostics.h"
 #include "base/file_error.h"
+#include "base/propagate.h"
 #include "base/signal_block.h"
 #include "base/without_exceptions.h"
 #include "queries/database/detail/result_rows.h"
@@ -83,15 +84,15 @@ Engine::~Engine() {
 Result<std::shared_ptr<Engine>> Engine::open(const std::filesystem::path& file, const OpenOptions& options,
                                              std::optional<TemporaryFolder> temporary) {
   for (const std::filesystem::path& folder : {options.folder, options.failure_folder})
-    if (!folder.empty()) ALGEBRA3D_RETURN_IF_ERROR(check_file_name(folder));
-  ALGEBRA3D_RETURN_IF_ERROR(check_file_name(file));
+    if (!folder.empty()) A3D_TRY(check_file_name(folder));
+  A3D_TRY(check_file_name(file));
   if (options.read_only || !options.creates) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
       return Error{ErrorCode::database_missing, "there is no database '{}'", file.string()};
   }
   std::shared_ptr<Engine> engine(new Engine(file, options.folder, std::move(temporary)));
-  ALGEBRA3D_RETURN_IF_ERROR(engine->open_session(options));
+  A3D_TRY(engine->open_session(options));
   return engine;
 }
 
@@ -105,7 +106,7 @@ Status Engine::open_session(const OpenOptions& options) {
   post([this, &options, handover] {
     Status status = without_exceptions([&]() -> Status {
       session_ = std::make_unique<queries::Session>(operators(), session_options(file_, options));
-      ALGEBRA3D_RETURN_IF_ERROR(session_->open_file(file_));
+      A3D_TRY(session_->open_file(file_));
       opening_notice_ = session_->store()->opening_notice();
       return {};
     });
@@ -135,7 +136,7 @@ void Engine::work_until_closed() {
 }
 
 Result<std::shared_ptr<Handover>> Engine::start(std::string_view text, const Parameters& parameters, Results results) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(queries::SessionParameters given, session_parameters(parameters));
+  A3D_ASSIGN(queries::SessionParameters given, session_parameters(parameters));
   const auto task =
       std::make_shared<Task>(Task{queries::commands_of(text), std::move(given), results, std::make_shared<Handover>()});
   if (results != Results::dropped && task->commands.size() != 1)
@@ -192,7 +193,7 @@ Status Engine::run_command(const queries::CommandText& command, queries::Present
   if (queries::is_shell_command(command.text))
     return Error(ErrorCode::wrong_usage, "a command of the interactive shell, which a program cannot give")
         .at(command.start);
-  ALGEBRA3D_RETURN_IF_ERROR(session_->execute(command.text, command.start, presenter, context));
+  A3D_TRY(session_->execute(command.text, command.start, presenter, context));
   const std::string_view failed = session_->failed_result();
   if (results != Results::dropped || failed.empty()) return {};
   const std::vector<std::string> notes = context.diagnostics.summary();

@@ -5,6 +5,7 @@
 
 #include "algebra3d/values/types/scalars.h"
 #include "base/diagnostics.h"
+#include "base/propagate.h"
 #include "queries/database/detail/value_content.h"
 #include "queries/session/inquiry_table.h"
 #include "queries/session/plan.h"
@@ -53,7 +54,7 @@ algebra3d::Value inquiry_cell(const NestedList& cell, const std::string& type) {
 
 Status ResultRows::present(const TypeExpr& type, const queries::Datum& value, Context& context) {
   if (type.is_relation()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const queries::TupleStreamPtr tuples, value.relation()->scan());
+    A3D_ASSIGN(const queries::TupleStreamPtr tuples, value.relation()->scan());
     return present_tuples(type.element(), *tuples, context);
   }
   if (const auto* tuples = std::get_if<queries::TupleStreamPtr>(&value.content))
@@ -70,20 +71,20 @@ Status ResultRows::present_tuples(const TypeExpr& tuple, queries::TupleStream& t
   for (const auto& [name, type] : tuple.attributes()) columns.push_back(column(name, type));
   begin(std::move(columns));
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const queries::TuplePtr next, tuples.next());
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const queries::TuplePtr next, tuples.next());
     if (next == nullptr) return end(context);
-    ALGEBRA3D_RETURN_IF_ERROR(add(next->attributes, context));
+    A3D_TRY(add(next->attributes, context));
   }
 }
 
 Status ResultRows::present_elements(const TypeExpr& element, queries::ValueStream& elements, Context& context) {
   begin({column("value", element)});
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto next, elements.next());
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const auto next, elements.next());
     if (!next) return end(context);
-    ALGEBRA3D_RETURN_IF_ERROR(add({*next}, context));
+    A3D_TRY(add({*next}, context));
   }
 }
 
@@ -91,10 +92,10 @@ Status ResultRows::present_elements(const TypeExpr& element, queries::ValueStrea
 Status ResultRows::present_one(const TypeExpr& type, const queries::Datum& value, Context& context) {
   begin({column("value", type)});
   if (const auto* single = std::get_if<algebra3d::Value>(&value.content)) {
-    ALGEBRA3D_RETURN_IF_ERROR(add({*single}, context));
+    A3D_TRY(add({*single}, context));
   } else {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, queries::value_list(type, value, context));
-    ALGEBRA3D_RETURN_IF_ERROR(add({algebra3d::Value::of<Text>({list.print()})}, context));
+    A3D_ASSIGN(const NestedList list, queries::value_list(type, value, context));
+    A3D_TRY(add({algebra3d::Value::of<Text>({list.print()})}, context));
   }
   return end(context);
 }
@@ -112,7 +113,7 @@ Status ResultRows::present_inquiry(const NestedList& result) {
     values.reserve(columns.size());
     for (std::size_t i = 0; i < columns.size(); ++i)
       values.push_back(i < row.size() ? inquiry_cell(row[i], columns[i].type) : algebra3d::Value(TypeOf<Text>::type()));
-    ALGEBRA3D_RETURN_IF_ERROR(add(values, context));
+    A3D_TRY(add(values, context));
   }
   return end(context);
 }
@@ -128,7 +129,7 @@ Status ResultRows::add(const std::vector<algebra3d::Value>& values, const Contex
   row.reserve(values.size());
   std::string reason = reason_since_last_row(context.diagnostics);
   for (const algebra3d::Value& value : values) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Value loaded, value.loaded());
+    A3D_ASSIGN(const algebra3d::Value loaded, value.loaded());
     batch_bytes_ += heap_bytes(loaded);
     row.push_back(ValueAccess::outer(loaded, loaded.is_defined() ? std::string() : reason));
   }
@@ -153,8 +154,8 @@ Status ResultRows::flush() {
 Status ResultRows::end(const Context& context) {
   if (is_single_ && !has_rows_) return no_single_value("no row");
   if (is_single_ && columns_->size() != 1) return no_single_value("a row of several values");
-  ALGEBRA3D_RETURN_IF_ERROR(flush());
-  ALGEBRA3D_RETURN_IF_ERROR(handover_.await_end());
+  A3D_TRY(flush());
+  A3D_TRY(handover_.await_end());
   return context.check_cancelled();
 }
 

@@ -17,6 +17,7 @@
 #include "base/input_file.h"
 #include "base/interruption_scope.h"
 #include "base/memory_limit.h"
+#include "base/propagate.h"
 #include "mesh_formats/unwritten_file.h"
 
 namespace queries {
@@ -51,11 +52,11 @@ std::string reason_of(const Error& error) {
 /// Path, size and hash of the content. A sparse file is refused before its zeros are read.
 Result<Store::ImportedFile> identity_of(const ListedFile& listed, const std::string& path, std::uint64_t seed,
                                         const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::InputFile file, algebra3d::InputFile::open(listed.path));
-  ALGEBRA3D_RETURN_IF_ERROR(mesh_formats::refuse_unwritten(file));
+  A3D_ASSIGN(const algebra3d::InputFile file, algebra3d::InputFile::open(listed.path));
+  A3D_TRY(mesh_formats::refuse_unwritten(file));
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
   XXH3_64bits_reset_withSeed(state.get(), seed);
-  ALGEBRA3D_RETURN_IF_ERROR(file.for_each_block(cancel, [&](std::string_view block) {
+  A3D_TRY(file.for_each_block(cancel, [&](std::string_view block) {
     XXH3_64bits_update(state.get(), block.data(), block.size());
     return Status();
   }));
@@ -139,7 +140,7 @@ Result<FileLoader::Next> FileLoader::Work::next(milliseconds patience) {
   for (;;) {
     if (is_cancelled()) stop_.store(true);
     if (!stop_.load()) start_files();
-    ALGEBRA3D_RETURN_IF_ERROR(answer_questions());
+    A3D_TRY(answer_questions());
     if (auto first = take_first()) return std::move(*first);
     if (stop_.load() && !first_is_running()) return Next{State::interrupted, {}};
     const auto now = Clock::now();
@@ -174,7 +175,7 @@ Status FileLoader::Work::answer_questions() {
       slot->stage = Slot::Stage::ready;  // unless it has to be loaded
     }
     if (!slot->file.identity) continue;  // the status has the reason
-    ALGEBRA3D_ASSIGN_OR_RETURN(slot->file.is_known, is_known_(*slot->file.identity));
+    A3D_ASSIGN(slot->file.is_known, is_known_(*slot->file.identity));
     if (!slot->file.is_known) run(*slot, Slot::Stage::loading);
   }
   return {};

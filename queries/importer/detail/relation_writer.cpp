@@ -6,6 +6,7 @@
 
 #include "algebra3d/values/types/scalars.h"
 #include "base/diagnostics.h"
+#include "base/propagate.h"
 #include "queries/streams/relation.h"
 #include "queries/streams/tuple_buffer.h"
 
@@ -64,8 +65,8 @@ RelationWriter::~RelationWriter() {
 }
 
 Status RelationWriter::prepare() {
-  ALGEBRA3D_RETURN_IF_ERROR(enter(Mode::reading));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store_.find(relation_name_));
+  A3D_TRY(enter(Mode::reading));
+  A3D_ASSIGN(const auto existing, store_.find(relation_name_));
   leave();
   lacks_measures_ = existing && existing->type == earlier_import_relation_type();
   const TypeExpr type = lacks_measures_ ? existing->type : import_relation_type();
@@ -73,10 +74,10 @@ Status RelationWriter::prepare() {
     return Error{ErrorCode::type_error, "'{}' is of type {}; an import needs {}", relation_name_, existing->type.text(),
                  type.text()};
   if (existing && existing->has_value) return {};
-  ALGEBRA3D_RETURN_IF_ERROR(store_.begin(true));
+  A3D_TRY(store_.begin(true));
   mode_ = Mode::writing;
   is_new_ = !existing;
-  if (is_new_) ALGEBRA3D_RETURN_IF_ERROR(store_.create(relation_name_, type));
+  if (is_new_) A3D_TRY(store_.create(relation_name_, type));
   return create_relation();
 }
 
@@ -86,8 +87,8 @@ Status RelationWriter::create_relation() {
   const algebra3d::Context context{.diagnostics = diagnostics, .folder = {}};
   const TypeExpr type = lacks_measures_ ? earlier_import_relation_type() : import_relation_type();
   const auto empty = std::make_shared<MemoryRelation>(type.element(), TupleBuffer(std::vector<TuplePtr>()));
-  ALGEBRA3D_RETURN_IF_ERROR(store_.assign(relation_name_, Datum{std::shared_ptr<Relation>(empty)}, context));
-  ALGEBRA3D_RETURN_IF_ERROR(store_.commit());
+  A3D_TRY(store_.assign(relation_name_, Datum{std::shared_ptr<Relation>(empty)}, context));
+  A3D_TRY(store_.commit());
   mode_ = Mode::none;
   return {};
 }
@@ -97,11 +98,11 @@ Status RelationWriter::create_relation() {
 Status RelationWriter::enter(Mode mode) {
   if (mode_ == mode || mode_ == Mode::writing) return {};
   leave();
-  ALGEBRA3D_RETURN_IF_ERROR(store_.begin(mode == Mode::writing));
+  A3D_TRY(store_.begin(mode == Mode::writing));
   mode_ = mode;
   if (mode == Mode::reading) return {};
   batch_start_ = Clock::now();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, store_.read(relation_name_));
+  A3D_ASSIGN(const Datum datum, store_.read(relation_name_));
   relation_ = datum.relation();
   return {};
 }
@@ -114,42 +115,42 @@ void RelationWriter::leave() {
 }
 
 Result<bool> RelationWriter::is_known(const Store::ImportedFile& file) {
-  ALGEBRA3D_RETURN_IF_ERROR(enter(Mode::reading));
+  A3D_TRY(enter(Mode::reading));
   return store_.is_imported(relation_name_, file);
 }
 
 Result<RelationWriter::Written> RelationWriter::write(const LoadedFile& file) {
-  ALGEBRA3D_RETURN_IF_ERROR(enter(Mode::writing));
+  A3D_TRY(enter(Mode::writing));
   if (file.identity) {
     // Asked again where nobody else can write: two imports at the same time take no file twice.
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool known, store_.is_imported(relation_name_, *file.identity));
+    A3D_ASSIGN(const bool known, store_.is_imported(relation_name_, *file.identity));
     if (known) return Written::known;
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Written written, put(file));
-  if (file.identity) ALGEBRA3D_RETURN_IF_ERROR(store_.remember_imported(relation_name_, *file.identity));
+  A3D_ASSIGN(const Written written, put(file));
+  if (file.identity) A3D_TRY(store_.remember_imported(relation_name_, *file.identity));
   ++pending_count_;
   batch_bytes_ += static_cast<double>(file.size);
   return written;
 }
 
 Result<RelationWriter::Written> RelationWriter::put(const LoadedFile& file) {
-  ALGEBRA3D_RETURN_IF_ERROR(find_earlier_tuples());
+  A3D_TRY(find_earlier_tuples());
   const auto earlier = earlier_tuples_.find(file.path);
   if (earlier == earlier_tuples_.end()) {
-    ALGEBRA3D_RETURN_IF_ERROR(relation_->insert(tuple_of(file, !lacks_measures_)));
+    A3D_TRY(relation_->insert(tuple_of(file, !lacks_measures_)));
     return Written::inserted;
   }
   // A disk that cannot be read today must not cost the solids that were imported yesterday.
   if (!file.identity) return Written::kept;
   const std::vector<TupleId>& ids = earlier->second;
-  ALGEBRA3D_RETURN_IF_ERROR(relation_->update(ids.front(), tuple_of(file, !lacks_measures_)));
-  for (std::size_t i = 1; i < ids.size(); ++i) ALGEBRA3D_RETURN_IF_ERROR(relation_->erase(ids[i]));
+  A3D_TRY(relation_->update(ids.front(), tuple_of(file, !lacks_measures_)));
+  for (std::size_t i = 1; i < ids.size(); ++i) A3D_TRY(relation_->erase(ids[i]));
   return Written::replaced;
 }
 
 Result<std::uint64_t> RelationWriter::drop(const std::function<bool(const std::string& file)>& is_gone) {
-  ALGEBRA3D_RETURN_IF_ERROR(enter(Mode::writing));
-  ALGEBRA3D_RETURN_IF_ERROR(find_earlier_tuples());
+  A3D_TRY(enter(Mode::writing));
+  A3D_TRY(find_earlier_tuples());
   std::uint64_t count = 0;
   for (auto entry = earlier_tuples_.begin(); entry != earlier_tuples_.end();) {
     const auto& [file, ids] = *entry;
@@ -157,8 +158,8 @@ Result<std::uint64_t> RelationWriter::drop(const std::function<bool(const std::s
       ++entry;
       continue;
     }
-    for (const TupleId id : ids) ALGEBRA3D_RETURN_IF_ERROR(relation_->erase(id));
-    ALGEBRA3D_RETURN_IF_ERROR(store_.forget_imported(relation_name_, file));
+    for (const TupleId id : ids) A3D_TRY(relation_->erase(id));
+    A3D_TRY(store_.forget_imported(relation_name_, file));
     count += ids.size();
     entry = earlier_tuples_.erase(entry);
   }
@@ -169,11 +170,11 @@ Result<std::uint64_t> RelationWriter::drop(const std::function<bool(const std::s
 // index on the attribute. Each file is written once, so that later tuples need not be entered.
 Status RelationWriter::find_earlier_tuples() {
   if (earlier_tuples_found_) return {};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation_->scan());
+  A3D_ASSIGN(const TupleStreamPtr tuples, relation_->scan());
   for (;;) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    A3D_ASSIGN(const TuplePtr tuple, tuples->next());
     if (tuple == nullptr) break;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value file, tuple->attributes[kFileAttribute].loaded());
+    A3D_ASSIGN(const Value file, tuple->attributes[kFileAttribute].loaded());
     if (file.is_defined()) earlier_tuples_[file.get<Text>().content].push_back(tuple->id);
   }
   earlier_tuples_found_ = true;
@@ -192,7 +193,7 @@ Status RelationWriter::commit() {
     return {};
   }
   relation_.reset();
-  ALGEBRA3D_RETURN_IF_ERROR(store_.commit());
+  A3D_TRY(store_.commit());
   mode_ = Mode::none;
   if (pending_count_ > 0) ++batch_count_;
   committed_count_ += pending_count_;

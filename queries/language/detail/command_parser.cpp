@@ -4,6 +4,7 @@
 #include <array>
 
 #include "algebra3d/operators/registry/registry.h"
+#include "base/propagate.h"
 #include "queries/language/parser.h"
 
 namespace queries {
@@ -28,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kWordsOfO
 }  // namespace
 
 Result<Command> CommandParser::parse() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Command result, command());
+  A3D_ASSIGN(Command result, command());
   if (!input_.is_at_end()) return input_.unexpected("the end of the command");
   return result;
 }
@@ -44,7 +45,7 @@ Result<CommandPtr> CommandParser::part() {
   if (depth_ == kMaxCommandDepth)
     return Error(ErrorCode::limit_exceeded, "commands are nested deeper than {} levels", kMaxCommandDepth)
         .at(input_.place());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::unique_ptr<CommandInput> own, input_.part());
+  A3D_ASSIGN(const std::unique_ptr<CommandInput> own, input_.part());
   ++depth_;
   auto read = own != nullptr ? CommandParser(*own, depth_).parse() : command();
   --depth_;
@@ -104,14 +105,14 @@ Error CommandParser::unknown_command() {
 }
 
 CommandParser::Content CommandParser::query() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
+  A3D_ASSIGN(ExpressionPtr value, input_.expression());
   return CommandContent(Query{std::move(value)});
 }
 
 CommandParser::Content CommandParser::explain() {
   const bool runs = input_.at("query");
   if (runs) input_.skip();
-  ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
+  A3D_ASSIGN(ExpressionPtr value, input_.expression());
   return CommandContent(Explain{std::move(value), runs});
 }
 
@@ -140,27 +141,27 @@ CommandParser::Content CommandParser::update() {
 }
 
 CommandParser::Content CommandParser::kill() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, object_name());
+  A3D_ASSIGN(std::string name, object_name());
   return CommandContent(DeleteObject{std::move(name), true});
 }
 
 CommandParser::Content CommandParser::open() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, database_name());
+  A3D_ASSIGN(std::string name, database_name());
   return CommandContent(OpenDatabase{std::move(name)});
 }
 
 CommandParser::Content CommandParser::close() {
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect("database", "after 'close'"));
+  A3D_TRY(input_.expect("database", "after 'close'"));
   return CommandContent(CloseDatabase{});
 }
 
 CommandParser::Content CommandParser::check() {
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect("database", "after 'check'"));
+  A3D_TRY(input_.expect("database", "after 'check'"));
   return CommandContent(CheckDatabase{});
 }
 
 Result<std::string> CommandParser::database_name() {
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect("database", "after the command"));
+  A3D_TRY(input_.expect("database", "after the command"));
   return input_.name("the name of a database");
 }
 
@@ -169,79 +170,79 @@ Result<std::string> CommandParser::object_name() {
 }
 
 Result<std::string> CommandParser::file_after(std::string_view word) {
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect(word, "and the file"));
+  A3D_TRY(input_.expect(word, "and the file"));
   return input_.word_or_text("the name of a file, or 'a path' in quotes");
 }
 
 template <typename Make>
 CommandParser::Content CommandParser::named_value(std::string_view separator, Make make) {
   SourcePlace place = input_.place();
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, object_name());
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect(separator, "after the name '" + name + "'"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
+  A3D_ASSIGN(std::string name, object_name());
+  A3D_TRY(input_.expect(separator, "after the name '" + name + "'"));
+  A3D_ASSIGN(ExpressionPtr value, input_.expression());
   return CommandContent(make(std::move(name), std::move(place), std::move(value)));
 }
 
 CommandParser::Content CommandParser::create() {
   if (input_.at("database")) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, database_name());
+    A3D_ASSIGN(std::string name, database_name());
     return CommandContent(CreateDatabase{std::move(name)});
   }
   SourcePlace place = input_.place();
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, input_.name("'database' or the name of an object"));
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect(":", "after the name '" + name + "'"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax type, input_.type());
+  A3D_ASSIGN(std::string name, input_.name("'database' or the name of an object"));
+  A3D_TRY(input_.expect(":", "after the name '" + name + "'"));
+  A3D_ASSIGN(TypeSyntax type, input_.type());
   return CommandContent(CreateObject{std::move(name), std::move(place), std::move(type)});
 }
 
 CommandParser::Content CommandParser::remove() {
   if (input_.at("database")) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, database_name());
+    A3D_ASSIGN(std::string name, database_name());
     return CommandContent(DeleteDatabase{std::move(name)});
   }
   if (input_.accept("type")) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, input_.name("the name of a type"));
+    A3D_ASSIGN(std::string name, input_.name("the name of a type"));
     return CommandContent(DeleteType{std::move(name)});
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, input_.name("'database', 'type' or the name of an object"));
+  A3D_ASSIGN(std::string name, input_.name("'database', 'type' or the name of an object"));
   return CommandContent(DeleteObject{std::move(name), false});
 }
 
 CommandParser::Content CommandParser::rename() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string old_name, object_name());
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect("to", "and the new name"));
+  A3D_ASSIGN(std::string old_name, object_name());
+  A3D_TRY(input_.expect("to", "and the new name"));
   SourcePlace place = input_.place();
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string new_name, input_.name("the new name"));
+  A3D_ASSIGN(std::string new_name, input_.name("the new name"));
   return CommandContent(RenameObject{std::move(old_name), std::move(new_name), std::move(place)});
 }
 
 CommandParser::Content CommandParser::define_type() {
   SourcePlace place = input_.place();
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, input_.name("the name of a type"));
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect("=", "after the name '" + name + "'"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax type, input_.type());
+  A3D_ASSIGN(std::string name, input_.name("the name of a type"));
+  A3D_TRY(input_.expect("=", "after the name '" + name + "'"));
+  A3D_ASSIGN(TypeSyntax type, input_.type());
   return CommandContent(DefineType{std::move(name), std::move(place), std::move(type)});
 }
 
 CommandParser::Content CommandParser::save() {
   if (input_.accept("database")) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string file, file_after("to"));
+    A3D_ASSIGN(std::string file, file_after("to"));
     return CommandContent(SaveDatabase{std::move(file)});
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, input_.name("'database' or the name of an object"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string file, file_after("to"));
+  A3D_ASSIGN(std::string name, input_.name("'database' or the name of an object"));
+  A3D_ASSIGN(std::string file, file_after("to"));
   return CommandContent(SaveObject{std::move(name), std::move(file)});
 }
 
 CommandParser::Content CommandParser::restore() {
   if (input_.at("database")) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, database_name());
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string file, file_after("from"));
+    A3D_ASSIGN(std::string name, database_name());
+    A3D_ASSIGN(std::string file, file_after("from"));
     return CommandContent(RestoreDatabase{std::move(name), std::move(file)});
   }
   SourcePlace place = input_.place();
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, input_.name("'database' or the name of an object"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string file, file_after("from"));
+  A3D_ASSIGN(std::string name, input_.name("'database' or the name of an object"));
+  A3D_ASSIGN(std::string file, file_after("from"));
   return CommandContent(RestoreObject{std::move(name), std::move(place), std::move(file)});
 }
 
@@ -258,11 +259,11 @@ CommandParser::Content CommandParser::list() {
   for (const auto& [word, subject] : kSubjects)
     if (input_.accept(word)) return CommandContent(Inquiry{.subject = subject});
   if (input_.accept("type")) {
-    ALGEBRA3D_RETURN_IF_ERROR(input_.expect("constructors", "after 'list type'"));
+    A3D_TRY(input_.expect("constructors", "after 'list type'"));
     return CommandContent(Inquiry{.subject = Subject::type_constructors});
   }
   if (input_.accept("algebra")) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, input_.name("the name of an algebra"));
+    A3D_ASSIGN(std::string name, input_.name("the name of an algebra"));
     return CommandContent(Inquiry{.subject = Subject::operators, .algebra = std::move(name)});
   }
   return input_.unexpected(
@@ -282,36 +283,35 @@ CommandParser::Content CommandParser::abort() {
 }
 
 CommandParser::Content CommandParser::transaction(TransactionStep::Step step) {
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect("transaction", "after the command"));
+  A3D_TRY(input_.expect("transaction", "after the command"));
   return CommandContent(TransactionStep{step});
 }
 
 CommandParser::Content CommandParser::set_option() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string name,
-                             input_.word_or_text("the name of an option, as in set \"memory\" = 256"));
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect("=", "after the name '" + name + "'"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
+  A3D_ASSIGN(std::string name, input_.word_or_text("the name of an option, as in set \"memory\" = 256"));
+  A3D_TRY(input_.expect("=", "after the name '" + name + "'"));
+  A3D_ASSIGN(ExpressionPtr value, input_.expression());
   return CommandContent(SetOption{std::move(name), std::move(value)});
 }
 
 CommandParser::Content CommandParser::conditional() {
   Conditional result;
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.condition, input_.expression());
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect("then", "after the condition"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.then_branch, part());
+  A3D_ASSIGN(result.condition, input_.expression());
+  A3D_TRY(input_.expect("then", "after the condition"));
+  A3D_ASSIGN(result.then_branch, part());
   if (input_.accept("else")) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(result.else_branch, part());
+    A3D_ASSIGN(result.else_branch, part());
   }
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect("endif", "to end the command"));
+  A3D_TRY(input_.expect("endif", "to end the command"));
   return CommandContent(std::move(result));
 }
 
 CommandParser::Content CommandParser::loop() {
   Loop result;
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.condition, input_.expression());
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect("do", "after the condition"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.body, part());
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect("endwhile", "to end the command"));
+  A3D_ASSIGN(result.condition, input_.expression());
+  A3D_TRY(input_.expect("do", "after the condition"));
+  A3D_ASSIGN(result.body, part());
+  A3D_TRY(input_.expect("endwhile", "to end the command"));
   return CommandContent(std::move(result));
 }
 
@@ -327,10 +327,10 @@ CommandParser::Content CommandParser::commands_until(std::string_view close, boo
   Sequence result;
   result.goes_on_after_errors = goes_on;
   do {
-    ALGEBRA3D_ASSIGN_OR_RETURN(CommandPtr next, part());
+    A3D_ASSIGN(CommandPtr next, part());
     result.commands.push_back(std::move(next));
   } while (input_.accept("|"));
-  ALGEBRA3D_RETURN_IF_ERROR(input_.expect(close, "or '|' after the command"));
+  A3D_TRY(input_.expect(close, "or '|' after the command"));
   return CommandContent(std::move(result));
 }
 

@@ -9,6 +9,7 @@
 #include "algebra3d/values/types/spatial.h"
 #include "base/diagnostics.h"
 #include "base/file_content.h"
+#include "base/propagate.h"
 #include "base/temporary_folder.h"
 #include "base/text.h"
 
@@ -37,7 +38,7 @@ std::string file_name(const std::string& name, const MeshFileForm& form) {
 Result<ExportedSolid> write_mesh(const Mesh3d& mesh, const std::string& name, const std::string& file,
                                  const MeshFileForm& form, Context& context) {
   if (!form.format->stores_triangles) return algebra3d::export_mesh(context, kCommand, mesh, name, file, form);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Mesh3d triangles, algebra3d::triangulated(mesh, context.monitor()));
+  A3D_ASSIGN(const Mesh3d triangles, algebra3d::triangulated(mesh, context.monitor()));
   return algebra3d::export_mesh(context, kCommand, triangles, name, file, form);
 }
 
@@ -48,9 +49,8 @@ Result<ExportedSolid> write(const Value& value, const std::string& name, const s
     return algebra3d::export_solid(context, kCommand, value.get<Volume3d>(), name, file, form);
   if (type == &TypeOf<Mesh3d>::type()) return write_mesh(value.get<Mesh3d>(), name, file, form, context);
   if (type == &TypeOf<Surface3d>::type()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(
-        algebra3d::PolygonMesh mesh,
-        algebra3d::polygon_mesh_of(value.get<Surface3d>().mesh(), algebra3d::Merging::none, context.monitor()));
+    A3D_ASSIGN(algebra3d::PolygonMesh mesh,
+               algebra3d::polygon_mesh_of(value.get<Surface3d>().mesh(), algebra3d::Merging::none, context.monitor()));
     return write_mesh(Mesh3d(std::move(mesh)), name, file, form, context);
   }
   return Error{ErrorCode::invalid_value, "a {} has no mesh file; expected a volume3d, surface3d or mesh3d",
@@ -76,8 +76,8 @@ std::optional<MeshFileForm> file_form(std::string_view name) {
 
 Result<CellFile> file_of(const Value& value, const std::string& name, const MeshFileForm& form, Context& context) {
   if (!value.is_defined()) return Error{ErrorCode::invalid_value, "the value is undefined"};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TemporaryFolder folder, TemporaryFolder::make());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  A3D_ASSIGN(const TemporaryFolder folder, TemporaryFolder::make());
+  A3D_ASSIGN(const Value loaded, value.loaded());
   CellFile result{.type = "application/octet-stream", .name = file_name(name, form), .bytes = {}, .diagnostics = {}};
   // The file is ours: names of clients do not lead to it.
   Context own{.diagnostics = context.diagnostics,
@@ -85,10 +85,9 @@ Result<CellFile> file_of(const Value& value, const std::string& name, const Mesh
               .folder = folder.path(),
               .memory = context.memory,
               .report = context.report};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ExportedSolid written, write(loaded, name, result.name, form, own));
+  A3D_ASSIGN(const ExportedSolid written, write(loaded, name, result.name, form, own));
   if (written.refusal) return with_own_name(*written.refusal, folder.path());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto content,
-                             algebra3d::FileContent::read(folder.path() / result.name, context.cancel));
+  A3D_ASSIGN(const auto content, algebra3d::FileContent::read(folder.path() / result.name, context.cancel));
   result.bytes = content.bytes();
   result.diagnostics = context.diagnostics.summary();
   return result;

@@ -15,6 +15,7 @@
 #include "algebra3d/values/display/shape_codec.h"
 #include "algebra3d/values/display/shape_of_value.h"
 #include "algebra3d/values/display/triangle_tree.h"
+#include "base/propagate.h"
 #include "queries/server/detail/table_cells.h"
 #include "queries/store/levels.h"
 
@@ -51,7 +52,7 @@ std::vector<std::size_t> counts_of(const Value& value) {
 std::optional<DrawnShape> stored_level(const Value& value, std::size_t count) {
   std::optional<DrawnShape> shape;
   const auto found = with_level(value, count, [&](std::string_view bytes) -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(shape, algebra3d::decode_shape(bytes));
+    A3D_ASSIGN(shape, algebra3d::decode_shape(bytes));
     return {};
   });
   return found && *found ? std::move(shape) : std::nullopt;
@@ -61,8 +62,7 @@ std::optional<DrawnShape> stored_level(const Value& value, std::size_t count) {
 /// who asks makes them again.
 Result<std::vector<DrawnShape>> made_levels(const Value& value, Context& context) {
   const std::vector<std::size_t> counts = counts_of(value);
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<DrawnShape> levels,
-                             algebra3d::levels_of_detail(value, counts, context.monitor()));
+  A3D_ASSIGN(std::vector<DrawnShape> levels, algebra3d::levels_of_detail(value, counts, context.monitor()));
   for (DrawnShape& level : levels) algebra3d::add_tree(level);
   for (std::size_t i = 0; i < levels.size() && is_stored(value); ++i)
     if (!keep_level(value, counts[i], algebra3d::encode_shape(levels[i]))) break;
@@ -76,7 +76,7 @@ Result<DrawnShape> kept_level(ResultTable& table, const Value& value, CellPlace 
   const auto index = static_cast<std::size_t>(std::ranges::find(counts, count) - counts.begin());
   if (const LevelCache::Entry* const known = table.levels().find(place.row, place.column)) return known->levels[index];
   if (auto stored = stored_level(value, count)) return *std::move(stored);
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<DrawnShape> levels, made_levels(value, context));
+  A3D_ASSIGN(std::vector<DrawnShape> levels, made_levels(value, context));
   return table.levels().keep({place.row, place.column, std::move(levels)}).levels[index];
 }
 
@@ -85,8 +85,7 @@ Result<DrawnShape> coarser_shape(ResultTable& table, const Value& value, CellPla
                                  Context& context) {
   for (const std::size_t count : kLevels)
     if (count <= most) return kept_level(table, value, place, count, context);
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<DrawnShape> levels,
-                             algebra3d::levels_of_detail(value, std::array{most}, context.monitor()));
+  A3D_ASSIGN(std::vector<DrawnShape> levels, algebra3d::levels_of_detail(value, std::array{most}, context.monitor()));
   algebra3d::add_tree(levels.front());
   return std::move(levels.front());
 }
@@ -96,9 +95,9 @@ Result<DrawnShape> made_whole_shape(const Value& value, const Context& context) 
   const algebra3d::Monitor monitor = context.monitor();
   const auto tell = [&](int percent) { monitor.tell(fmt::format("all triangles, {} %", percent)); };
   tell(0);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  A3D_ASSIGN(const Value loaded, value.loaded());
   tell(20);
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, algebra3d::shape_of(loaded, monitor.silent()));
+  A3D_ASSIGN(DrawnShape shape, algebra3d::shape_of(loaded, monitor.silent()));
   tell(45);
   algebra3d::add_tree(shape);
   tell(55);
@@ -115,7 +114,7 @@ Result<DrawnShape> whole_shape(const Value& value, Context& context) {
     if (auto stored = stored_level(value, kWhole)) return *std::move(stored);
     return made_whole_shape(value, context);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, algebra3d::shape_of(value, context.monitor()));
+  A3D_ASSIGN(DrawnShape shape, algebra3d::shape_of(value, context.monitor()));
   algebra3d::add_tree(shape);
   return shape;
 }
@@ -131,8 +130,8 @@ Result<DrawnShape> shape_of_cell(ResultTable& table, const Value& value, CellPla
 }  // namespace
 
 Result<CellShapes> shapes_of(ResultTable& table, const ShapeRequest& request, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value first, cell(table, request.from, request.column));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t column, column_index(table, request.column));
+  A3D_ASSIGN(const Value first, cell(table, request.from, request.column));
+  A3D_ASSIGN(const std::size_t column, column_index(table, request.column));
   if (!algebra3d::is_drawable(first.type()))
     return Error{ErrorCode::invalid_value, "the column '{}' has values of type {}, which cannot be drawn",
                  request.column, first.type().name()};
@@ -141,10 +140,10 @@ Result<CellShapes> shapes_of(ResultTable& table, const ShapeRequest& request, Co
   const std::size_t end = std::min(table.count(), request.from + request.count);
   std::size_t row = request.from;
   for (; row < end && (shapes.empty() || bytes < request.bytes); ++row) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, table.row(row));
-    ALGEBRA3D_ASSIGN_OR_RETURN(
-        DrawnShape shape, shape_of_cell(table, tuple->attributes[column], {row, column}, request.triangles, context));
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const TuplePtr tuple, table.row(row));
+    A3D_ASSIGN(DrawnShape shape,
+               shape_of_cell(table, tuple->attributes[column], {row, column}, request.triangles, context));
     bytes += algebra3d::glb_bytes(shape);
     shapes.push_back(std::move(shape));
   }
@@ -152,7 +151,7 @@ Result<CellShapes> shapes_of(ResultTable& table, const ShapeRequest& request, Co
   nodes.reserve(shapes.size());
   for (std::size_t i = 0; i < shapes.size(); ++i) nodes.push_back({request.from + i, &shapes[i]});
   CellShapes result;
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.file, algebra3d::glb_of(nodes));
+  A3D_ASSIGN(result.file, algebra3d::glb_of(nodes));
   if (row < table.count()) result.next = row;
   return result;
 }

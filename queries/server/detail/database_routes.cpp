@@ -7,6 +7,7 @@
 
 #include "algebra3d/values/display/shape_of_value.h"
 #include "algebra3d/version.h"
+#include "base/propagate.h"
 #include "queries/language/command_list.h"
 #include "queries/language/documentation.h"
 #include "queries/language/example_queries.h"
@@ -26,8 +27,8 @@ std::string_view kind_of(const TypeExpr& type) {
 
 Result<std::string> count_of(Store& store, const ObjectInfo& object) {
   if (!object.type.is_relation() || !object.has_value) return std::string("null");
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Datum relation, store.read(object.name));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t count, relation.relation()->count());
+  A3D_ASSIGN(const Datum relation, store.read(object.name));
+  A3D_ASSIGN(const std::int64_t count, relation.relation()->count());
   return std::to_string(count);
 }
 
@@ -44,7 +45,7 @@ std::string json_of(Store& store, const ObjectInfo& object, const algebra3d::Reg
 }
 
 Result<std::string> json_of_objects(Store& store, const algebra3d::Registry& registry) {
-  ALGEBRA3D_RETURN_IF_ERROR(store.begin(false));
+  A3D_TRY(store.begin(false));
   auto objects = store.objects();
   std::string json = "[";
   if (objects)

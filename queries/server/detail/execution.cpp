@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/propagate.h"
 #include "queries/server/detail/result_json.h"
 
 namespace queries {
@@ -51,11 +52,11 @@ class Execution::ResultPresenter final : public Presenter {
 Result<std::optional<ResultTable>> Execution::ResultPresenter::table_of(const TypeExpr& type, const Datum& value,
                                                                         Context& context) const {
   if (type.is_relation()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(ResultTable table, ResultTable::of(value.relation()));
+    A3D_ASSIGN(ResultTable table, ResultTable::of(value.relation()));
     return std::optional(std::move(table));
   }
   if (const auto* tuples = std::get_if<TupleStreamPtr>(&value.content)) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer rows, buffered(**tuples, context));
+    A3D_ASSIGN(TupleBuffer rows, buffered(**tuples, context));
     const std::size_t count = rows.size();
     return std::optional(ResultTable(std::make_shared<MemoryRelation>(type.element(), std::move(rows)), count));
   }
@@ -66,15 +67,14 @@ Result<std::optional<ResultTable>> Execution::ResultPresenter::table_of(const Ty
 Status Execution::ResultPresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
   execution_.memory_ = context.memory;
   answer_.type = json_string(type.text());
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<ResultTable> table, table_of(type, value, context));
+  A3D_ASSIGN(std::optional<ResultTable> table, table_of(type, value, context));
   if (!table) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(answer_.value, json_of_other(type, value, context));
+    A3D_ASSIGN(answer_.value, json_of_other(type, value, context));
     return {};
   }
   const bool is_table = type.is_relation() || type.is_stream();
   const std::size_t shown = std::min(execution_.request_.row_count, table->count());
-  ALGEBRA3D_ASSIGN_OR_RETURN(answer_.value,
-                             is_table ? json_of_rows(*table, 0, shown, context) : json_of_single(*table, context));
+  A3D_ASSIGN(answer_.value, is_table ? json_of_rows(*table, 0, shown, context) : json_of_single(*table, context));
   if (shown == table->count() && !has_geometry(table->tuple_type(), session_.registry())) return {};
   answer_.columns = json_of_columns(table->tuple_type(), session_.registry());
   answer_.count = table->count();
@@ -85,7 +85,7 @@ Status Execution::ResultPresenter::present(const TypeExpr& type, const Datum& va
     execution_.answer(answer_);
     return serve(*table, context);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(table_, table->loaded_copy(context, *context.memory, kAnySize));
+  A3D_ASSIGN(table_, table->loaded_copy(context, *context.memory, kAnySize));
   return {};
 }
 

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "base/memory_limit.h"
+#include "base/propagate.h"
 #include "queries/server/detail/acceptor.h"
 #include "queries/server/detail/answer_text.h"
 #include "queries/server/detail/connection_stream.h"
@@ -367,7 +368,7 @@ class Listener final : public HttpListener {
 algebra3d::Result<std::unique_ptr<HttpListener>> HttpListener::bind(const std::string& address, int port,
                                                                     const ListenerLimits& limits) {
   auto listener = std::make_unique<Listener>(limits);
-  ALGEBRA3D_RETURN_IF_ERROR(listener->bind_to(address, port));
+  A3D_TRY(listener->bind_to(address, port));
   return std::unique_ptr<HttpListener>(std::move(listener));
 }
 

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algebra3d/values/conversions/json_tree.h"
+#include "base/propagate.h"
 #include "queries/language/scanner.h"
 #include "queries/server/detail/result_json.h"
 #include "queries/server/detail/table_cells.h"
@@ -141,7 +142,7 @@ Reply<Json> parse_body(const std::string& body) {
 
 Result<Value> cell_of(Execution& result, std::size_t row, const std::string& column, const Connection* connection) {
   return result.ask<Value>(connection, [row, column](ResultTable& table, Context&) -> Result<Value> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, row, column));
+    A3D_ASSIGN(const Value value, cell(table, row, column));
     return value.loaded();
   });
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/values/display/shape_of_value.h"
+#include "base/propagate.h"
 #include "queries/exchange/exchange_values.h"
 #include "queries/exchange/json_presenter.h"
 #include "queries/exchange/json_text.h"
@@ -47,10 +48,10 @@ Result<std::string> json_of_rows(ResultTable& table, std::size_t from, std::size
   std::string json = "[";
   const std::size_t end = std::min(table.count(), from + count);
   for (std::size_t i = from; i < end && json.size() < kMostRowBytes; ++i) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, table.row(i));
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const TuplePtr tuple, table.row(i));
     if (i > from) json += ',';
-    ALGEBRA3D_RETURN_IF_ERROR(append_json_row(table.tuple_type(), *tuple, values, context, json));
+    A3D_TRY(append_json_row(table.tuple_type(), *tuple, values, context, json));
   }
   return json + "]";
 }
@@ -58,15 +59,15 @@ Result<std::string> json_of_rows(ResultTable& table, std::size_t from, std::size
 Result<std::string> json_of_single(ResultTable& table, Context& context) {
   ExchangeValues values(kCells);
   std::string json;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, table.row(0));
-  ALGEBRA3D_RETURN_IF_ERROR(values.append_json(tuple->attributes.front(), "value", context, json));
+  A3D_ASSIGN(const TuplePtr tuple, table.row(0));
+  A3D_TRY(values.append_json(tuple->attributes.front(), "value", context, json));
   return json;
 }
 
 Result<std::string> json_of_other(const TypeExpr& type, const Datum& value, Context& context) {
   std::ostringstream out;
   ExchangeValues values(kCells);
-  ALGEBRA3D_RETURN_IF_ERROR(JsonPresenter(out, values, JsonPresenter::Layout::document).present(type, value, context));
+  A3D_TRY(JsonPresenter(out, values, JsonPresenter::Layout::document).present(type, value, context));
   return without_line_end(std::move(out).str());
 }
 

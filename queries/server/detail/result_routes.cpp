@@ -11,6 +11,7 @@
 #include "algebra3d/values/types/spatial.h"
 #include "algebra3d/values/types/type_expr.h"
 #include "base/diagnostics.h"
+#include "base/propagate.h"
 #include "mesh_formats/mesh_formats.h"
 #include "queries/server/detail/api.h"
 #include "queries/server/detail/cell_file.h"
@@ -48,11 +49,11 @@ Reply<std::string> text(const HttpRequest& request, const std::string& name) {
 // not written at all.
 Result<std::string> list_of_cell(ResultTable& table, std::size_t row, const std::string& column) {
   constexpr std::size_t kLeastBytes = 16;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, row, column));
+  A3D_ASSIGN(const Value value, cell(table, row, column));
   const std::size_t elements = value.is_defined() && value.type().is_large() ? value.header().size : 0;
   std::string list;
   if (elements <= kMostCellBytes / kLeastBytes) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+    A3D_ASSIGN(const Value loaded, value.loaded());
     list = loaded.to_nested().print();
     if (list.size() <= kMostCellBytes)
       return fmt::format(R"({{"type":{},"text":{}}})", json_string(value.type().term().text()), json_string(list));
@@ -127,7 +128,7 @@ HttpAnswer Api::get_file(const Call& call) {
         .answer();
   auto file =
       (*result)->ask<CellFile>(call.request.connection, [&](ResultTable& table, Context& context) -> Result<CellFile> {
-        ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, *row, *column));
+        A3D_ASSIGN(const Value value, cell(table, *row, *column));
         return file_of(value, *column, *form, context);
       });
   if (!file) return refusal_of_cell(file.error()).answer();

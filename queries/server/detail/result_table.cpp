@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/propagate.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -23,7 +24,7 @@ std::size_t loaded_bytes(const Tuple& tuple) {
 Result<TuplePtr> loaded(const Tuple& tuple) {
   Tuple row{{}, tuple.id};
   for (const Value& value : tuple.attributes) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value content, value.loaded());
+    A3D_ASSIGN(Value content, value.loaded());
     row.attributes.push_back(std::move(content));
   }
   return std::make_shared<const Tuple>(std::move(row));
@@ -32,7 +33,7 @@ Result<TuplePtr> loaded(const Tuple& tuple) {
 }  // namespace
 
 Result<ResultTable> ResultTable::of(std::shared_ptr<Relation> relation) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t count, relation->count());
+  A3D_ASSIGN(const std::int64_t count, relation->count());
   return ResultTable(std::move(relation), static_cast<std::size_t>(count));
 }
 
@@ -43,15 +44,15 @@ ResultTable ResultTable::of_value(const Value& value) {
 
 Result<ResultTable> ResultTable::loaded_copy(const algebra3d::Context& context, algebra3d::WorkMemory& memory,
                                              std::size_t most_bytes) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr scan, relation_->scan());
+  A3D_ASSIGN(const TupleStreamPtr scan, relation_->scan());
   algebra3d::Context within = context;
   within.memory = &memory;
   TupleBuffer rows(within);
   std::size_t bytes = 0;
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*scan, context, [&](const TuplePtr& tuple) -> Status {
+  A3D_TRY(for_each_tuple(*scan, context, [&](const TuplePtr& tuple) -> Status {
     if (bytes + loaded_bytes(*tuple) > most_bytes)
       return Error{ErrorCode::limit_exceeded, "more than {} bytes", most_bytes};
-    ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr row, loaded(*tuple));
+    A3D_ASSIGN(TuplePtr row, loaded(*tuple));
     bytes += heap_bytes(*row);
     return rows.add(std::move(row));
   }));
@@ -62,7 +63,7 @@ Result<ResultTable> ResultTable::loaded_copy(const algebra3d::Context& context, 
 }
 
 Result<TuplePtr> ResultTable::next_row() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, scan_->next());
+  A3D_ASSIGN(TuplePtr tuple, scan_->next());
   if (tuple == nullptr) return Error{ErrorCode::internal, "the relation ended at row {} of {}", next_, count_};
   if (next_ == ids_.size() && !relation_->name().empty()) ids_.push_back(tuple->id);
   ++next_;
@@ -72,11 +73,11 @@ Result<TuplePtr> ResultTable::next_row() {
 Result<TuplePtr> ResultTable::row(std::size_t index) {
   if (index < ids_.size() && index != next_) return relation_->fetch(ids_[index]);
   if (scan_ == nullptr || index < next_) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(scan_, relation_->scan());
+    A3D_ASSIGN(scan_, relation_->scan());
     next_ = 0;
   }
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, next_row());
+    A3D_ASSIGN(TuplePtr tuple, next_row());
     if (next_ > index) return tuple;
   }
 }

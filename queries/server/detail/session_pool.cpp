@@ -4,6 +4,7 @@
 #include <future>
 #include <utility>
 
+#include "base/propagate.h"
 #include "base/signal_block.h"
 #include "base/without_exceptions.h"
 
@@ -107,7 +108,7 @@ Result<std::unique_ptr<SessionPool::Worker>> SessionPool::idle_or_new() {
 }
 
 Status SessionPool::run(Work work) {
-  ALGEBRA3D_RETURN_IF_ERROR(take_place());
+  A3D_TRY(take_place());
   Result<std::unique_ptr<Worker>> worker = idle_or_new();
   const std::lock_guard lock(mutex_);
   if (!worker) {

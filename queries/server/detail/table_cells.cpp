@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/propagate.h"
+
 namespace queries {
 
 Result<std::size_t> column_index(const ResultTable& table, const std::string& column) {
@@ -18,10 +20,10 @@ Result<std::size_t> column_index(const ResultTable& table, const std::string& co
 }
 
 Result<Value> cell(ResultTable& table, std::size_t row, const std::string& column) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t index, column_index(table, column));
+  A3D_ASSIGN(const std::size_t index, column_index(table, column));
   if (row >= table.count())
     return Error{ErrorCode::invalid_value, "there is no row {}; the result has {}", row, table.count()};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, table.row(row));
+  A3D_ASSIGN(const TuplePtr tuple, table.row(row));
   return tuple->attributes[index];
 }
 

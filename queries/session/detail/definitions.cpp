@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "base/propagate.h"
 #include "queries/language/nested_reader.h"
 #include "queries/language/parser.h"
 #include "queries/language/syntax_tree.h"
@@ -35,7 +36,7 @@ struct Step {
 Result<std::set<std::string>> used_objects(const UsedNames& used, Store& store) {
   std::set<std::string> objects = used.objects;
   for (const std::string& name : used.calls) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto info, store.find(name));
+    A3D_ASSIGN(const auto info, store.find(name));
     if (info && info->type.is_function()) objects.insert(name);
   }
   return objects;
@@ -57,14 +58,14 @@ Result<ExpressionPtr> kept_expression(const ObjectInfo& info, const algebra3d::R
   const SourcePlace place{info.name, 1, 1};
   const std::string& text = kept_text(info);
   if (!text.starts_with("(")) return parse_expression(text, registry, place);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(text, place));
+  A3D_ASSIGN(const NestedList list, NestedList::parse(text, place));
   return NestedReader(registry, place).expression(list);
 }
 
 Result<std::string> text_to_keep(const Expression& expression, const algebra3d::Registry& registry) {
   std::string text = to_nested(expression).print();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(text, expression.place));
-  ALGEBRA3D_RETURN_IF_ERROR(NestedReader(registry, expression.place).expression(list));
+  A3D_ASSIGN(const NestedList list, NestedList::parse(text, expression.place));
+  A3D_TRY(NestedReader(registry, expression.place).expression(list));
   return text;
 }
 
@@ -72,11 +73,11 @@ Status check_no_circle(const Definition& definition, Store& store, const algebra
   std::deque<Step> steps = {{definition, definition.is_derived, 0}};
   std::set<std::pair<std::string, bool>> seen;
   for (std::size_t at = 0; at < steps.size(); ++at) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::set<std::string> used, used_objects(steps[at].definition.used, store));
+    A3D_ASSIGN(const std::set<std::string> used, used_objects(steps[at].definition.used, store));
     for (const std::string& name : used) {
       if (name == definition.name && steps[at].has_derived)
         return Error{ErrorCode::wrong_usage, "'{}' would be derived from itself: {}", name, way_text(steps, at, name)};
-      ALGEBRA3D_ASSIGN_OR_RETURN(const auto info, store.find(name));
+      A3D_ASSIGN(const auto info, store.find(name));
       if (!info || name == definition.name) continue;
       auto next = definition_of(*info, registry);
       if (!next) continue;
@@ -88,7 +89,7 @@ Status check_no_circle(const Definition& definition, Store& store, const algebra
 }
 
 Status check_no_circle(const std::string& name, Store& store, const algebra3d::Registry& registry) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto info, store.find(name));
+  A3D_ASSIGN(const auto info, store.find(name));
   const auto definition = info ? definition_of(*info, registry) : std::nullopt;
   return definition ? check_no_circle(*definition, store, registry) : Status();
 }

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "algebra3d/operators/registry/operator.h"
+#include "base/propagate.h"
 #include "queries/language/used_names.h"
 #include "queries/session/detail/definitions.h"
 
@@ -55,7 +56,7 @@ Result<std::optional<Change>> find_change(const Expression& expression, Store& s
       return std::optional(Change{.op = op, .functions = reached.functions});
     for (const std::string& name : possible_functions(reached.used)) {
       if (!seen.insert(name).second) continue;
-      ALGEBRA3D_ASSIGN_OR_RETURN(const auto info, store.find(name));
+      A3D_ASSIGN(const auto info, store.find(name));
       if (!info || !info->type.is_function()) continue;
       const auto body = kept_expression(*info, registry);
       if (!body) continue;
@@ -70,7 +71,7 @@ Result<std::optional<Change>> find_change(const Expression& expression, Store& s
 Status check_operator_name(const std::string& name, const Expression& function, Store& store,
                            const algebra3d::Registry& registry) {
   if (registry.find_operator(name) == nullptr) return {};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto change, find_change(function, store, registry));
+  A3D_ASSIGN(const auto change, find_change(function, store, registry));
   if (!change) return {};
   return Error{
       ErrorCode::wrong_usage,

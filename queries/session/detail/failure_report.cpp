@@ -12,6 +12,7 @@
 #include "algebra3d/values/types/nested_list.h"
 #include "algebra3d/version.h"
 #include "base/file_error.h"
+#include "base/propagate.h"
 #include "queries/language/command_reader.h"
 #include "queries/session/session.h"
 #include "queries/streams/datum.h"
@@ -156,7 +157,7 @@ Result<bool> write_new_file(const fs::path& file, std::string_view bytes) {
 Result<fs::path> write_in_folder(std::string_view report, const fs::path& folder) {
   for (int number = 1; number <= kMostReports; ++number) {
     const fs::path file = folder / fmt::format("algebra3d-failure-{}.q", number);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_written, write_new_file(file, report));
+    A3D_ASSIGN(const bool is_written, write_new_file(file, report));
     if (is_written) return file;
   }
   return Error{ErrorCode::io_error, "{}: there are {} reports already", folder.string(), kMostReports};

@@ -6,6 +6,7 @@
 #include "algebra3d/kernel/exact/counters.h"
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/types/utf8.h"
+#include "base/propagate.h"
 #include "queries/streams/nested_relations.h"
 
 namespace queries {
@@ -31,7 +32,7 @@ NestedList databases(const std::filesystem::path& folder) {
 }
 
 Result<NestedList> objects(Store& store) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto infos, store.objects());
+  A3D_ASSIGN(const auto infos, store.objects());
   NestedList::List list = {symbol("OBJECTS")};
   for (const ObjectInfo& info : infos) {
     // A type without arguments stands in parentheses too, so that every type here is a list.
@@ -44,7 +45,7 @@ Result<NestedList> objects(Store& store) {
 }
 
 Result<NestedList> types(Store& store) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto named, store.types());
+  A3D_ASSIGN(const auto named, store.types());
   NestedList::List list = {symbol("TYPES")};
   for (const NamedType& type : named)
     list.push_back(NestedList::list(symbol("TYPE"), symbol(type.name), type.type.to_nested()));
@@ -92,11 +93,11 @@ Result<NestedList> inquire(Inquiry::Subject subject, const algebra3d::Registry& 
     case Inquiry::Subject::databases:
       return inquiry("databases", databases(folder));
     case Inquiry::Subject::objects: {
-      ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, objects(*store));
+      A3D_ASSIGN(NestedList list, objects(*store));
       return inquiry("objects", std::move(list));
     }
     case Inquiry::Subject::types: {
-      ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, types(*store));
+      A3D_ASSIGN(NestedList list, types(*store));
       return inquiry("types", std::move(list));
     }
     case Inquiry::Subject::algebras:

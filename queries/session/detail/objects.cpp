@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/propagate.h"
 #include "queries/language/checker.h"
 #include "queries/language/syntax_tree.h"
 #include "queries/session/detail/definitions.h"
@@ -41,7 +42,7 @@ Error no_type(const std::string& name, Store& store) {
 
 Result<std::optional<TypeExpr>> Session::Objects::type_of(const std::string& name) {
   if (store_ == nullptr) return std::optional<TypeExpr>();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto info, store_->find(name));
+  A3D_ASSIGN(const auto info, store_->find(name));
   return info ? std::optional(info->type) : std::nullopt;
 }
 
@@ -52,16 +53,16 @@ Result<std::optional<TypeExpr>> Session::Objects::named_type(const std::string& 
 
 Result<Datum> Session::Objects::value_of(const std::string& name) {
   if (const auto known = values_.find(name); known != values_.end()) return known->second;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto info, store_->find(name));
+  A3D_ASSIGN(const auto info, store_->find(name));
   if (!info) return Error{ErrorCode::unknown_name, "unknown object '{}'", name};
-  ALGEBRA3D_ASSIGN_OR_RETURN(Datum value, info->type.is_function() ? function_of(*info) : store_->read(name));
+  A3D_ASSIGN(Datum value, info->type.is_function() ? function_of(*info) : store_->read(name));
   return values_.emplace(name, std::move(value)).first->second;
 }
 
 Result<std::vector<ObjectSource::IndexName>> Session::Objects::indexes_of(const std::string& relation) {
   std::vector<IndexName> indexes;
   if (store_ == nullptr) return indexes;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto objects, store_->objects());
+  A3D_ASSIGN(const auto objects, store_->objects());
   for (const ObjectInfo& info : objects)
     if (info.index_relation == relation) indexes.push_back({info.name, info.index_attribute, info.type});
   return indexes;
@@ -81,9 +82,9 @@ Result<Datum> Session::Objects::function_of(const ObjectInfo& info) {
 }
 
 Result<Datum> Session::Objects::checked_function(const ObjectInfo& info) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ExpressionPtr expression, kept_expression(info, registry_));
-  ALGEBRA3D_RETURN_IF_ERROR(check_operator_name(info.name, *expression, *store_, registry_));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr function, Checker(registry_, *this, context_).check(*expression));
+  A3D_ASSIGN(const ExpressionPtr expression, kept_expression(info, registry_));
+  A3D_TRY(check_operator_name(info.name, *expression, *store_, registry_));
+  A3D_ASSIGN(const TypedPtr function, Checker(registry_, *this, context_).check(*expression));
   if (!(function->type() == info.type))
     return Error{ErrorCode::type_error, "{}: the function was {} when it was defined and is {} now", info.name,
                  info.type.text(), function->type().text()};

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/propagate.h"
 #include "queries/session/detail/saved_list.h"
 #include "queries/session/variables.h"
 
@@ -9,7 +10,7 @@ namespace queries {
 
 algebra3d::Result<SavedText> SavedText::open(const std::filesystem::path& file, std::string name,
                                              const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(algebra3d::FileContent content, algebra3d::FileContent::read(file, cancel));
+  A3D_ASSIGN(algebra3d::FileContent content, algebra3d::FileContent::read(file, cancel));
   return SavedText(std::move(content), std::move(name), std::filesystem::absolute(file).parent_path());
 }
 

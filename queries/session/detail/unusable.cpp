@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/diagnostics.h"
+#include "base/propagate.h"
 #include "queries/language/checker.h"
 #include "queries/language/syntax_tree.h"
 #include "queries/session/detail/definitions.h"
@@ -41,18 +42,17 @@ class Session::UnusableSearch {
       : registry_(registry), store_(store), gone_(gone), context_(context), objects_(registry, &store, context) {}
 
   Result<UnusableDefinitions> run() {
-    ALGEBRA3D_ASSIGN_OR_RETURN(infos_, store_.objects());
+    A3D_ASSIGN(infos_, store_.objects());
     const auto is_function = [](const ObjectInfo& info) { return info.type.is_function(); };
-    ALGEBRA3D_RETURN_IF_ERROR(
+    A3D_TRY(
         hide_all(is_function, [&](const ObjectInfo& info, const Error&) { result_.functions.push_back(info.name); }));
     for (const ObjectInfo& info : infos_)
       if (!info.has_value) hidden_.insert(info.name);
     // Functions that use what is left out are in the way of others, and not left out themselves.
-    ALGEBRA3D_RETURN_IF_ERROR(hide_all([](const ObjectInfo&) { return true; },
-                                       [&](const ObjectInfo& info, const Error& reason) {
-                                         if (!is_function(info))
-                                           result_.underivable.push_back({info.name, reason.message});
-                                       }));
+    A3D_TRY(hide_all([](const ObjectInfo&) { return true; },
+                     [&](const ObjectInfo& info, const Error& reason) {
+                       if (!is_function(info)) result_.underivable.push_back({info.name, reason.message});
+                     }));
     std::ranges::sort(result_.functions);
     std::ranges::sort(result_.underivable, {}, &Underivable::name);
     return std::move(result_);
@@ -65,7 +65,7 @@ class Session::UnusableSearch {
       is_new = false;
       for (const ObjectInfo& info : infos_) {
         if (hidden_.contains(info.name) || !is_meant(info)) continue;
-        ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+        A3D_TRY(context_.check_cancelled());
         const Status status = check(info);
         if (status) continue;
         hidden_.insert(info.name);
@@ -80,11 +80,11 @@ class Session::UnusableSearch {
     if (!info.index_relation.empty() && hidden_.contains(info.index_relation))
       return Error{ErrorCode::unknown_name, "unknown name '{}'", info.index_relation};
     if (info.function_text.empty() && info.derived_text.empty()) return {};
-    ALGEBRA3D_ASSIGN_OR_RETURN(const ExpressionPtr expression, kept_expression(info, registry_));
-    ALGEBRA3D_RETURN_IF_ERROR(check_names(used_names(*expression)));
-    ALGEBRA3D_RETURN_IF_ERROR(check_changes(info, *expression));
+    A3D_ASSIGN(const ExpressionPtr expression, kept_expression(info, registry_));
+    A3D_TRY(check_names(used_names(*expression)));
+    A3D_TRY(check_changes(info, *expression));
     Without objects(objects_, hidden_);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context_).check(*expression));
+    A3D_ASSIGN(const TypedPtr node, Checker(registry_, objects, context_).check(*expression));
     if (info.type.is_function() && !(node->type() == info.type))
       return Error{ErrorCode::type_error, "the function was {} when it was defined and is {} now", info.type.text(),
                    node->type().text()};
@@ -94,7 +94,7 @@ class Session::UnusableSearch {
   // Objects whose expression would change something are left out by `restore`; a function fails where it is called.
   Status check_changes(const ObjectInfo& info, const Expression& expression) {
     if (info.type.is_function()) return check_operator_name(info.name, expression, store_, registry_);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto change, find_change(expression, store_, registry_));
+    A3D_ASSIGN(const auto change, find_change(expression, store_, registry_));
     if (!change) return {};
     return Error{ErrorCode::wrong_usage, "its expression {}", change->text()};
   }

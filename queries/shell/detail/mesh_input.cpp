@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/polled_input.h"
+#include "base/propagate.h"
 #include "mesh_formats/unwritten_file.h"
 #include "queries/importer/file_list.h"
 
@@ -38,18 +39,18 @@ Result<MeshInput> MeshInput::open(const std::string& name, const std::atomic<boo
   MeshInput input;
   if (name == "-") {
     input.name_ = "standard input";
-    ALGEBRA3D_ASSIGN_OR_RETURN(input.text_, standard_input(cancel));
+    A3D_ASSIGN(input.text_, standard_input(cancel));
     return input;
   }
   input.name_ = name;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::InputFile file, algebra3d::InputFile::open(name));
-  ALGEBRA3D_RETURN_IF_ERROR(mesh_formats::refuse_unwritten(file));
-  ALGEBRA3D_ASSIGN_OR_RETURN(input.content_, algebra3d::FileContent::read(file, cancel));
+  A3D_ASSIGN(const algebra3d::InputFile file, algebra3d::InputFile::open(name));
+  A3D_TRY(mesh_formats::refuse_unwritten(file));
+  A3D_ASSIGN(input.content_, algebra3d::FileContent::read(file, cancel));
   return input;
 }
 
 Result<MeshFile> read_mesh_input(const std::string& name, const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshInput input, MeshInput::open(name, cancel));
+  A3D_ASSIGN(const MeshInput input, MeshInput::open(name, cancel));
   return algebra3d::read_mesh(input.bytes(), input.name(), nullptr, cancel);
 }
 
@@ -59,7 +60,7 @@ Result<std::vector<std::string>> mesh_files_of(const std::string& argument) {
   const bool is_pattern =
       !std::filesystem::exists(argument, error) && argument.find_first_of("*?[") != std::string::npos;
   if (argument == "-" || (!is_folder && !is_pattern)) return std::vector{argument};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const FileList list, list_files(std::vector{argument}));
+  A3D_ASSIGN(const FileList list, list_files(std::vector{argument}));
   if (!list.unread_folders.empty()) return Error{ErrorCode::io_error, "{}", list.unread_folders.front()};
   std::vector<std::string> files;
   const bool is_absolute = std::filesystem::path(argument).is_absolute();

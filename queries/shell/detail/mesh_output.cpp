@@ -8,6 +8,7 @@
 
 #include "base/mesh_content.h"
 #include "base/polygon_soup.h"
+#include "base/propagate.h"
 #include "mesh_formats/mesh_format.h"
 
 namespace queries {
@@ -81,8 +82,8 @@ std::string form_text(const MeshFileForm& form) {
 Result<WrittenMesh> convert_mesh(std::string_view bytes, const std::string& name, const MeshFileForm& form,
                                  const std::filesystem::path& file, std::vector<std::string>& remarks,
                                  const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshFormat* const given, mesh_formats::known_mesh_formats().detect(bytes, name));
-  ALGEBRA3D_ASSIGN_OR_RETURN(mesh_formats::MeshContent content, given->read(bytes, name, cancel));
+  A3D_ASSIGN(const MeshFormat* const given, mesh_formats::known_mesh_formats().detect(bytes, name));
+  A3D_ASSIGN(mesh_formats::MeshContent content, given->read(bytes, name, cancel));
   remarks = std::move(content.remarks);
   const MeshFormat& format = *form.format;
   const std::string solid_name = name_in(content.facets);
@@ -90,9 +91,9 @@ Result<WrittenMesh> convert_mesh(std::string_view bytes, const std::string& name
   if (format.stores_triangles) {
     facets = triangles_of(std::move(content.facets));
   } else {
-    ALGEBRA3D_ASSIGN_OR_RETURN(facets, polygons_of(std::move(content.facets), name));
+    A3D_ASSIGN(facets, polygons_of(std::move(content.facets), name));
   }
-  ALGEBRA3D_RETURN_IF_ERROR(format.write(file, facets, solid_name, form.encoding));
+  A3D_TRY(format.write(file, facets, solid_name, form.encoding));
   WrittenMesh written = counts_of(facets);
   if (format.form(form.encoding)->coordinates == mesh_formats::CoordinateRange::floats)
     for_each_point(facets, [&](const Vec3& point) { written.rounding = float_rounding(point, written.rounding); });

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/propagate.h"
 #include "queries/session/result_text.h"
 #include "queries/shell/detail/inquiry_text.h"
 #include "queries/shell/detail/screen.h"
@@ -28,7 +29,7 @@ TextTable empty_table(const TypeExpr& tuple) {
 }  // namespace
 
 Status ListPresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string result, result_text(type, value, context));
+  A3D_ASSIGN(const std::string result, result_text(type, value, context));
   out_ << result << "\n";
   return {};
 }
@@ -39,28 +40,28 @@ Status ListPresenter::present_inquiry(const NestedList& result) {
 }
 
 Status TablePresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RelationPtr table, table_of(type, value));
+  A3D_ASSIGN(const RelationPtr table, table_of(type, value));
   if (table != nullptr) return present_relation(type.element(), *table, context);
   // A value alone is shown with all its digits, unless it is geometry.
   if (const auto* single = std::get_if<Value>(&value.content); single != nullptr && is_summarised(*single)) {
     out_ << display_text(*single) << "\n";
     return {};
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string result, value_text(type, value, context));
+  A3D_ASSIGN(const std::string result, value_text(type, value, context));
   if (type.is_function() || is_index(type)) out_ << type.text() << "\n";
   out_ << printable(result) << "\n";
   return {};
 }
 
 Status TablePresenter::present_relation(const TypeExpr& tuple, Relation& relation, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+  A3D_ASSIGN(const TupleStreamPtr tuples, relation.scan());
   const std::size_t width = columns_();
   const std::size_t longest = width == kNoLimit ? kNoLimit : kLongestCell;
   std::size_t count = 0;
   TextTable table = empty_table(tuple);
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, tuples->next());
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const TuplePtr next, tuples->next());
     if (next != nullptr) {
       std::vector<std::string> row;
       for (const Value& attribute : next->attributes) row.push_back(display_text(attribute, longest));

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 
+#include "base/propagate.h"
 #include "queries/store/detail/sqlite_error.h"
 #include "queries/store/detail/tables.h"
 
@@ -50,7 +51,7 @@ Error in_catalogue(Error error) {
 }
 
 Result<TypeExpr> type_from(std::string_view text) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::NestedList list, algebra3d::NestedList::parse(text));
+  A3D_ASSIGN(const algebra3d::NestedList list, algebra3d::NestedList::parse(text));
   return TypeExpr::from_nested(list);
 }
 
@@ -125,13 +126,13 @@ Status Catalogue::read_readable() {
 
 // Another process may have upgraded the file since it was opened, also one with a newer program.
 Status Catalogue::read_all() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(version_, connection_.integer("PRAGMA user_version"));
+  A3D_ASSIGN(version_, connection_.integer("PRAGMA user_version"));
   if (version_ < 1) return corrupt(connection_, fmt::format("there is no version {} of databases", version_));
   if (version_ > kDatabaseVersion)
     return Error{ErrorCode::database_version,
                  "{}: the database has version {}, this program reads versions up to {}; use a newer algebra3d",
                  connection_.file(), version_, kDatabaseVersion};
-  ALGEBRA3D_RETURN_IF_ERROR(check_version());
+  A3D_TRY(check_version());
   Status status = read_entries();
   if (status && version_ > 1) status = read_types();
   if (status) status = check_sum();
@@ -141,9 +142,8 @@ Status Catalogue::read_all() {
 // An upgrade would add tables that are there.
 Status Catalogue::check_version() {
   if (version_ >= kFirstVersionWithIndexPages) return {};
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      const std::int64_t count,
-      connection_.integer(fmt::format("SELECT count(*) FROM sqlite_schema WHERE name = '{}'", kIndexPagesTable)));
+  A3D_ASSIGN(const std::int64_t count, connection_.integer(fmt::format(
+                                           "SELECT count(*) FROM sqlite_schema WHERE name = '{}'", kIndexPagesTable)));
   if (count == 0) return {};
   return corrupt(connection_, fmt::format("the header says that the database has version {}, but it has the table {}, "
                                           "which came with version {}; the header was changed",
@@ -152,14 +152,13 @@ Status Catalogue::check_version() {
 
 Status Catalogue::read_entries(bool backwards) {
   const std::size_t column_count = version_ == 1 ? kColumnsOfVersion1 : kColumns;
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      SqliteStatement rows,
-      connection_.use(fmt::format("SELECT id, name, type, has_value, function_text, table_number, "
-                                  "tuple_count, next_tuple, tuple_sum, index_relation, index_attribute, "
-                                  "value_sum, {}checksum FROM catalogue NOT INDEXED{}",
-                                  version_ == 1 ? "" : "derived_text, ", backwards ? " ORDER BY id DESC" : "")));
+  A3D_ASSIGN(SqliteStatement rows,
+             connection_.use(fmt::format("SELECT id, name, type, has_value, function_text, table_number, "
+                                         "tuple_count, next_tuple, tuple_sum, index_relation, index_attribute, "
+                                         "value_sum, {}checksum FROM catalogue NOT INDEXED{}",
+                                         version_ == 1 ? "" : "derived_text, ", backwards ? " ORDER BY id DESC" : "")));
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, rows.step());
+    A3D_ASSIGN(const bool has_row, rows.step());
     if (!has_row) return {};
     auto entry = entry_from(connection_, rows, column_count);
     if (!entry && !is_tolerant_) return std::move(entry).error();
@@ -173,10 +172,9 @@ Status Catalogue::read_entries(bool backwards) {
 }
 
 Status Catalogue::read_types() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement rows,
-                             connection_.use("SELECT name, type, checksum FROM named_types NOT INDEXED"));
+  A3D_ASSIGN(SqliteStatement rows, connection_.use("SELECT name, type, checksum FROM named_types NOT INDEXED"));
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, rows.step());
+    A3D_ASSIGN(const bool has_row, rows.step());
     if (!has_row) return {};
     const Cell name = rows.column(0);
     const Cell text = rows.column(1);
@@ -191,9 +189,9 @@ Status Catalogue::read_types() {
 }
 
 Status Catalogue::check_sum() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement meta,
-                             connection_.use("SELECT next_number, object_count, object_sum FROM meta WHERE id = 1"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_meta, meta.step());
+  A3D_ASSIGN(SqliteStatement meta,
+             connection_.use("SELECT next_number, object_count, object_sum FROM meta WHERE id = 1"));
+  A3D_ASSIGN(const bool has_meta, meta.step());
   if (!has_meta) return corrupt(connection_, "the table meta is empty");
   next_number_ = meta.column(0).integer;
   const std::uint64_t count = as_unsigned(meta.column(1).integer);
@@ -210,19 +208,18 @@ std::uint64_t Catalogue::sum() const {
 }
 
 Status Catalogue::upgrade() {
-  ALGEBRA3D_RETURN_IF_ERROR(load());
+  A3D_TRY(load());
   if (version_ >= kLastVersionWithoutPageSums) return {};
-  if (version_ == 1) ALGEBRA3D_RETURN_IF_ERROR(upgrade_from_version1());
-  ALGEBRA3D_RETURN_IF_ERROR(connection_.execute(kCreateIndexPages));
-  ALGEBRA3D_RETURN_IF_ERROR(connection_.execute(fmt::format("PRAGMA user_version = {}", kLastVersionWithoutPageSums)));
+  if (version_ == 1) A3D_TRY(upgrade_from_version1());
+  A3D_TRY(connection_.execute(kCreateIndexPages));
+  A3D_TRY(connection_.execute(fmt::format("PRAGMA user_version = {}", kLastVersionWithoutPageSums)));
   version_ = kLastVersionWithoutPageSums;
   return flush();
 }
 
 Status Catalogue::upgrade_from_version1() {
-  ALGEBRA3D_RETURN_IF_ERROR(connection_.execute("DROP TABLE catalogue"));
-  for (const char* sql : {kCreateCatalogue, kCreateNamedTypes, kCreateAbandoned})
-    ALGEBRA3D_RETURN_IF_ERROR(connection_.execute(sql));
+  A3D_TRY(connection_.execute("DROP TABLE catalogue"));
+  for (const char* sql : {kCreateCatalogue, kCreateNamedTypes, kCreateAbandoned}) A3D_TRY(connection_.execute(sql));
   for (const auto& [name, entry] : entries_) edited_.insert(name);
   is_changed_ = true;
   return {};
@@ -290,9 +287,8 @@ void Catalogue::remove_type(const std::string& name) {
 }
 
 Status Catalogue::write(const CatalogueEntry& entry) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      SqliteStatement statement,
-      connection_.use("INSERT OR REPLACE INTO catalogue VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
+  A3D_ASSIGN(SqliteStatement statement,
+             connection_.use("INSERT OR REPLACE INTO catalogue VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
   const std::string type = entry.type.text();
   const std::vector<Cell> row = row_of(entry, type, version_);
   for (std::size_t i = 0; i < row.size(); ++i) statement.bind(static_cast<int>(i) + 1, row[i]);
@@ -303,19 +299,17 @@ Status Catalogue::write(const CatalogueEntry& entry) {
 Status Catalogue::write_type(const std::string& name) {
   const auto found = types_.find(name);
   if (found == types_.end()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection_.use("DELETE FROM named_types WHERE name = ?"));
+    A3D_ASSIGN(SqliteStatement statement, connection_.use("DELETE FROM named_types WHERE name = ?"));
     return statement.bind(1, std::string_view(name)).run();
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             connection_.use("INSERT OR REPLACE INTO named_types VALUES(?, ?, ?)"));
+  A3D_ASSIGN(SqliteStatement statement, connection_.use("INSERT OR REPLACE INTO named_types VALUES(?, ?, ?)"));
   const std::string text = found->second.text();
   statement.bind(1, std::string_view(name)).bind(2, std::string_view(text));
   return statement.bind(3, as_signed(type_checksum(name, text))).run();
 }
 
 Status Catalogue::write_meta() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             connection_.use("INSERT OR REPLACE INTO meta VALUES(1, ?, ?, ?)"));
+  A3D_ASSIGN(SqliteStatement statement, connection_.use("INSERT OR REPLACE INTO meta VALUES(1, ?, ?, ?)"));
   const auto count = static_cast<std::int64_t>(entries_.size() + types_.size());
   return statement.bind(1, next_number_).bind(2, count).bind(3, as_signed(sum())).run();
 }
@@ -327,12 +321,12 @@ Status Catalogue::flush() {
     return Error{ErrorCode::internal, "{}: the catalogue would be written outside of a transaction",
                  connection_.file()};
   for (const std::int64_t id : removed_) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection_.use("DELETE FROM catalogue WHERE id = ?"));
-    ALGEBRA3D_RETURN_IF_ERROR(statement.bind(1, id).run());
+    A3D_ASSIGN(SqliteStatement statement, connection_.use("DELETE FROM catalogue WHERE id = ?"));
+    A3D_TRY(statement.bind(1, id).run());
   }
-  for (const std::string& name : edited_) ALGEBRA3D_RETURN_IF_ERROR(write(entries_.at(name)));
-  for (const std::string& name : edited_types_) ALGEBRA3D_RETURN_IF_ERROR(write_type(name));
-  ALGEBRA3D_RETURN_IF_ERROR(write_meta());
+  for (const std::string& name : edited_) A3D_TRY(write(entries_.at(name)));
+  for (const std::string& name : edited_types_) A3D_TRY(write_type(name));
+  A3D_TRY(write_meta());
   removed_.clear();
   edited_.clear();
   edited_types_.clear();

@@ -1,5 +1,7 @@
 #include "queries/store/detail/chunks.h"
 
+#include "base/propagate.h"
+
 namespace queries {
 
 using algebra3d::Result;
@@ -10,21 +12,21 @@ Status write_chunks(SqliteConnection& connection, const ChunkPlace& place, std::
   for (std::int64_t part = 0; !bytes.empty(); ++part) {
     const std::string_view chunk = bytes.substr(0, chunk_bytes);
     bytes.remove_prefix(chunk.size());
-    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use("INSERT INTO chunks VALUES(?, ?, ?, ?, ?)"));
+    A3D_ASSIGN(SqliteStatement statement, connection.use("INSERT INTO chunks VALUES(?, ?, ?, ?, ?)"));
     statement.bind(1, place.owner).bind(2, place.tuple).bind(3, place.attribute).bind(4, part);
-    ALGEBRA3D_RETURN_IF_ERROR(statement.bind(5, Cell::blob(chunk)).run());
+    A3D_TRY(statement.bind(5, Cell::blob(chunk)).run());
   }
   return {};
 }
 
 Result<std::string> read_chunks(SqliteConnection& connection, const ChunkPlace& place, std::int64_t size) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             connection.use("SELECT bytes FROM chunks WHERE owner = ? AND tuple = ? AND attribute = ? "
-                                            "ORDER BY part"));
+  A3D_ASSIGN(SqliteStatement statement,
+             connection.use("SELECT bytes FROM chunks WHERE owner = ? AND tuple = ? AND attribute = ? "
+                            "ORDER BY part"));
   statement.bind(1, place.owner).bind(2, place.tuple).bind(3, place.attribute);
   std::string bytes;
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+    A3D_ASSIGN(const bool has_row, statement.step());
     if (!has_row) break;
     bytes += statement.column(0).bytes;
   }
@@ -34,19 +36,18 @@ Result<std::string> read_chunks(SqliteConnection& connection, const ChunkPlace& 
 }
 
 Status erase_chunks(SqliteConnection& connection, const ChunkPlace& place) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             connection.use("DELETE FROM chunks WHERE owner = ? AND tuple = ? AND attribute = ?"));
+  A3D_ASSIGN(SqliteStatement statement,
+             connection.use("DELETE FROM chunks WHERE owner = ? AND tuple = ? AND attribute = ?"));
   return statement.bind(1, place.owner).bind(2, place.tuple).bind(3, place.attribute).run();
 }
 
 Status erase_chunks(SqliteConnection& connection, std::int64_t owner, std::int64_t tuple) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             connection.use("DELETE FROM chunks WHERE owner = ? AND tuple = ?"));
+  A3D_ASSIGN(SqliteStatement statement, connection.use("DELETE FROM chunks WHERE owner = ? AND tuple = ?"));
   return statement.bind(1, owner).bind(2, tuple).run();
 }
 
 Status erase_all_chunks(SqliteConnection& connection, std::int64_t owner) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use("DELETE FROM chunks WHERE owner = ?"));
+  A3D_ASSIGN(SqliteStatement statement, connection.use("DELETE FROM chunks WHERE owner = ?"));
   return statement.bind(1, owner).run();
 }
 

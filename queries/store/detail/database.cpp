@@ -1,13 +1,14 @@
 #include "queries/store/detail/database.h"
 
 #include "algebra3d/values/types/codec.h"
+#include "base/propagate.h"
 #include "queries/store/detail/chunks.h"
 
 namespace queries {
 
 Result<std::shared_ptr<Database>> Database::open(const std::filesystem::path& file, OpenMode mode,
                                                  const algebra3d::Registry& registry, const StoreOptions& options) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto connection, open_database_file(file, mode, options));
+  A3D_ASSIGN(auto connection, open_database_file(file, mode, options));
   std::shared_ptr<Database> database(new Database(std::move(connection), file, registry, options));
   // A damaged catalogue is found now, not in the middle of somebody's work.
   Status status = database->upgrade();
@@ -22,7 +23,7 @@ Result<std::shared_ptr<Database>> Database::open(const std::filesystem::path& fi
 Result<std::shared_ptr<Database>> Database::open_damaged(const std::filesystem::path& file,
                                                          const algebra3d::Registry& registry) {
   const StoreOptions options;
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto connection, open_database_file(file, OpenMode::read_damaged, options));
+  A3D_ASSIGN(auto connection, open_database_file(file, OpenMode::read_damaged, options));
   std::shared_ptr<Database> database(new Database(std::move(connection), file, registry, options));
   database->is_read_only_ = true;
   database->catalogue_.tolerate_damage();
@@ -55,8 +56,8 @@ Result<std::unique_ptr<SqliteConnection>> Database::another_connection(bool writ
 Result<std::shared_ptr<const RelationLayout>> Database::layout_of(const CatalogueEntry& relation) {
   const auto known = layouts_.find(relation.table_number);
   if (known != layouts_.end()) return known->second;
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      auto layout, RelationLayout::make(registry_, relation.type.element(), relation.name, relation.table_number));
+  A3D_ASSIGN(auto layout,
+             RelationLayout::make(registry_, relation.type.element(), relation.name, relation.table_number));
   layouts_.emplace(relation.table_number, layout);
   return layout;
 }
@@ -65,7 +66,7 @@ Result<std::shared_ptr<const RelationLayout>> Database::layout_of(const Catalogu
 Status Database::note_tuple(const RelationLayout& layout, TupleId tuple) {
   const std::lock_guard lock(mutex_);
   if (is_outdated(layout, tuple) && changes_.is_untouched(layout.table_number(), tuple))
-    ALGEBRA3D_RETURN_IF_ERROR(kept_.keep(*connection_, layout, tuple));
+    A3D_TRY(kept_.keep(*connection_, layout, tuple));
   changes_.note_tuple(layout.table_number(), tuple);
   cache_.erase(layout.table_number(), tuple);
   return {};
@@ -123,28 +124,28 @@ Result<SqliteConnection*> Database::source_of(const RelationLayout& layout, Tupl
 // another connection still sees the state of that time.
 Result<SqliteConnection*> Database::original() {
   if (original_ == nullptr) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(
-        original_, SqliteConnection::open(file_, SqliteConnection::Access::read_only, options_.busy_milliseconds));
+    A3D_ASSIGN(original_,
+               SqliteConnection::open(file_, SqliteConnection::Access::read_only, options_.busy_milliseconds));
   }
-  if (!original_->in_transaction()) ALGEBRA3D_RETURN_IF_ERROR(original_->execute("BEGIN"));
+  if (!original_->in_transaction()) A3D_TRY(original_->execute("BEGIN"));
   return original_.get();
 }
 
 Status Database::with_bytes(const LargeValue& value, const std::function<Status(std::string_view)>& visit) {
   const RelationLayout& layout = *value.layout;
   std::unique_lock lock(mutex_);
-  ALGEBRA3D_RETURN_IF_ERROR(check_statement(value.statement));
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteConnection * source, source_of(layout, value.tuple, value.time));
+  A3D_TRY(check_statement(value.statement));
+  A3D_ASSIGN(SqliteConnection * source, source_of(layout, value.tuple, value.time));
   lock.unlock();
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, source->use(layout.bytes_sql(value.attribute)));
+  A3D_ASSIGN(SqliteStatement statement, source->use(layout.bytes_sql(value.attribute)));
   statement.bind(1, value.tuple);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  A3D_ASSIGN(const bool has_row, statement.step());
   if (!has_row) return missing(layout, value.tuple);
   const Cell cell = statement.column(0);
   std::string joined;
   if (cell.is(Cell::Kind::integer)) {
     const ChunkPlace place{layout.table_number(), value.tuple, static_cast<std::int64_t>(value.attribute)};
-    ALGEBRA3D_ASSIGN_OR_RETURN(joined, read_chunks(*source, place, cell.integer));
+    A3D_ASSIGN(joined, read_chunks(*source, place, cell.integer));
   }
   const std::string_view bytes = joined.empty() ? cell.bytes : std::string_view(joined);
   if (checksum_of(bytes) != value.checksum)
@@ -156,9 +157,9 @@ Status Database::with_bytes(const LargeValue& value, const std::function<Status(
 Result<Value> Database::decode(const LargeValue& value, std::uint64_t& byte_count) {
   const AttributeColumns& attribute = value.layout->attributes()[value.attribute];
   Value result(*attribute.type);
-  ALGEBRA3D_RETURN_IF_ERROR(with_bytes(value, [&](std::string_view bytes) -> Status {
+  A3D_TRY(with_bytes(value, [&](std::string_view bytes) -> Status {
     byte_count = bytes.size();
-    ALGEBRA3D_ASSIGN_OR_RETURN(result, algebra3d::decode(*attribute.type, bytes, algebra3d::Origin::own_store));
+    A3D_ASSIGN(result, algebra3d::decode(*attribute.type, bytes, algebra3d::Origin::own_store));
     return {};
   }));
   ++geometry_loads_;
@@ -169,13 +170,13 @@ Result<Value> Database::load(const LargeValue& value) {
   const ValuePlace place{value.layout->table_number(), value.tuple, value.attribute};
   {
     const std::lock_guard lock(mutex_);
-    ALGEBRA3D_RETURN_IF_ERROR(check_statement(value.statement));
+    A3D_TRY(check_statement(value.statement));
     const auto where = changes_.where(place.table_number, place.tuple, value.time);
     if (where == ChangeLog::Whereabouts::current)
       if (const auto kept = cache_.find(place)) return *kept;
   }
   std::uint64_t byte_count = 0;
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value result, decode(value, byte_count));
+  A3D_ASSIGN(Value result, decode(value, byte_count));
   // In memory a triangle takes about 40 bytes, and 50 with its hierarchy; the encoded bytes stand for exact
   // coordinates.
   const std::uint64_t estimate = byte_count + std::uint64_t{96} * value.header.size + 256;

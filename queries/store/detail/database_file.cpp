@@ -14,6 +14,7 @@
 
 #include "base/file_error.h"
 #include "base/open_databases.h"
+#include "base/propagate.h"
 #include "queries/store/database_creation.h"
 #include "queries/store/database_draft.h"
 #include "queries/store/detail/page_sums.h"
@@ -87,7 +88,7 @@ Status check_header(const fs::path& file) {
     return foreign(file, application == 0 ? "a SQLite database of another program"
                                           : fmt::format("a SQLite database of application {:#x}", application));
   const std::uint32_t version = big_endian(header, kUserVersionOffset);
-  ALGEBRA3D_RETURN_IF_ERROR(check_version(file, version));
+  A3D_TRY(check_version(file, version));
   if (page_format(std::as_bytes(std::span(header))).is_consistent()) return {};
   return Error{ErrorCode::database_corrupt,
                "{}: the header says that the database has version {}, but its pages have {} checksums, unlike those of "
@@ -111,9 +112,9 @@ enum class Found : std::uint8_t { nothing, empty, database };
 Result<Found> inspect(const fs::path& file, OpenMode mode) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
-  if (may_create(mode) && !fs::exists(status)) ALGEBRA3D_RETURN_IF_ERROR(check_name_length(file));
+  if (may_create(mode) && !fs::exists(status)) A3D_TRY(check_name_length(file));
   if (status.type() == fs::file_type::not_found) {
-    ALGEBRA3D_RETURN_IF_ERROR(check_missing(file, mode));
+    A3D_TRY(check_missing(file, mode));
     return Found::nothing;
   }
   if (error) return unusable(file, error.value());
@@ -123,7 +124,7 @@ Result<Found> inspect(const fs::path& file, OpenMode mode) {
   if (error) return unusable(file, error.value());
   if (size == 0 && may_create(mode)) return Found::empty;
   if (mode == OpenMode::create) return Error{ErrorCode::database_exists, "{}: the file exists already", file.string()};
-  ALGEBRA3D_RETURN_IF_ERROR(check_header(file));
+  A3D_TRY(check_header(file));
   return Found::database;
 }
 
@@ -140,21 +141,20 @@ Access read_access(const fs::path& file) {
 }
 
 Status use_write_ahead_log(SqliteConnection& connection) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use("PRAGMA journal_mode = WAL"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  A3D_ASSIGN(SqliteStatement statement, connection.use("PRAGMA journal_mode = WAL"));
+  A3D_ASSIGN(const bool has_row, statement.step());
   if (has_row && statement.column(0).bytes == "wal") return {};
   return Error{ErrorCode::io_error, "{}: the file system does not allow a write-ahead log", connection.file()};
 }
 
 Status configure(SqliteConnection& connection, const StoreOptions& options) {
-  ALGEBRA3D_RETURN_IF_ERROR(connection.execute("PRAGMA cell_size_check = ON"));
-  ALGEBRA3D_RETURN_IF_ERROR(connection.execute(fmt::format("PRAGMA cache_size = -{}", options.page_cache_kilobytes)));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t application, connection.integer("PRAGMA application_id"));
+  A3D_TRY(connection.execute("PRAGMA cell_size_check = ON"));
+  A3D_TRY(connection.execute(fmt::format("PRAGMA cache_size = -{}", options.page_cache_kilobytes)));
+  A3D_ASSIGN(const std::int64_t application, connection.integer("PRAGMA application_id"));
   if (!is_ours(application)) return foreign(connection.file(), "a SQLite database of another program");
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t version, connection.integer("PRAGMA user_version"));
-  ALGEBRA3D_RETURN_IF_ERROR(check_version(connection.file(), version));
-  if (options.max_pages > 0)
-    ALGEBRA3D_RETURN_IF_ERROR(connection.execute(fmt::format("PRAGMA max_page_count = {}", options.max_pages)));
+  A3D_ASSIGN(const std::int64_t version, connection.integer("PRAGMA user_version"));
+  A3D_TRY(check_version(connection.file(), version));
+  if (options.max_pages > 0) A3D_TRY(connection.execute(fmt::format("PRAGMA max_page_count = {}", options.max_pages)));
   return {};
 }
 
@@ -162,8 +162,8 @@ Status configure(SqliteConnection& connection, const StoreOptions& options) {
 // readers held it becomes short again.
 Status prepare_for_writing(SqliteConnection& connection) {
   constexpr int kLogBytes = 1 << 26;
-  ALGEBRA3D_RETURN_IF_ERROR(connection.execute(fmt::format("PRAGMA journal_size_limit = {}", kLogBytes)));
-  ALGEBRA3D_RETURN_IF_ERROR(connection.execute("PRAGMA synchronous = FULL"));
+  A3D_TRY(connection.execute(fmt::format("PRAGMA journal_size_limit = {}", kLogBytes)));
+  A3D_TRY(connection.execute("PRAGMA synchronous = FULL"));
   return use_write_ahead_log(connection);
 }
 
@@ -200,18 +200,18 @@ Status check_names(const fs::path& file) {
 
 Result<std::unique_ptr<SqliteConnection>> connect(const fs::path& file, OpenMode mode, const StoreOptions& options) {
   const bool writes = may_write(mode);
-  if (writes) ALGEBRA3D_RETURN_IF_ERROR(check_writable(file));
-  if (writes && mode != OpenMode::draft) ALGEBRA3D_RETURN_IF_ERROR(finish_database(file, options.busy_milliseconds));
-  ALGEBRA3D_RETURN_IF_ERROR(check_names(file));
-  ALGEBRA3D_RETURN_IF_ERROR(check_sidecar_files(file));
+  if (writes) A3D_TRY(check_writable(file));
+  if (writes && mode != OpenMode::draft) A3D_TRY(finish_database(file, options.busy_milliseconds));
+  A3D_TRY(check_names(file));
+  A3D_TRY(check_sidecar_files(file));
   const Access access = writes ? Access::read_write : read_access(file);
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
+  A3D_ASSIGN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
   if (mode == OpenMode::read_damaged) connection->tolerate_damaged_pages();
   if (writes && connection->is_read_only())
     return Error{ErrorCode::database_read_only, "{}: the file cannot be written; open it with --read-only",
                  file.string()};
-  if (writes) ALGEBRA3D_RETURN_IF_ERROR(prepare_for_writing(*connection));
-  ALGEBRA3D_RETURN_IF_ERROR(configure(*connection, options));
+  if (writes) A3D_TRY(prepare_for_writing(*connection));
+  A3D_TRY(configure(*connection, options));
   return connection;
 }
 
@@ -245,10 +245,10 @@ Error deleted_meanwhile(const fs::path& file) {
 
 Result<std::unique_ptr<SqliteConnection>> open_database_file(const fs::path& file, OpenMode mode,
                                                              const StoreOptions& options) {
-  ALGEBRA3D_RETURN_IF_ERROR(algebra3d::check_file_name(file));
+  A3D_TRY(algebra3d::check_file_name(file));
   if (may_write(mode)) remove_database_leftovers(file);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Found found, inspect(file, mode));
-  if (found != Found::database) ALGEBRA3D_RETURN_IF_ERROR(create_database_file(file, found == Found::empty));
+  A3D_ASSIGN(const Found found, inspect(file, mode));
+  if (found != Found::database) A3D_TRY(create_database_file(file, found == Found::empty));
   const auto before = identity_of(file);
   if (!before) return deleted_meanwhile(file);
   auto connection = connect(file, mode, options);

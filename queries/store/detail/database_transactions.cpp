@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/propagate.h"
 #include "queries/store/detail/chunks.h"
 #include "queries/store/detail/database.h"
 #include "queries/store/detail/shape_levels.h"
@@ -27,9 +28,9 @@ void Database::close() {
 
 Status Database::upgrade() {
   if (is_read_only_) return {};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t version, connection_->integer("PRAGMA user_version"));
+  A3D_ASSIGN(const std::int64_t version, connection_->integer("PRAGMA user_version"));
   if (version >= kLastVersionWithoutPageSums) return {};
-  ALGEBRA3D_RETURN_IF_ERROR(connection_->execute("BEGIN IMMEDIATE"));
+  A3D_TRY(connection_->execute("BEGIN IMMEDIATE"));
   // Another process may have been faster.
   const auto found = connection_->integer("PRAGMA user_version");
   Status status = found ? catalogue_.upgrade() : Status(found.error());
@@ -47,7 +48,7 @@ Status Database::upgrade() {
 Status Database::begin_transaction() {
   if (is_explicit_) return Error{ErrorCode::wrong_usage, "a transaction is running already; commit or abort it first"};
   if (is_in_statement_) return Error{ErrorCode::internal, "{}: a statement is running already", file_.string()};
-  ALGEBRA3D_RETURN_IF_ERROR(connection_->execute(is_read_only_ ? "BEGIN" : "BEGIN IMMEDIATE"));
+  A3D_TRY(connection_->execute(is_read_only_ ? "BEGIN" : "BEGIN IMMEDIATE"));
   is_explicit_ = true;
   Status status = notice_other_processes();
   if (status) status = catalogue_.load();
@@ -91,7 +92,7 @@ Status Database::begin(bool writes) {
   if (writes && is_read_only_)
     return Error{ErrorCode::database_read_only, "{}: the database was opened for reading only", file_.string()};
   if (is_explicit_) return begin_within_transaction();
-  ALGEBRA3D_RETURN_IF_ERROR(connection_->execute(writes ? "BEGIN IMMEDIATE" : "BEGIN"));
+  A3D_TRY(connection_->execute(writes ? "BEGIN IMMEDIATE" : "BEGIN"));
   Status status = notice_other_processes();
   if (status) return start_statement();
   rollback();
@@ -100,7 +101,7 @@ Status Database::begin(bool writes) {
 
 Status Database::begin_within_transaction() {
   if (lost_transaction_) return *lost_transaction_;
-  ALGEBRA3D_RETURN_IF_ERROR(connection_->execute(kBeginStatement));
+  A3D_TRY(connection_->execute(kBeginStatement));
   return start_statement();
 }
 
@@ -118,7 +119,7 @@ Status Database::start_statement() {
 
 // The number changes exactly when another connection has committed; reading it fixes what this transaction sees.
 Status Database::notice_other_processes() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t version, connection_->integer("PRAGMA data_version"));
+  A3D_ASSIGN(const std::int64_t version, connection_->integer("PRAGMA data_version"));
   if (version != data_version_) forget_everything();
   data_version_ = version;
   return {};
@@ -190,13 +191,12 @@ Status Database::restore_order(const IndexPlace& place) {
   if (relation == nullptr || relation->table_number != layout.table_number() ||
       std::ranges::none_of(catalogue_.entries(), is_definition))
     return {};
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement check,
-                             connection_->use(fmt::format("PRAGMA quick_check({})", layout.table())));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, check.step());
+  A3D_ASSIGN(SqliteStatement check, connection_->use(fmt::format("PRAGMA quick_check({})", layout.table())));
+  A3D_ASSIGN(const bool has_row, check.step());
   if (!has_row || check.column(0).bytes != "ok")
     return Error{ErrorCode::database_corrupt, "{}: the index or the relation is damaged", layout.relation()};
   { const SqliteStatement done = std::move(check); }
-  ALGEBRA3D_RETURN_IF_ERROR(connection_->execute(layout.drop_order_sql(place.attribute)));
+  A3D_TRY(connection_->execute(layout.drop_order_sql(place.attribute)));
   return connection_->execute(layout.create_order_sql(place.attribute));
 }
 
@@ -219,11 +219,11 @@ Status Database::check_place() const {
 
 Status Database::write_end() {
   for (const auto& layout : dropped_) {
-    ALGEBRA3D_RETURN_IF_ERROR(connection_->execute(layout->drop_sql()));
-    ALGEBRA3D_RETURN_IF_ERROR(erase_all_chunks(*connection_, layout->table_number()));
+    A3D_TRY(connection_->execute(layout->drop_sql()));
+    A3D_TRY(erase_all_chunks(*connection_, layout->table_number()));
   }
-  ALGEBRA3D_RETURN_IF_ERROR(store_trees(*this));
-  ALGEBRA3D_RETURN_IF_ERROR(catalogue_.flush());
+  A3D_TRY(store_trees(*this));
+  A3D_TRY(catalogue_.flush());
   return erase_outdated_levels(*this);
 }
 
@@ -272,7 +272,7 @@ Status Database::check_reading() const {
 }
 
 Status Database::change(const std::function<Status()>& work) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_reading());
+  A3D_TRY(check_reading());
   if (is_read_only_)
     return Error{ErrorCode::database_read_only, "{}: the database was opened for reading only", file_.string()};
   if (failure_) return *failure_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algebra3d/values/types/binary_io.h"
+#include "base/propagate.h"
 #include "queries/store/detail/index_frame.h"
 
 namespace queries {
@@ -44,7 +45,7 @@ std::string encode_tree(const SpatialIndex::Tree& tree) {
 }
 
 Result<std::shared_ptr<SpatialIndex::Tree>> decode_tree(std::string_view bytes) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const FramedEntries framed, unframed(kTreeFrame, bytes));
+  A3D_ASSIGN(const FramedEntries framed, unframed(kTreeFrame, bytes));
   if (framed.body.size() % kEntryBytes != 0 || framed.body.size() / kEntryBytes != framed.count) return changed_index();
   algebra3d::ByteReader reader(framed.body, "stored index");
   std::vector<Entry> entries(static_cast<std::size_t>(framed.count));

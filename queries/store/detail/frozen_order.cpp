@@ -2,6 +2,7 @@
 
 #include "algebra3d/values/types/binary_io.h"
 #include "algebra3d/values/types/codec.h"
+#include "base/propagate.h"
 #include "queries/store/detail/index_frame.h"
 
 namespace queries {
@@ -31,18 +32,18 @@ std::string encode_order(const OrderedTree& tree) {
 }
 
 Result<std::shared_ptr<OrderedTree>> decode_order(const algebra3d::Type& key_type, std::string_view bytes) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const FramedEntries framed, unframed(kOrderFrame, bytes));
+  A3D_ASSIGN(const FramedEntries framed, unframed(kOrderFrame, bytes));
   if (framed.body.size() / kLeastEntryBytes < framed.count) return changed_index();
   algebra3d::ByteReader reader(framed.body, "stored index");
   std::vector<OrderedTree::Entry> entries;
   entries.reserve(static_cast<std::size_t>(framed.count));
   for (std::uint64_t i = 0; i < framed.count; ++i) {
     const auto id = static_cast<TupleId>(reader.u64());
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value key, algebra3d::decode(key_type, reader.text(), algebra3d::Origin::own_store));
+    A3D_ASSIGN(Value key, algebra3d::decode(key_type, reader.text(), algebra3d::Origin::own_store));
     if (!key.is_defined()) return corrupt_index("keys that are defined");
     entries.push_back({std::move(key), id});
   }
-  ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+  A3D_TRY(reader.finish());
   return std::make_shared<OrderedTree>(OrderedTree::bulk_load(std::move(entries)));
 }
 

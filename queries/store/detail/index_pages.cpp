@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/propagate.h"
+
 namespace queries {
 namespace {
 
@@ -29,10 +31,9 @@ bool is_sound(std::int64_t place, const Cell& checksum, const Cell& bytes) {
 }  // namespace
 
 Result<std::optional<std::string>> read_index_page(SqliteConnection& connection, const IndexPage& page) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             connection.use("SELECT checksum, bytes FROM index_pages WHERE place = ?"));
+  A3D_ASSIGN(SqliteStatement statement, connection.use("SELECT checksum, bytes FROM index_pages WHERE place = ?"));
   statement.bind(1, page.place());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  A3D_ASSIGN(const bool has_row, statement.step());
   if (!has_row) return std::optional<std::string>();
   const Cell bytes = statement.column(1);
   if (!is_sound(page.place(), statement.column(0), bytes)) return damaged_page(connection, page.place());
@@ -42,14 +43,14 @@ Result<std::optional<std::string>> read_index_page(SqliteConnection& connection,
 Status read_index_pages(SqliteConnection& connection, const IndexPage& first, std::size_t page_bytes,
                         std::span<std::byte> bytes) {
   const auto count = static_cast<std::int64_t>((bytes.size() + page_bytes - 1) / page_bytes);
-  ALGEBRA3D_ASSIGN_OR_RETURN(
+  A3D_ASSIGN(
       SqliteStatement statement,
       connection.use("SELECT place, checksum, bytes FROM index_pages WHERE place >= ? AND place < ? ORDER BY place"));
   const std::int64_t begin = first.place();
   statement.bind(1, begin).bind(2, begin + count);
   for (std::int64_t place = begin; place < begin + count; ++place) {
     const std::size_t wanted = std::min(page_bytes, bytes.size());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+    A3D_ASSIGN(const bool has_row, statement.step());
     if (!has_row || statement.column(0).integer != place) return damaged_page(connection, place);
     const Cell page = statement.column(2);
     if (!is_sound(place, statement.column(1), page) || page.bytes.size() < wanted)
@@ -61,8 +62,7 @@ Status read_index_pages(SqliteConnection& connection, const IndexPage& first, st
 }
 
 Status write_index_page(SqliteConnection& connection, const IndexPage& page, std::string_view bytes) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             connection.use("INSERT OR REPLACE INTO index_pages VALUES(?, ?, ?)"));
+  A3D_ASSIGN(SqliteStatement statement, connection.use("INSERT OR REPLACE INTO index_pages VALUES(?, ?, ?)"));
   statement.bind(1, page.place()).bind(2, page_checksum(page.place(), bytes));
   return statement.bind(3, Cell::blob(bytes)).run();
 }
@@ -72,8 +72,7 @@ Status erase_index_pages(SqliteConnection& connection, std::int64_t owner) {
 }
 
 Status erase_index_pages(SqliteConnection& connection, const IndexPage& first, const IndexPage& last) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             connection.use("DELETE FROM index_pages WHERE place >= ? AND place < ?"));
+  A3D_ASSIGN(SqliteStatement statement, connection.use("DELETE FROM index_pages WHERE place >= ? AND place < ?"));
   return statement.bind(1, first.place()).bind(2, last.place()).run();
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "algebra3d/values/types/codec.h"
+#include "base/propagate.h"
 #include "queries/store/detail/frozen_index.h"
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/index_pages.h"
@@ -34,22 +35,22 @@ std::string Finding::text() const {
 }
 
 Result<std::vector<Finding>> IntegrityCheck::run() {
-  ALGEBRA3D_RETURN_IF_ERROR(database_->check_reading());
+  A3D_TRY(database_->check_reading());
   const auto& entries = database_->catalogue().entries();
   for (const auto& [name, entry] : entries)
     done_.total += 1 + (entry.type.is_relation() ? static_cast<std::uint64_t>(entry.tuple_count) : 0);
   database_->connection().forget_pages();
-  ALGEBRA3D_RETURN_IF_ERROR(check_catalogue());
-  ALGEBRA3D_RETURN_IF_ERROR(check_pages());
-  for (const auto& [name, entry] : entries) ALGEBRA3D_RETURN_IF_ERROR(check_object(entry));
-  ALGEBRA3D_RETURN_IF_ERROR(check_schema());
-  ALGEBRA3D_RETURN_IF_ERROR(check_columns());
-  ALGEBRA3D_RETURN_IF_ERROR(check_numbers("object_values", "id"));
-  ALGEBRA3D_RETURN_IF_ERROR(check_numbers("imported_files", "relation"));
-  ALGEBRA3D_RETURN_IF_ERROR(check_chunks());
-  ALGEBRA3D_RETURN_IF_ERROR(check_index_pages());
-  ALGEBRA3D_RETURN_IF_ERROR(check_levels());
-  ALGEBRA3D_RETURN_IF_ERROR(check_abandoned());
+  A3D_TRY(check_catalogue());
+  A3D_TRY(check_pages());
+  for (const auto& [name, entry] : entries) A3D_TRY(check_object(entry));
+  A3D_TRY(check_schema());
+  A3D_TRY(check_columns());
+  A3D_TRY(check_numbers("object_values", "id"));
+  A3D_TRY(check_numbers("imported_files", "relation"));
+  A3D_TRY(check_chunks());
+  A3D_TRY(check_index_pages());
+  A3D_TRY(check_levels());
+  A3D_TRY(check_abandoned());
   add_page_faults();
   add_readable_objects();
   for (const auto& [name, count] : finding_counts_)
@@ -76,7 +77,7 @@ Status IntegrityCheck::add(Finding finding, const Error& error) {
 }
 
 Status IntegrityCheck::advance(const std::string& object) {
-  ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+  A3D_TRY(context_.check_cancelled());
   const bool is_new = object != done_.object;
   done_.object = object;
   ++done_.done;
@@ -90,7 +91,7 @@ Status IntegrityCheck::check_catalogue() {
     add({.message = std::string(kCatalogueFinding) + damage});
   Catalogue fresh(database_->connection());
   const Status status = database_->catalogue().damage().empty() ? fresh.load() : Status();
-  if (!status) ALGEBRA3D_RETURN_IF_ERROR(add({.message = kCatalogueFinding}, status.error()));
+  if (!status) A3D_TRY(add({.message = kCatalogueFinding}, status.error()));
   auto statement = database_->connection().use("SELECT number FROM abandoned");
   if (!statement) return {};  // version 1
   while (true) {
@@ -126,7 +127,7 @@ void IntegrityCheck::add_readable_objects() {
 }
 
 Status IntegrityCheck::check_object(const CatalogueEntry& entry) {
-  ALGEBRA3D_RETURN_IF_ERROR(advance(entry.name));
+  A3D_TRY(advance(entry.name));
   if (!entry.has_value || entry.type.is_function()) return {};
   if (entry.type.is_relation()) return check_relation(entry);
   return entry.index_relation.empty() ? check_value(entry) : check_definition(entry);
@@ -204,7 +205,7 @@ Status IntegrityCheck::check_numbers(std::string_view table, std::string_view co
   const Finding place{.message = fmt::format("the table {}: ", table)};
   if (!rows) return add(place, rows.error());
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+    A3D_TRY(context_.check_cancelled());
     const auto has_row = rows->step();
     if (!has_row) return add(place, has_row.error());
     if (!*has_row) return {};
@@ -219,14 +220,14 @@ Status IntegrityCheck::check_chunks() {
   const Finding where{.message = "the table chunks, which holds long values: "};
   if (!rows) return add(where, rows.error());
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+    A3D_TRY(context_.check_cancelled());
     const auto has_row = rows->step();
     if (!has_row) return add(where, has_row.error());
     if (!*has_row) return {};
     const std::array place = {rows->column(0).integer, rows->column(1).integer, rows->column(2).integer};
     if (abandoned_.contains(place[0] != 0 ? place[0] : place[1])) continue;
     const auto wanted = has_chunks(place[0], place[1], place[2]);
-    if (!wanted) ALGEBRA3D_RETURN_IF_ERROR(add(where, wanted.error()));
+    if (!wanted) A3D_TRY(add(where, wanted.error()));
     if (wanted && !*wanted)
       add({.message = fmt::format("there are chunks of a value that is not there: owner {}, tuple {}, attribute {}",
                                   place[0], place[1], place[2])});
@@ -244,9 +245,9 @@ Result<bool> IntegrityCheck::has_chunks(std::int64_t owner, std::int64_t tuple, 
     if (position >= attributes.size() || attributes[position].form != AttributeForm::large) return false;
     sql = layout->second->bytes_sql(position);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, database_->connection().use(sql));
+  A3D_ASSIGN(SqliteStatement statement, database_->connection().use(sql));
   statement.bind(1, tuple);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  A3D_ASSIGN(const bool has_row, statement.step());
   return has_row && statement.column(0).is(Cell::Kind::integer);
 }
 

@@ -1,5 +1,6 @@
 // The part of the integrity check that looks at levels of detail. A level that belongs to no value is not a defect:
 // programs that know of no levels leave them when they change a value.
+#include "base/propagate.h"
 #include "queries/store/detail/integrity_check.h"
 #include "queries/store/detail/shape_levels.h"
 
@@ -14,7 +15,7 @@ Status IntegrityCheck::check_levels() {
       "SELECT owner, tuple, attribute, number, value_sum, checksum, bytes FROM shape_levels");
   if (!rows) return add(where, rows.error());
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+    A3D_TRY(context_.check_cancelled());
     const auto has_row = rows->step();
     if (!has_row) return add(where, has_row.error());
     if (!*has_row) return {};

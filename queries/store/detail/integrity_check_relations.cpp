@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "algebra3d/values/types/codec.h"
+#include "base/propagate.h"
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/index_pages.h"
 #include "queries/store/detail/integrity_check.h"
@@ -57,7 +58,7 @@ Status IntegrityCheck::check_relation(const CatalogueEntry& entry) {
     walk.keys[attribute] = {};
   // Those may be pages of an index of SQLite alone.
   const bool has_damaged_pages = finding_counts_.contains(entry.name);
-  ALGEBRA3D_RETURN_IF_ERROR(check_rows(walk));
+  A3D_TRY(check_rows(walk));
   if (!walk.gaps.empty() || has_damaged_pages) add_readable(walk);
   if (!walk.gaps.empty()) return {};
   check_totals(walk);
@@ -78,7 +79,7 @@ Status IntegrityCheck::check_rows(Walk& walk) {
     walk.gaps.push_back({first, last});
     Finding gap{.object = walk.entry.name, .tuple = first};
     gap.message = fmt::format("{} cannot be read: ", range_text(first, last));
-    ALGEBRA3D_RETURN_IF_ERROR(add(std::move(gap), read.error()));
+    A3D_TRY(add(std::move(gap), read.error()));
     if (next == kEndless) return {};
     from = next;
   }
@@ -86,19 +87,19 @@ Status IntegrityCheck::check_rows(Walk& walk) {
 
 /// Reads the rows from a tuple on, to the end or to the first that cannot be read, which is an error.
 Result<bool> IntegrityCheck::read_rows(Walk& walk, TupleId from) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement rows, database_->connection().use(walk.layout->tail_sql()));
+  A3D_ASSIGN(SqliteStatement rows, database_->connection().use(walk.layout->tail_sql()));
   constexpr std::int64_t kAllRows = -1;
   rows.bind(1, from).bind(2, kAllRows);
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, rows.step());
+    A3D_ASSIGN(const bool has_row, rows.step());
     if (!has_row) return true;
-    ALGEBRA3D_RETURN_IF_ERROR(advance(walk.entry.name));
+    A3D_TRY(advance(walk.entry.name));
     const TupleId id = rows.column(0).integer;
     // A damaged tree could lead round in circles.
     if (id <= walk.last || id < from)
       return Error{ErrorCode::database_corrupt, "the tuples are not in order: tuple {} comes next", id};
     walk.last = id;
-    ALGEBRA3D_RETURN_IF_ERROR(check_row(walk, rows));
+    A3D_TRY(check_row(walk, rows));
   }
 }
 
@@ -163,8 +164,7 @@ Status IntegrityCheck::check_row(Walk& walk, const SqliteStatement& row) {
     add({.object = walk.entry.name, .tuple = reader.id(), .message = "the row is not what was written"});
     return {};
   }
-  for (std::size_t i = 0; i < walk.layout->attributes().size(); ++i)
-    ALGEBRA3D_RETURN_IF_ERROR(check_attribute(walk, reader, i));
+  for (std::size_t i = 0; i < walk.layout->attributes().size(); ++i) A3D_TRY(check_attribute(walk, reader, i));
   for (auto& [attribute, boxes] : walk.boxes)
     if (const auto box = reader.box(attribute); !box.is_empty())
       boxes.push_back({box, static_cast<std::uint64_t>(reader.id())});
@@ -198,7 +198,7 @@ Status IntegrityCheck::check_attribute(Walk& walk, const RowReader& reader, std:
 Result<Value> IntegrityCheck::proved(const Value& value) {
   const auto deferred = value.deferred();
   if (deferred == nullptr) return value;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string bytes, static_cast<const StoredValue&>(*deferred).encoded());
+  A3D_ASSIGN(const std::string bytes, static_cast<const StoredValue&>(*deferred).encoded());
   return algebra3d::decode(value.type(), bytes, algebra3d::Origin::elsewhere);
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/propagate.h"
 #include "queries/store/detail/integrity_check.h"
 #include "queries/store/detail/shape_levels.h"
 #include "queries/store/detail/sqlite_error.h"
@@ -69,12 +70,11 @@ std::string plain_words(std::string_view line) {
 }
 
 Result<std::vector<std::string>> column_names(SqliteConnection& connection, const std::string& table) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      SqliteStatement rows,
-      connection.use(fmt::format("SELECT name FROM pragma_table_xinfo('{}') ORDER BY cid", table)));
+  A3D_ASSIGN(SqliteStatement rows,
+             connection.use(fmt::format("SELECT name FROM pragma_table_xinfo('{}') ORDER BY cid", table)));
   std::vector<std::string> names;
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, rows.step());
+    A3D_ASSIGN(const bool has_row, rows.step());
     if (!has_row) return names;
     names.emplace_back(rows.column(0).bytes);
   }
@@ -101,7 +101,7 @@ std::vector<std::pair<std::string, Finding>> IntegrityCheck::tables() {
 // if it finds anything, each table is checked alone.
 Status IntegrityCheck::check_pages() {
   const std::size_t before = findings_.size();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_sound, check_pages_of("PRAGMA integrity_check", {}));
+  A3D_ASSIGN(const bool is_sound, check_pages_of("PRAGMA integrity_check", {}));
   if (is_sound) return {};
   std::vector<Finding> general(findings_.begin() + static_cast<std::ptrdiff_t>(before), findings_.end());
   findings_.resize(before);
@@ -109,9 +109,8 @@ Status IntegrityCheck::check_pages() {
   for (const Finding& each : findings_) finding_counts_[each.object] += each.object.empty() ? 1 : 0;
   bool is_explained = !findings_.empty();
   for (const auto& [table, place] : tables()) {
-    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_whole,
-                               check_pages_of(fmt::format("PRAGMA integrity_check('{}')", table), place));
+    A3D_TRY(context_.check_cancelled());
+    A3D_ASSIGN(const bool is_whole, check_pages_of(fmt::format("PRAGMA integrity_check('{}')", table), place));
     is_explained = is_explained || !is_whole;
   }
   for (Finding& each : general) {
@@ -128,7 +127,7 @@ Result<bool> IntegrityCheck::check_pages_of(std::string_view sql, const Finding&
   SqliteConnection& connection = database_->connection();
   auto statement = connection.use(sql);
   if (!statement) {
-    ALGEBRA3D_RETURN_IF_ERROR(add(place, statement.error()));
+    A3D_TRY(add(place, statement.error()));
     return false;
   }
   connection.end_when(context_.cancel);
@@ -214,28 +213,27 @@ Status IntegrityCheck::check_schema() {
 Status IntegrityCheck::check_columns() {
   auto version = database_->connection().integer("PRAGMA user_version");
   if (!version || *version < kLastVersionWithoutPageSums) return {};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto model, SqliteConnection::open_temporary());
-  for (const char* sql : kCreateTables) ALGEBRA3D_RETURN_IF_ERROR(model->execute(sql));
-  ALGEBRA3D_RETURN_IF_ERROR(model->execute(kCreateShapeLevels));
-  for (const auto& [number, layout] : layouts_) ALGEBRA3D_RETURN_IF_ERROR(model->execute(layout->create_sql()));
+  A3D_ASSIGN(const auto model, SqliteConnection::open_temporary());
+  for (const char* sql : kCreateTables) A3D_TRY(model->execute(sql));
+  A3D_TRY(model->execute(kCreateShapeLevels));
+  for (const auto& [number, layout] : layouts_) A3D_TRY(model->execute(layout->create_sql()));
   for (const auto& [table, place] : tables()) {
     const bool is_new = place.object.empty() || std::ranges::any_of(layouts_, [&table = table](const auto& each) {
                           return each.second->table() == table;
                         });
-    if (is_new) ALGEBRA3D_RETURN_IF_ERROR(check_columns_of(*model, table, place));
+    if (is_new) A3D_TRY(check_columns_of(*model, table, place));
   }
-  ALGEBRA3D_RETURN_IF_ERROR(check_indexes(*model));
-  ALGEBRA3D_RETURN_IF_ERROR(check_stored_orders());
+  A3D_TRY(check_indexes(*model));
+  A3D_TRY(check_stored_orders());
   return check_meta();
 }
 
 // SQLite does not miss an index that is not part of its table, only the time that it saves and the proof of uniqueness.
 Status IntegrityCheck::check_indexes(SqliteConnection& model) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      SqliteStatement expected,
-      model.use("SELECT name, tbl_name, sql FROM sqlite_schema WHERE type = 'index' AND sql IS NOT NULL"));
+  A3D_ASSIGN(SqliteStatement expected,
+             model.use("SELECT name, tbl_name, sql FROM sqlite_schema WHERE type = 'index' AND sql IS NOT NULL"));
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, expected.step());
+    A3D_ASSIGN(const bool has_row, expected.step());
     if (!has_row) return {};
     const std::string name(expected.column(0).bytes);
     const std::string table(expected.column(1).bytes);
@@ -254,7 +252,7 @@ Status IntegrityCheck::check_indexes(SqliteConnection& model) {
 Status IntegrityCheck::check_stored_orders() {
   for (const auto& [number, layout] : layouts_)
     for (std::size_t attribute = 0; attribute < layout->attributes().size(); ++attribute)
-      ALGEBRA3D_RETURN_IF_ERROR(check_stored_order(*layout, attribute));
+      A3D_TRY(check_stored_order(*layout, attribute));
   return {};
 }
 
@@ -303,7 +301,7 @@ Status IntegrityCheck::check_stored_order(const RelationLayout& layout, std::siz
 
 // A missing table is reported where it is read.
 Status IntegrityCheck::check_columns_of(SqliteConnection& model, const std::string& table, const Finding& place) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<std::string> expected, column_names(model, table));
+  A3D_ASSIGN(const std::vector<std::string> expected, column_names(model, table));
   const auto found = column_names(database_->connection(), table);
   if (!found) return add(place, found.error());
   if (found->empty()) return {};
@@ -330,7 +328,7 @@ Status IntegrityCheck::check_abandoned() {
       wrong = "which was never given";
     } else {
       const auto found = has_rows(number);
-      if (!found) ALGEBRA3D_RETURN_IF_ERROR(add({.message = "the catalogue (table abandoned): "}, found.error()));
+      if (!found) A3D_TRY(add({.message = "the catalogue (table abandoned): "}, found.error()));
       if (found && !*found) wrong = "of which nothing is there";
     }
     if (!wrong.empty())
@@ -342,14 +340,12 @@ Status IntegrityCheck::check_abandoned() {
 
 /// Whether there is a table of this number, or a value of an object of this number.
 Result<bool> IntegrityCheck::has_rows(std::int64_t number) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      const std::int64_t tables,
-      database_->connection().integer(
-          fmt::format("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name GLOB 'rel_{}_*'", number)));
+  A3D_ASSIGN(const std::int64_t tables,
+             database_->connection().integer(fmt::format(
+                 "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name GLOB 'rel_{}_*'", number)));
   if (tables > 0) return true;
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      const std::int64_t values,
-      database_->connection().integer(fmt::format("SELECT count(*) FROM object_values WHERE id = {}", number)));
+  A3D_ASSIGN(const std::int64_t values,
+             database_->connection().integer(fmt::format("SELECT count(*) FROM object_values WHERE id = {}", number)));
   return values > 0;
 }
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/propagate.h"
+
 namespace queries {
 
 RelationSelection::RelationSelection(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout,
@@ -12,7 +14,7 @@ RelationSelection::RelationSelection(std::shared_ptr<Database> database, std::sh
       ids_(std::move(ids)) {}
 
 Result<TuplePtr> RelationSelection::next() {
-  ALGEBRA3D_RETURN_IF_ERROR(database_->check_statement(statement_));
+  A3D_TRY(database_->check_statement(statement_));
   if (!reader_) {
     time_ = database_->changes().now();
     reader_.emplace(database_, layout_, time_);
@@ -22,12 +24,12 @@ Result<TuplePtr> RelationSelection::next() {
                  layout_->relation()};
   if (position_ == ids_.size()) return TuplePtr();
   const TupleId id = ids_[position_++];
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteConnection * source, database_->source_of(*layout_, id, time_));
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, source->use(layout_->fetch_sql()));
+  A3D_ASSIGN(SqliteConnection * source, database_->source_of(*layout_, id, time_));
+  A3D_ASSIGN(SqliteStatement statement, source->use(layout_->fetch_sql()));
   statement.bind(1, id);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  A3D_ASSIGN(const bool has_row, statement.step());
   if (!has_row) return Database::missing(*layout_, id);
-  ALGEBRA3D_RETURN_IF_ERROR(reader_->take(statement));
+  A3D_TRY(reader_->take(statement));
   return reader_->tuple();
 }
 

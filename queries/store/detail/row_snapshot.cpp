@@ -1,5 +1,6 @@
 #include "queries/store/detail/row_snapshot.h"
 
+#include "base/propagate.h"
 #include "queries/store/detail/tables.h"
 
 namespace queries {
@@ -10,11 +11,11 @@ using algebra3d::Status;
 /// Copies what `select` gives for its parameter or parameters, `columns` wide.
 Status copy_rows(SqliteStatement& select, SqliteConnection& to, const std::string& insert_sql, std::size_t columns) {
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, select.step());
+    A3D_ASSIGN(const bool has_row, select.step());
     if (!has_row) return {};
-    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement insert, to.use(insert_sql));
+    A3D_ASSIGN(SqliteStatement insert, to.use(insert_sql));
     for (std::size_t i = 0; i < columns; ++i) insert.bind(static_cast<int>(i) + 1, select.column(static_cast<int>(i)));
-    ALGEBRA3D_RETURN_IF_ERROR(insert.run());
+    A3D_TRY(insert.run());
   }
 }
 
@@ -28,9 +29,9 @@ void RowSnapshot::clear() {
 // Nothing of it outlives the statement, so that nothing need be certain to reach a disk.
 Status RowSnapshot::prepare(const RelationLayout& layout) {
   if (connection_ == nullptr) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto connection, SqliteConnection::open_temporary());
+    A3D_ASSIGN(auto connection, SqliteConnection::open_temporary());
     for (const char* sql : {"PRAGMA synchronous = OFF", "PRAGMA journal_mode = OFF", kCreateChunks, kCreateChunkIndex})
-      ALGEBRA3D_RETURN_IF_ERROR(connection->execute(sql));
+      A3D_TRY(connection->execute(sql));
     connection_ = std::move(connection);
   }
   if (!tables_.insert(layout.table_number()).second) return {};
@@ -38,15 +39,14 @@ Status RowSnapshot::prepare(const RelationLayout& layout) {
 }
 
 Status RowSnapshot::keep(SqliteConnection& from, const RelationLayout& layout, std::int64_t tuple) {
-  ALGEBRA3D_RETURN_IF_ERROR(prepare(layout));
+  A3D_TRY(prepare(layout));
   {
-    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement row, from.use(layout.row_sql()));
+    A3D_ASSIGN(SqliteStatement row, from.use(layout.row_sql()));
     row.bind(1, tuple);
-    ALGEBRA3D_RETURN_IF_ERROR(copy_rows(row, *connection_, layout.insert_sql(), layout.column_count()));
+    A3D_TRY(copy_rows(row, *connection_, layout.insert_sql(), layout.column_count()));
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      SqliteStatement chunks,
-      from.use("SELECT owner, tuple, attribute, part, bytes FROM chunks WHERE owner = ? AND tuple = ?"));
+  A3D_ASSIGN(SqliteStatement chunks,
+             from.use("SELECT owner, tuple, attribute, part, bytes FROM chunks WHERE owner = ? AND tuple = ?"));
   chunks.bind(1, layout.table_number()).bind(2, tuple);
   return copy_rows(chunks, *connection_, "INSERT INTO chunks VALUES(?, ?, ?, ?, ?)", 5);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "base/propagate.h"
 #include "queries/store/detail/database.h"
 #include "queries/store/detail/tables.h"
 
@@ -24,8 +25,8 @@ void bind(SqliteStatement& statement, const LevelKey& key) {
 }
 
 Status erase_levels(SqliteConnection& connection, std::int64_t owner, std::string_view condition) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             connection.use(fmt::format("DELETE FROM shape_levels WHERE owner = ? AND {}", condition)));
+  A3D_ASSIGN(SqliteStatement statement,
+             connection.use(fmt::format("DELETE FROM shape_levels WHERE owner = ? AND {}", condition)));
   return statement.bind(1, owner).run();
 }
 
@@ -37,23 +38,22 @@ std::string value_is_gone(const RelationLayout& layout, std::size_t attribute) {
 }
 
 Result<bool> has_levels(SqliteConnection& connection, std::int64_t owner) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             connection.use("SELECT 1 FROM shape_levels WHERE owner = ? LIMIT 1"));
+  A3D_ASSIGN(SqliteStatement statement, connection.use("SELECT 1 FROM shape_levels WHERE owner = ? LIMIT 1"));
   return statement.bind(1, owner).step();
 }
 
 Status erase_outdated(Database& database, std::int64_t table_number) {
   SqliteConnection& connection = database.connection();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_concerned, has_levels(connection, table_number));
+  A3D_ASSIGN(const bool is_concerned, has_levels(connection, table_number));
   if (!is_concerned) return {};
   const auto& entries = database.catalogue().entries();
   const auto entry =
       std::ranges::find_if(entries, [&](const auto& each) { return each.second.table_number == table_number; });
   if (entry == entries.end()) return erase_levels(connection, table_number, "TRUE");
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto layout, database.layout_of(entry->second));
+  A3D_ASSIGN(const auto layout, database.layout_of(entry->second));
   for (std::size_t i = 0; i < layout->attributes().size(); ++i)
     if (layout->attributes()[i].form == AttributeForm::large)
-      ALGEBRA3D_RETURN_IF_ERROR(erase_levels(connection, table_number, value_is_gone(*layout, i)));
+      A3D_TRY(erase_levels(connection, table_number, value_is_gone(*layout, i)));
   return {};
 }
 
@@ -64,22 +64,21 @@ std::int64_t LevelKey::checksum(std::string_view bytes) const {
 }
 
 Result<bool> has_level_table(SqliteConnection& connection) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      SqliteStatement statement,
-      connection.use("SELECT 1 FROM sqlite_schema WHERE type = 'table' AND name = 'shape_levels'"));
+  A3D_ASSIGN(SqliteStatement statement,
+             connection.use("SELECT 1 FROM sqlite_schema WHERE type = 'table' AND name = 'shape_levels'"));
   return statement.step();
 }
 
 Result<bool> read_level(SqliteConnection& connection, const LevelKey& key,
                         const std::function<void(std::string_view)>& visit) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_table, has_level_table(connection));
+  A3D_ASSIGN(const bool has_table, has_level_table(connection));
   if (!has_table) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(
+  A3D_ASSIGN(
       SqliteStatement statement,
       connection.use("SELECT checksum, bytes FROM shape_levels WHERE owner = ? AND tuple = ? AND attribute = ? AND "
                      "number = ? AND value_sum = ?"));
   bind(statement, key);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  A3D_ASSIGN(const bool has_row, statement.step());
   if (!has_row) return false;
   const Cell checksum = statement.column(0), bytes = statement.column(1);
   if (!checksum.is(Cell::Kind::integer) || !bytes.is(Cell::Kind::blob) || checksum.integer != key.checksum(bytes.bytes))
@@ -89,16 +88,16 @@ Result<bool> read_level(SqliteConnection& connection, const LevelKey& key,
 }
 
 Status write_level(SqliteConnection& connection, const LevelKey& key, std::string_view bytes) {
-  ALGEBRA3D_RETURN_IF_ERROR(connection.execute(kCreateShapeLevels));
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             connection.use("INSERT OR REPLACE INTO shape_levels VALUES(?, ?, ?, ?, ?, ?, ?)"));
+  A3D_TRY(connection.execute(kCreateShapeLevels));
+  A3D_ASSIGN(SqliteStatement statement,
+             connection.use("INSERT OR REPLACE INTO shape_levels VALUES(?, ?, ?, ?, ?, ?, ?)"));
   bind(statement, key);
   return statement.bind(6, key.checksum(bytes)).bind(7, Cell::blob(bytes)).run();
 }
 
 Status erase_outdated_levels(Database& database) {
   SqliteConnection& connection = database.connection();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_table, has_level_table(connection));
+  A3D_ASSIGN(const bool has_table, has_level_table(connection));
   if (!has_table) return {};
   Status status = erase_levels(connection, 0, kObjectIsGone);
   for (const std::int64_t table : database.changes().tables())

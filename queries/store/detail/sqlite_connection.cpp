@@ -4,6 +4,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/propagate.h"
 #include "queries/store/detail/checked_vfs.h"
 #include "queries/store/detail/page_sums.h"
 #include "queries/store/detail/reading_step.h"
@@ -84,7 +85,7 @@ Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open(const std::file
   harden(handle);
   if (const int added = SqliteStatement::add_row_function(handle); added != SQLITE_OK)
     return connection->error(added, "opening the database");
-  if (access == Access::recovering) ALGEBRA3D_RETURN_IF_ERROR(connection->execute("PRAGMA query_only = ON"));
+  if (access == Access::recovering) A3D_TRY(connection->execute("PRAGMA query_only = ON"));
   return connection;
 }
 
@@ -147,10 +148,10 @@ Result<sqlite3_stmt*> SqliteConnection::prepare(std::string_view sql) {
 }
 
 Status SqliteConnection::execute(std::string_view sql) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(sqlite3_stmt * prepared, prepare(sql));
+  A3D_ASSIGN(sqlite3_stmt * prepared, prepare(sql));
   SqliteStatement statement(*this, prepared, nullptr);
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+    A3D_ASSIGN(const bool has_row, statement.step());
     if (!has_row) return {};
   }
 }
@@ -162,7 +163,7 @@ Result<SqliteStatement> SqliteConnection::use(std::string_view sql) {
     known->second->in_use = true;
     return SqliteStatement(*this, known->second->statement, &known->second->in_use);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(sqlite3_stmt * statement, prepare(sql));
+  A3D_ASSIGN(sqlite3_stmt * statement, prepare(sql));
   // Two uses of one text at the same time: the second one is not kept.
   if (known != prepared_.end()) return SqliteStatement(*this, statement, nullptr);
   if (prepared_.size() >= kPreparedKept) forget_unused();
@@ -191,8 +192,8 @@ void SqliteConnection::give_back(sqlite3_stmt* statement, bool* in_use) {
 }
 
 Result<std::int64_t> SqliteConnection::integer(std::string_view sql) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, use(sql));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  A3D_ASSIGN(SqliteStatement statement, use(sql));
+  A3D_ASSIGN(const bool has_row, statement.step());
   if (!has_row || !statement.column(0).is(Cell::Kind::integer))
     return Error{algebra3d::ErrorCode::database_corrupt, R"({}: expected a number for "{}")", file_, sql};
   return statement.column(0).integer;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 #include "queries/store/detail/reading_step.h"
 #include "queries/store/detail/sqlite_connection.h"
 
@@ -126,7 +127,7 @@ algebra3d::Result<bool> SqliteStatement::step() {
 }
 
 algebra3d::Status SqliteStatement::run() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, step());
+  A3D_ASSIGN(const bool has_row, step());
   assert(!has_row);
   static_cast<void>(has_row);
   return {};

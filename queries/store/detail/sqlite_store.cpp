@@ -1,6 +1,7 @@
 #include "queries/store/detail/sqlite_store.h"
 
 #include "algebra3d/values/types/codec.h"
+#include "base/propagate.h"
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/integrity_check.h"
 #include "queries/store/detail/read_scope.h"
@@ -20,7 +21,7 @@ ObjectInfo info_of(const CatalogueEntry& entry) {
 
 Result<std::unique_ptr<Store>> open_store(const std::filesystem::path& file, OpenMode mode,
                                           const algebra3d::Registry& registry, const StoreOptions& options) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto database, Database::open(file, mode, registry, options));
+  A3D_ASSIGN(auto database, Database::open(file, mode, registry, options));
   return std::unique_ptr<Store>(std::make_unique<SqliteStore>(std::move(database)));
 }
 
@@ -31,7 +32,7 @@ Result<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, Op
 
 Result<std::vector<ObjectInfo>> SqliteStore::objects() {
   const ReadScope scope(*database_);
-  ALGEBRA3D_RETURN_IF_ERROR(scope.status());
+  A3D_TRY(scope.status());
   std::vector<ObjectInfo> result;
   for (const auto& [name, entry] : database_->catalogue().entries()) result.push_back(info_of(entry));
   return result;
@@ -39,13 +40,13 @@ Result<std::vector<ObjectInfo>> SqliteStore::objects() {
 
 Result<std::optional<ObjectInfo>> SqliteStore::find(const std::string& name) {
   const ReadScope scope(*database_);
-  ALGEBRA3D_RETURN_IF_ERROR(scope.status());
+  A3D_TRY(scope.status());
   const CatalogueEntry* const entry = database_->catalogue().find(name);
   return entry != nullptr ? std::optional(info_of(*entry)) : std::nullopt;
 }
 
 Result<const CatalogueEntry*> SqliteStore::required(const std::string& name) {
-  ALGEBRA3D_RETURN_IF_ERROR(database_->check_reading());
+  A3D_TRY(database_->check_reading());
   const CatalogueEntry* const entry = database_->catalogue().find(name);
   if (entry != nullptr) return entry;
   return Error{ErrorCode::unknown_name, "there is no object '{}'", name};
@@ -53,7 +54,7 @@ Result<const CatalogueEntry*> SqliteStore::required(const std::string& name) {
 
 Status SqliteStore::check_storable(const std::string& name, const TypeExpr& type) const {
   if (type.is_relation()) {
-    ALGEBRA3D_RETURN_IF_ERROR(RelationLayout::make(database_->registry(), type.element(), name, 0));
+    A3D_TRY(RelationLayout::make(database_->registry(), type.element(), name, 0));
     return {};
   }
   if (is_index(type)) return {};
@@ -80,9 +81,9 @@ Status SqliteStore::create(const std::string& name, const TypeExpr& type) {
 }
 
 Status SqliteStore::create_derived(const std::string& name, const TypeExpr& type, const std::string& text) {
-  ALGEBRA3D_RETURN_IF_ERROR(database_->check_reading());
-  ALGEBRA3D_RETURN_IF_ERROR(check_free(name));
-  ALGEBRA3D_RETURN_IF_ERROR(check_storable(name, type));
+  A3D_TRY(database_->check_reading());
+  A3D_TRY(check_free(name));
+  A3D_TRY(check_storable(name, type));
   CatalogueEntry entry;
   entry.name = name;
   entry.type = type;
@@ -91,8 +92,8 @@ Status SqliteStore::create_derived(const std::string& name, const TypeExpr& type
 }
 
 Status SqliteStore::create_function(const std::string& name, const TypeExpr& type, const std::string& text) {
-  ALGEBRA3D_RETURN_IF_ERROR(database_->check_reading());
-  ALGEBRA3D_RETURN_IF_ERROR(check_free(name));
+  A3D_TRY(database_->check_reading());
+  A3D_TRY(check_free(name));
   CatalogueEntry entry;
   entry.name = name;
   entry.type = type;
@@ -102,7 +103,7 @@ Status SqliteStore::create_function(const std::string& name, const TypeExpr& typ
 }
 
 Result<Datum> SqliteStore::read(const std::string& name) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(name));
+  A3D_ASSIGN(const CatalogueEntry* entry, required(name));
   if (entry->type.is_function())
     return Error{ErrorCode::wrong_usage, "'{}' is a function; it has a text, not a value", name};
   if (!entry->has_value)
@@ -116,19 +117,19 @@ Result<Datum> SqliteStore::read(const std::string& name) {
   auto large = StoredObjectValue::find(database_, *entry, *type);
   if (!large) return Error{large.error().code, "{}: {}", name, large.error().message};
   if (*large) return Datum{**std::move(large)};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string bytes, read_object_bytes(*database_, *entry));
+  A3D_ASSIGN(const std::string bytes, read_object_bytes(*database_, *entry));
   auto value = algebra3d::decode(*type, bytes, algebra3d::Origin::own_store);
   if (!value) return Error{value.error().code, "{}: {}", name, value.error().message};
   return Datum{*std::move(value)};
 }
 
 Result<Datum> SqliteStore::read_relation(const CatalogueEntry& entry) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto layout, database_->layout_of(entry));
+  A3D_ASSIGN(auto layout, database_->layout_of(entry));
   return Datum{RelationPtr(std::make_shared<StoredRelation>(database_, std::move(layout)))};
 }
 
 Status SqliteStore::assign(const std::string& name, const Datum& value, const algebra3d::Context& context) {
-  ALGEBRA3D_RETURN_IF_ERROR(required(name));
+  A3D_TRY(required(name));
   return database_->change([&]() -> Status {
     CatalogueEntry& entry = *database_->catalogue().edit(name);
     if (entry.type.is_relation()) return assign_relation(entry, value, context);
@@ -145,8 +146,8 @@ Status SqliteStore::assign_value(CatalogueEntry& entry, const Value& value) {
   if (&value.type() != database_->registry().value_type(entry.type))
     return Error{ErrorCode::internal, "{}: a value of type {}, expected {}", entry.name, value.type().term().text(),
                  entry.type.text()};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string bytes, algebra3d::encode_to_store(loaded));
+  A3D_ASSIGN(const Value loaded, value.loaded());
+  A3D_ASSIGN(const std::string bytes, algebra3d::encode_to_store(loaded));
   return write_object_bytes(*database_, entry, bytes);
 }
 
@@ -165,7 +166,7 @@ Result<std::vector<Finding>> Store::check_damaged(const std::filesystem::path& f
   if (!begun && begun.error().code == ErrorCode::database_corrupt)
     return std::vector<Finding>{{.message = kCatalogueFinding + begun.error().message + (lost.empty() ? "" : "; ") +
                                             lost + "; no object can be found"}};
-  ALGEBRA3D_RETURN_IF_ERROR(begun);
+  A3D_TRY(begun);
   const auto& database = *opened;
   auto findings = IntegrityCheck(database, context, progress).run();
   database->close();
@@ -175,32 +176,30 @@ Result<std::vector<Finding>> Store::check_damaged(const std::filesystem::path& f
 
 Result<bool> SqliteStore::is_imported(const std::string& relation, const ImportedFile& file) {
   const ReadScope scope(*database_);
-  ALGEBRA3D_RETURN_IF_ERROR(scope.status());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(relation));
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      SqliteStatement statement,
-      database_->connection().use("SELECT 1 FROM imported_files WHERE relation = ? AND path = ? AND size "
-                                  "= ? AND hash = ?"));
+  A3D_TRY(scope.status());
+  A3D_ASSIGN(const CatalogueEntry* entry, required(relation));
+  A3D_ASSIGN(SqliteStatement statement,
+             database_->connection().use("SELECT 1 FROM imported_files WHERE relation = ? AND path = ? AND size "
+                                         "= ? AND hash = ?"));
   statement.bind(1, entry->id).bind(2, file.path).bind(3, as_signed(file.size)).bind(4, as_signed(file.hash));
   return statement.step();
 }
 
 Status SqliteStore::remember_imported(const std::string& relation, const ImportedFile& file) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(relation));
+  A3D_ASSIGN(const CatalogueEntry* entry, required(relation));
   return database_->change([&]() -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                               database_->connection().use("INSERT OR REPLACE INTO imported_files VALUES(?, ?, ?, ?)"));
+    A3D_ASSIGN(SqliteStatement statement,
+               database_->connection().use("INSERT OR REPLACE INTO imported_files VALUES(?, ?, ?, ?)"));
     statement.bind(1, entry->id).bind(2, file.path).bind(3, as_signed(file.size)).bind(4, as_signed(file.hash));
     return statement.run();
   });
 }
 
 Status SqliteStore::forget_imported(const std::string& relation, const std::string& path) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(relation));
+  A3D_ASSIGN(const CatalogueEntry* entry, required(relation));
   return database_->change([&]() -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(
-        SqliteStatement statement,
-        database_->connection().use("DELETE FROM imported_files WHERE relation = ? AND path = ?"));
+    A3D_ASSIGN(SqliteStatement statement,
+               database_->connection().use("DELETE FROM imported_files WHERE relation = ? AND path = ?"));
     statement.bind(1, entry->id).bind(2, path);
     return statement.run();
   });

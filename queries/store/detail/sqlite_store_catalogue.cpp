@@ -1,4 +1,5 @@
 // The parts of the store that remove and rename objects, and the named types.
+#include "base/propagate.h"
 #include "queries/store/detail/chunks.h"
 #include "queries/store/detail/read_scope.h"
 #include "queries/store/detail/sqlite_store.h"
@@ -16,22 +17,21 @@ std::vector<std::string> SqliteStore::with_indexes(const CatalogueEntry& entry) 
 }
 
 Status SqliteStore::remove(const std::string& name) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(name));
+  A3D_ASSIGN(const CatalogueEntry* entry, required(name));
   return database_->change([&]() -> Status {
-    for (const std::string& each : with_indexes(*entry))
-      ALGEBRA3D_RETURN_IF_ERROR(remove_entry(*database_->catalogue().find(each)));
+    for (const std::string& each : with_indexes(*entry)) A3D_TRY(remove_entry(*database_->catalogue().find(each)));
     return {};
   });
 }
 
 Status SqliteStore::remove_entry(const CatalogueEntry& entry) {
   SqliteConnection& connection = database_->connection();
-  ALGEBRA3D_RETURN_IF_ERROR(drop_table(entry));
-  ALGEBRA3D_RETURN_IF_ERROR(drop_stored_index(entry));
-  ALGEBRA3D_RETURN_IF_ERROR(erase_chunks(connection, 0, entry.id));
+  A3D_TRY(drop_table(entry));
+  A3D_TRY(drop_stored_index(entry));
+  A3D_TRY(erase_chunks(connection, 0, entry.id));
   for (const char* sql : {"DELETE FROM object_values WHERE id = ?", "DELETE FROM imported_files WHERE relation = ?"}) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(sql));
-    ALGEBRA3D_RETURN_IF_ERROR(statement.bind(1, entry.id).run());
+    A3D_ASSIGN(SqliteStatement statement, connection.use(sql));
+    A3D_TRY(statement.bind(1, entry.id).run());
   }
   database_->catalogue().remove(std::string(entry.name));
   return {};
@@ -39,12 +39,12 @@ Status SqliteStore::remove_entry(const CatalogueEntry& entry) {
 
 // Freeing the pages of a damaged table or value could free those of others.
 Status SqliteStore::kill(const std::string& name) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(name));
+  A3D_ASSIGN(const CatalogueEntry* entry, required(name));
   return database_->change([&]() -> Status {
     for (const std::string& each : with_indexes(*entry)) {
       const CatalogueEntry& doomed = *database_->catalogue().find(each);
-      ALGEBRA3D_ASSIGN_OR_RETURN(const bool sound, is_sound(doomed));
-      ALGEBRA3D_RETURN_IF_ERROR(sound ? remove_entry(doomed) : abandon(doomed));
+      A3D_ASSIGN(const bool sound, is_sound(doomed));
+      A3D_TRY(sound ? remove_entry(doomed) : abandon(doomed));
     }
     return {};
   });
@@ -74,28 +74,27 @@ Result<bool> SqliteStore::is_sound(const CatalogueEntry& entry) {
 
 Status SqliteStore::abandon(const CatalogueEntry& entry) {
   const std::int64_t number = entry.type.is_relation() ? entry.table_number : entry.id;
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             database_->connection().use("INSERT INTO abandoned VALUES(?, ?)"));
-  ALGEBRA3D_RETURN_IF_ERROR(statement.bind(1, number).bind(2, std::string_view(entry.name)).run());
+  A3D_ASSIGN(SqliteStatement statement, database_->connection().use("INSERT INTO abandoned VALUES(?, ?)"));
+  A3D_TRY(statement.bind(1, number).bind(2, std::string_view(entry.name)).run());
   database_->catalogue().remove(std::string(entry.name));
   return {};
 }
 
 Status SqliteStore::rename(const std::string& from, const std::string& to) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* old, required(from));
-  ALGEBRA3D_RETURN_IF_ERROR(check_free(to));
+  A3D_ASSIGN(const CatalogueEntry* old, required(from));
+  A3D_TRY(check_free(to));
   return database_->change([&]() -> Status {
     std::vector<std::string> names = with_indexes(*old);
     std::shared_ptr<const RelationLayout> before;
     const bool has_table = old->type.is_relation() && old->table_number != 0;
     if (has_table) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(before, database_->layout_of(*old));
+      A3D_ASSIGN(before, database_->layout_of(*old));
       database_->note_renamed(old->table_number);
     }
     const CatalogueEntry& renamed = database_->catalogue().rename(from, to);
     for (std::size_t i = 1; i < names.size(); ++i) database_->catalogue().edit(names[i])->index_relation = to;
     if (!has_table) return {};
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto after, database_->layout_of(renamed));
+    A3D_ASSIGN(const auto after, database_->layout_of(renamed));
     const std::string sql = before->rename_sql(*after);
     return sql.empty() ? Status() : database_->connection().execute(sql);
   });
@@ -103,7 +102,7 @@ Status SqliteStore::rename(const std::string& from, const std::string& to) {
 
 Result<std::vector<NamedType>> SqliteStore::types() {
   const ReadScope scope(*database_);
-  ALGEBRA3D_RETURN_IF_ERROR(scope.status());
+  A3D_TRY(scope.status());
   std::vector<NamedType> result;
   for (const auto& [name, type] : database_->catalogue().types()) result.push_back({name, type});
   return result;
@@ -111,14 +110,14 @@ Result<std::vector<NamedType>> SqliteStore::types() {
 
 Result<std::optional<TypeExpr>> SqliteStore::find_type(const std::string& name) {
   const ReadScope scope(*database_);
-  ALGEBRA3D_RETURN_IF_ERROR(scope.status());
+  A3D_TRY(scope.status());
   const auto& types = database_->catalogue().types();
   const auto found = types.find(name);
   return found != types.end() ? std::optional(found->second) : std::nullopt;
 }
 
 Status SqliteStore::create_type(const std::string& name, const TypeExpr& type) {
-  ALGEBRA3D_RETURN_IF_ERROR(database_->check_reading());
+  A3D_TRY(database_->check_reading());
   if (database_->catalogue().types().contains(name))
     return Error{ErrorCode::name_exists, "there is a type '{}' already", name};
   return database_->change([&]() -> Status {
@@ -128,7 +127,7 @@ Status SqliteStore::create_type(const std::string& name, const TypeExpr& type) {
 }
 
 Status SqliteStore::remove_type(const std::string& name) {
-  ALGEBRA3D_RETURN_IF_ERROR(database_->check_reading());
+  A3D_TRY(database_->check_reading());
   if (!database_->catalogue().types().contains(name))
     return Error{ErrorCode::unknown_name, "there is no type '{}'", name};
   return database_->change([&]() -> Status {

@@ -1,6 +1,7 @@
 // The parts of the store that deal with indexes.
 #include <vector>
 
+#include "base/propagate.h"
 #include "queries/store/detail/frozen_index.h"
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/index_pages.h"
@@ -24,11 +25,11 @@ Result<std::string> frozen(const OrderedIndex& index) {
 
 template <typename Index>
 Status SqliteStore::assign_index(CatalogueEntry& entry, const Index& index) {
-  ALGEBRA3D_RETURN_IF_ERROR(drop_stored_index(entry));
+  A3D_TRY(drop_stored_index(entry));
   entry.index_relation.clear();
   entry.index_attribute = index.attribute();
   if (!index.is_definition()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::string bytes, frozen(index));
+    A3D_ASSIGN(const std::string bytes, frozen(index));
     return write_object_bytes(*database_, entry, bytes);
   }
   const CatalogueEntry* const relation = database_->catalogue().find(index.relation());
@@ -43,15 +44,15 @@ template Status SqliteStore::assign_index(CatalogueEntry& entry, const SpatialIn
 template Status SqliteStore::assign_index(CatalogueEntry& entry, const OrderedIndex& index);
 
 Status SqliteStore::make_stored_index(const CatalogueEntry& index, const CatalogueEntry& relation) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto layout, database_->layout_of(relation));
+  A3D_ASSIGN(const auto layout, database_->layout_of(relation));
   const std::size_t attribute = layout->find(index.index_attribute);
   if (index.type.is("rtree3")) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const IndexPlace place, spatial_place(relation, index.index_attribute));
-    ALGEBRA3D_RETURN_IF_ERROR(spatial_tree(database_, place.layout, place.attribute));
+    A3D_ASSIGN(const IndexPlace place, spatial_place(relation, index.index_attribute));
+    A3D_TRY(spatial_tree(database_, place.layout, place.attribute));
     return {};
   }
   if (attribute == layout->attributes().size() || !layout->attributes()[attribute].has_native_order()) return {};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_there, has_stored_order(database_->connection(), *layout, attribute));
+  A3D_ASSIGN(const bool is_there, has_stored_order(database_->connection(), *layout, attribute));
   return is_there ? Status() : database_->connection().execute(layout->create_order_sql(attribute));
 }
 
@@ -72,7 +73,7 @@ Status SqliteStore::drop_stored_index(const CatalogueEntry& index) {
     if (other.id != index.id && other.type.is("btree") && other.index_relation == index.index_relation &&
         other.index_attribute == index.index_attribute)
       return {};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto layout, database_->layout_of(*relation));
+  A3D_ASSIGN(const auto layout, database_->layout_of(*relation));
   const std::size_t attribute = layout->find(index.index_attribute);
   if (attribute == layout->attributes().size()) return {};
   database_->indexes().drop_ordered(layout->table_number(), attribute);
@@ -81,7 +82,7 @@ Status SqliteStore::drop_stored_index(const CatalogueEntry& index) {
 
 Status SqliteStore::make_stored_indexes(const CatalogueEntry& relation) {
   for (const auto& [name, index] : database_->catalogue().entries())
-    if (index.index_relation == relation.name) ALGEBRA3D_RETURN_IF_ERROR(make_stored_index(index, relation));
+    if (index.index_relation == relation.name) A3D_TRY(make_stored_index(index, relation));
   return {};
 }
 
@@ -94,13 +95,13 @@ Result<const CatalogueEntry*> SqliteStore::indexed_relation(const CatalogueEntry
 
 Result<Datum> SqliteStore::read_index(const CatalogueEntry& entry) {
   if (entry.index_relation.empty()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::string bytes, read_object_bytes(*database_, entry));
+    A3D_ASSIGN(const std::string bytes, read_object_bytes(*database_, entry));
     auto tree = decode_tree(bytes);
     if (!tree) return Error{tree.error().code, "{}: {}", entry.name, tree.error().message};
     return Datum{std::make_shared<SpatialIndex>("", entry.index_attribute, *std::move(tree))};
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* relation, indexed_relation(entry));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const IndexPlace place, spatial_place(*relation, entry.index_attribute));
+  A3D_ASSIGN(const CatalogueEntry* relation, indexed_relation(entry));
+  A3D_ASSIGN(const IndexPlace place, spatial_place(*relation, entry.index_attribute));
   SpatialIndex::Source source;
   source.tree = [database = database_, place] { return spatial_tree(database, place.layout, place.attribute); };
   source.remade_tree = [database = database_, place] { return tree_of_rows(database, place.layout, place.attribute); };
@@ -112,18 +113,18 @@ Result<Datum> SqliteStore::read_ordered_index(const CatalogueEntry& entry) {
     const algebra3d::Type* const key_type = ordered_key_type(database_->registry(), entry.type);
     if (key_type == nullptr)
       return Error{ErrorCode::database_corrupt, "{}: the type {} is not known", entry.name, entry.type.text()};
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::string bytes, read_object_bytes(*database_, entry));
+    A3D_ASSIGN(const std::string bytes, read_object_bytes(*database_, entry));
     auto tree = decode_order(*key_type, bytes);
     if (!tree) return Error{tree.error().code, "{}: {}", entry.name, tree.error().message};
     return Datum{std::make_shared<OrderedIndex>(entry.index_attribute, *std::move(tree))};
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* relation, indexed_relation(entry));
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto entries, ordered_entries_of(*relation, entry.index_attribute));
+  A3D_ASSIGN(const CatalogueEntry* relation, indexed_relation(entry));
+  A3D_ASSIGN(auto entries, ordered_entries_of(*relation, entry.index_attribute));
   return Datum{std::make_shared<OrderedIndex>(entry.index_relation, entry.index_attribute, std::move(entries))};
 }
 
 Result<IndexPlace> SqliteStore::spatial_place(const CatalogueEntry& relation, const std::string& attribute) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto layout, database_->layout_of(relation));
+  A3D_ASSIGN(const auto layout, database_->layout_of(relation));
   const std::size_t position = layout->find(attribute);
   if (position == layout->attributes().size() || !layout->attributes()[position].has_box())
     return Error{ErrorCode::database_corrupt, "{}: there is no spatial attribute '{}' for an index", relation.name,
@@ -133,7 +134,7 @@ Result<IndexPlace> SqliteStore::spatial_place(const CatalogueEntry& relation, co
 
 Result<std::shared_ptr<const OrderedEntries>> SqliteStore::ordered_entries_of(const CatalogueEntry& relation,
                                                                               const std::string& attribute) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto layout, database_->layout_of(relation));
+  A3D_ASSIGN(const auto layout, database_->layout_of(relation));
   const std::size_t position = layout->find(attribute);
   if (position == layout->attributes().size())
     return Error{ErrorCode::database_corrupt, "{}: there is no attribute '{}' for an index", relation.name, attribute};

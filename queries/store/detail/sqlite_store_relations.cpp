@@ -1,4 +1,5 @@
 // The parts of the store that deal with relations.
+#include "base/propagate.h"
 #include "queries/store/detail/sqlite_store.h"
 #include "queries/store/detail/stored_relation.h"
 
@@ -13,25 +14,25 @@ Status SqliteStore::assign_relation(CatalogueEntry& entry, const Datum& value, c
     return Error{ErrorCode::internal, "{}: neither a relation nor a stream of tuples", entry.name};
   TupleStreamPtr tuples = stream != nullptr ? *stream : nullptr;
   if (tuples == nullptr) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(tuples, (*relation)->scan());
+    A3D_ASSIGN(tuples, (*relation)->scan());
   }
   CatalogueEntry filled = entry;
   filled.table_number = database_->catalogue().take_number();
   filled.tuple_count = 0;
   filled.tuple_sum = 0;
   filled.has_value = true;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto layout, database_->layout_of(filled));
+  A3D_ASSIGN(const auto layout, database_->layout_of(filled));
   database_->note_created(layout->table_number());
-  ALGEBRA3D_RETURN_IF_ERROR(database_->connection().execute(layout->create_sql()));
-  ALGEBRA3D_RETURN_IF_ERROR(fill_relation(*database_, *layout, filled, *tuples, context));
-  ALGEBRA3D_RETURN_IF_ERROR(drop_table(entry));
+  A3D_TRY(database_->connection().execute(layout->create_sql()));
+  A3D_TRY(fill_relation(*database_, *layout, filled, *tuples, context));
+  A3D_TRY(drop_table(entry));
   entry = std::move(filled);
   return make_stored_indexes(entry);
 }
 
 Status SqliteStore::drop_table(const CatalogueEntry& entry) {
   if (!entry.type.is_relation() || entry.table_number == 0) return {};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto layout, database_->layout_of(entry));
+  A3D_ASSIGN(const auto layout, database_->layout_of(entry));
   database_->drop_at_end(layout);
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include <compare>
 
+#include "base/propagate.h"
 #include "queries/store/detail/relation_scan.h"
 
 namespace queries {
@@ -78,8 +79,8 @@ Result<SqliteStatement> StoredOrder::entries(std::string_view condition, std::st
 }
 
 Result<std::size_t> StoredOrder::size() const {
-  ALGEBRA3D_RETURN_IF_ERROR(database_->check_statement(statement_));
-  ALGEBRA3D_ASSIGN_OR_RETURN(
+  A3D_TRY(database_->check_statement(statement_));
+  A3D_ASSIGN(
       const std::int64_t count,
       database_->connection().integer(fmt::format(
           "SELECT count({}) FROM {}", layout_->column(layout_->attributes()[attribute_].value), layout_->table())));
@@ -88,27 +89,27 @@ Result<std::size_t> StoredOrder::size() const {
 
 Result<std::vector<TupleId>> StoredOrder::range(const std::optional<Value>& low,
                                                 const std::optional<Value>& high) const {
-  ALGEBRA3D_RETURN_IF_ERROR(database_->check_statement(statement_));
+  A3D_TRY(database_->check_statement(statement_));
   const AttributeForm form = layout_->attributes()[attribute_].form;
   Bounds bounds;
   if (low) bounds.low = native_cell(form, *low);
   if (high) bounds.high = native_cell(form, *high);
   auto found = proved_range(bounds);
   if (found || found.error().code != ErrorCode::database_corrupt) return found;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto tree, order_in_memory(database_, layout_, attribute_));
+  A3D_ASSIGN(const auto tree, order_in_memory(database_, layout_, attribute_));
   return tree->range(low, high);
 }
 
 // The entries are walked through as they lie: two before the range, those of the range, two behind it. An entry with a
 // wrong key leads a search astray only to a place next to it; one from another place stands out from its neighbours.
 Result<std::vector<TupleId>> StoredOrder::proved_range(const Bounds& bounds) const {
-  ALGEBRA3D_RETURN_IF_ERROR(check_before(bounds));
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement found, entries(bounds.low ? "i.{0} >= ?1" : "i.{0} IS NOT NULL", ""));
+  A3D_TRY(check_before(bounds));
+  A3D_ASSIGN(SqliteStatement found, entries(bounds.low ? "i.{0} >= ?1" : "i.{0} IS NOT NULL", ""));
   if (bounds.low) found.bind(1, *bounds.low);
   std::vector<TupleId> ids;
   Walk walk(Walk::Direction::up);
   for (int behind = 0; behind < kNeighbours;) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, found.step());
+    A3D_ASSIGN(const bool has_row, found.step());
     if (!has_row) break;
     const Cell key = found.column(kKeyInIndex);
     const TupleId id = found.column(kTuple).integer;
@@ -126,11 +127,11 @@ Result<std::vector<TupleId>> StoredOrder::proved_range(const Bounds& bounds) con
 Status StoredOrder::check_before(const Bounds& bounds) const {
   int count = 0;
   if (bounds.low) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement found, entries("i.{0} < ?1", " DESC"));
+    A3D_ASSIGN(SqliteStatement found, entries("i.{0} < ?1", " DESC"));
     found.bind(1, *bounds.low);
     Walk walk(Walk::Direction::down);
     for (; count < kNeighbours; ++count) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, found.step());
+      A3D_ASSIGN(const bool has_row, found.step());
       if (!has_row) break;
       const Cell key = found.column(kKeyInIndex);
       const bool is_right = walk.pass(key, found.column(kTuple).integer) && order_of(key, *bounds.low) < 0 &&
@@ -144,19 +145,19 @@ Status StoredOrder::check_before(const Bounds& bounds) const {
 // A key that has become NULL ends the way down, or stands at the end of those that are.
 Status StoredOrder::check_beginning(const Bounds& bounds) const {
   if (bounds.low) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement least, entries("i.{0} IS NOT NULL", ""));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, least.step());
+    A3D_ASSIGN(SqliteStatement least, entries("i.{0} IS NOT NULL", ""));
+    A3D_ASSIGN(const bool has_row, least.step());
     if (has_row && !(order_of(least.column(kKeyInIndex), *bounds.low) >= 0)) return damaged();
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement undefined, entries("i.{0} IS NULL", " DESC"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, undefined.step());
+  A3D_ASSIGN(SqliteStatement undefined, entries("i.{0} IS NULL", " DESC"));
+  A3D_ASSIGN(const bool has_row, undefined.step());
   return has_row && !undefined.column(kKeyInRow).is_null() ? Status(damaged()) : Status();
 }
 
 Result<bool> has_stored_order(SqliteConnection& connection, const RelationLayout& layout, std::size_t attribute) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
-                             connection.use("SELECT 1 FROM sqlite_schema WHERE type = 'index' AND name = ? AND "
-                                            "tbl_name = ? COLLATE NOCASE"));
+  A3D_ASSIGN(SqliteStatement statement,
+             connection.use("SELECT 1 FROM sqlite_schema WHERE type = 'index' AND name = ? AND "
+                            "tbl_name = ? COLLATE NOCASE"));
   const std::string name = layout.order_name(attribute);
   return statement.bind(1, std::string_view(name)).bind(2, std::string_view(layout.table())).step();
 }
@@ -168,9 +169,9 @@ Result<std::shared_ptr<OrderedTree>> order_in_memory(const std::shared_ptr<Datab
   std::vector<OrderedTree::Entry> entries;
   RelationScan scan(database, layout);
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, scan.next());
+    A3D_ASSIGN(const TuplePtr tuple, scan.next());
     if (tuple == nullptr) break;
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value key, tuple->attributes[attribute].loaded());
+    A3D_ASSIGN(Value key, tuple->attributes[attribute].loaded());
     if (key.is_defined()) entries.push_back({std::move(key), tuple->id});
   }
   auto tree = std::make_shared<OrderedTree>(OrderedTree::bulk_load(std::move(entries)));
@@ -184,10 +185,10 @@ Result<std::shared_ptr<const OrderedEntries>> ordered_entries(const std::shared_
                                                               std::size_t attribute) {
   const bool is_in_memory = database->indexes().find_ordered(layout->table_number(), attribute) != nullptr;
   if (!is_in_memory && layout->attributes()[attribute].has_native_order()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_stored, has_stored_order(database->connection(), *layout, attribute));
+    A3D_ASSIGN(const bool is_stored, has_stored_order(database->connection(), *layout, attribute));
     if (is_stored) return std::shared_ptr<const OrderedEntries>(new StoredOrder(database, layout, attribute));
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto tree, order_in_memory(database, layout, attribute));
+  A3D_ASSIGN(const auto tree, order_in_memory(database, layout, attribute));
   return std::shared_ptr<const OrderedEntries>(tree);
 }
 

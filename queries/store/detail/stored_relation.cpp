@@ -1,5 +1,6 @@
 #include "queries/store/detail/stored_relation.h"
 
+#include "base/propagate.h"
 #include "queries/store/detail/chunks.h"
 #include "queries/store/detail/relation_scan.h"
 #include "queries/store/detail/relation_selection.h"
@@ -9,7 +10,7 @@ namespace queries {
 
 // The relation may have been replaced or removed since the statement asked for it.
 Result<const CatalogueEntry*> StoredRelation::entry() const {
-  ALGEBRA3D_RETURN_IF_ERROR(database_->check_statement(statement_));
+  A3D_TRY(database_->check_statement(statement_));
   const CatalogueEntry* const entry = database_->catalogue().find(layout_->relation());
   if (entry != nullptr && entry->table_number == layout_->table_number()) return entry;
   return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted by the statement that still uses it",
@@ -17,28 +18,28 @@ Result<const CatalogueEntry*> StoredRelation::entry() const {
 }
 
 Result<std::int64_t> StoredRelation::count() const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* own, entry());
+  A3D_ASSIGN(const CatalogueEntry* own, entry());
   return own->tuple_count;
 }
 
 Result<TupleStreamPtr> StoredRelation::scan() {
-  ALGEBRA3D_RETURN_IF_ERROR(entry());
+  A3D_TRY(entry());
   return TupleStreamPtr(std::make_shared<RelationScan>(database_, layout_));
 }
 
 Result<TuplePtr> StoredRelation::fetch(TupleId id) {
-  ALGEBRA3D_RETURN_IF_ERROR(entry());
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));
+  A3D_TRY(entry());
+  A3D_ASSIGN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));
   statement.bind(1, id);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  A3D_ASSIGN(const bool has_row, statement.step());
   if (!has_row) return TuplePtr();
   RowReader reader(database_, layout_, database_->changes().now());
-  ALGEBRA3D_RETURN_IF_ERROR(reader.take(statement));
+  A3D_TRY(reader.take(statement));
   return reader.tuple();
 }
 
 Result<TupleStreamPtr> StoredRelation::select(std::vector<TupleId> ids) {
-  ALGEBRA3D_RETURN_IF_ERROR(entry());
+  A3D_TRY(entry());
   return TupleStreamPtr(std::make_shared<RelationSelection>(database_, layout_, std::move(ids)));
 }
 
@@ -51,9 +52,9 @@ bool StoredRelation::keeps(TupleId id) const {
 Result<StoredRelation::Keys> StoredRelation::keys(const std::function<Result<Value>(std::size_t)>& value_of) const {
   Keys keys;
   for (const std::size_t attribute : database_->indexes().ordered_attributes(layout_->table_number())) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, value_of(attribute));
+    A3D_ASSIGN(const Value value, value_of(attribute));
     if (!value.is_defined()) continue;
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value key, value.loaded());
+    A3D_ASSIGN(Value key, value.loaded());
     keys.emplace_back(attribute, std::move(key));
   }
   return keys;
@@ -66,9 +67,9 @@ struct StoredRelation::OldRow {
 };
 
 Result<std::unique_ptr<StoredRelation::OldRow>> StoredRelation::read_row(TupleId id) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));
+  A3D_ASSIGN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));
   statement.bind(1, id);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  A3D_ASSIGN(const bool has_row, statement.step());
   if (!has_row) return Error{ErrorCode::unknown_name, "{}: there is no tuple {}", layout_->relation(), id};
   std::vector<Cell> cells(layout_->small_column_count());
   statement.read_columns(cells);
@@ -87,8 +88,8 @@ void StoredRelation::change_keys(const Keys& old_keys, const Keys& new_keys, Tup
 
 Status StoredRelation::write(CatalogueEntry& entry, RowWriter& writer, TupleId id) {
   const auto value_of = [&](std::size_t attribute) -> Result<Value> { return writer.value(attribute); };
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Keys new_keys, keys(value_of));
-  ALGEBRA3D_RETURN_IF_ERROR(writer.write());
+  A3D_ASSIGN(const Keys new_keys, keys(value_of));
+  A3D_TRY(writer.write());
   change_keys({}, new_keys, id);
   ++entry.tuple_count;
   entry.tuple_sum += writer.row().checksum;
@@ -98,26 +99,25 @@ Status StoredRelation::write(CatalogueEntry& entry, RowWriter& writer, TupleId i
 
 Status StoredRelation::erase_row(CatalogueEntry& entry, TupleId id) {
   SqliteConnection& connection = database_->connection();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto old, read_row(id));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Keys old_keys,
-                             keys([&](std::size_t attribute) { return old->reader.value(attribute); }));
+  A3D_ASSIGN(const auto old, read_row(id));
+  A3D_ASSIGN(const Keys old_keys, keys([&](std::size_t attribute) { return old->reader.value(attribute); }));
   change_keys(old_keys, {}, id);
   --entry.tuple_count;
   entry.tuple_sum -= old->reader.checksum();
   database_->indexes().erase(layout_->table_number(), id, old->reader.boxes());
-  ALGEBRA3D_RETURN_IF_ERROR(database_->note_tuple(*layout_, id));
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(layout_->erase_sql()));
-  ALGEBRA3D_RETURN_IF_ERROR(statement.bind(1, id).run());
+  A3D_TRY(database_->note_tuple(*layout_, id));
+  A3D_ASSIGN(SqliteStatement statement, connection.use(layout_->erase_sql()));
+  A3D_TRY(statement.bind(1, id).run());
   return erase_chunks(connection, layout_->table_number(), id);
 }
 
 Status StoredRelation::overwrite(CatalogueEntry& entry, const RowReader& old, RowWriter& writer, TupleId id) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Keys old_keys, keys([&](std::size_t attribute) { return old.value(attribute); }));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Keys new_keys,
-                             keys([&](std::size_t attribute) -> Result<Value> { return writer.value(attribute); }));
+  A3D_ASSIGN(const Keys old_keys, keys([&](std::size_t attribute) { return old.value(attribute); }));
+  A3D_ASSIGN(const Keys new_keys,
+             keys([&](std::size_t attribute) -> Result<Value> { return writer.value(attribute); }));
   change_keys(old_keys, new_keys, id);
-  ALGEBRA3D_RETURN_IF_ERROR(database_->note_tuple(*layout_, id));
-  ALGEBRA3D_RETURN_IF_ERROR(writer.overwrite());
+  A3D_TRY(database_->note_tuple(*layout_, id));
+  A3D_TRY(writer.overwrite());
   entry.tuple_sum += writer.row().checksum - old.checksum();
   std::vector<algebra3d::Box3> old_boxes = old.boxes();
   std::vector<algebra3d::Box3> new_boxes = writer.row().boxes;
@@ -129,10 +129,10 @@ Status StoredRelation::overwrite(CatalogueEntry& entry, const RowReader& old, Ro
 }
 
 Result<TupleId> StoredRelation::insert(const Tuple& tuple) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* own, entry());
+  A3D_ASSIGN(const CatalogueEntry* own, entry());
   const TupleId id = own->next_tuple;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple));
-  ALGEBRA3D_RETURN_IF_ERROR(database_->change([&]() -> Status {
+  A3D_ASSIGN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple));
+  A3D_TRY(database_->change([&]() -> Status {
     follow_changes(database_, layout_);
     CatalogueEntry& edited = *database_->catalogue().edit(layout_->relation());
     ++edited.next_tuple;
@@ -144,7 +144,7 @@ Result<TupleId> StoredRelation::insert(const Tuple& tuple) {
 }
 
 Status StoredRelation::erase(TupleId id) {
-  ALGEBRA3D_RETURN_IF_ERROR(entry());
+  A3D_TRY(entry());
   Status status = database_->change([&] {
     follow_changes(database_, layout_);
     return erase_row(*database_->catalogue().edit(layout_->relation()), id);
@@ -155,9 +155,9 @@ Status StoredRelation::erase(TupleId id) {
 
 // The writer reads what the new tuple defers before the old one goes, if that is not to stay where it is.
 Status StoredRelation::update(TupleId id, const Tuple& tuple) {
-  ALGEBRA3D_RETURN_IF_ERROR(entry());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto old, read_row(id));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple, &old->reader));
+  A3D_TRY(entry());
+  A3D_ASSIGN(const auto old, read_row(id));
+  A3D_ASSIGN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple, &old->reader));
   Status status = database_->change([&] {
     follow_changes(database_, layout_);
     return overwrite(*database_->catalogue().edit(layout_->relation()), old->reader, *writer, id);
@@ -169,11 +169,11 @@ Status StoredRelation::update(TupleId id, const Tuple& tuple) {
 Status fill_relation(Database& database, const RelationLayout& layout, CatalogueEntry& entry, TupleStream& source,
                      const algebra3d::Context& context) {
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, source.next());
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const TuplePtr tuple, source.next());
     if (tuple == nullptr) return {};
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto writer, RowWriter::make(database, layout, entry.next_tuple, *tuple));
-    ALGEBRA3D_RETURN_IF_ERROR(writer->write());
+    A3D_ASSIGN(const auto writer, RowWriter::make(database, layout, entry.next_tuple, *tuple));
+    A3D_TRY(writer->write());
     ++entry.next_tuple;
     ++entry.tuple_count;
     entry.tuple_sum += writer->row().checksum;

@@ -7,6 +7,7 @@
 
 #include "algebra3d/values/types/codec.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 #include "queries/store/detail/chunks.h"
 #include "queries/store/detail/stored_value.h"
 
@@ -41,7 +42,7 @@ Result<std::string> encoded_bytes(const Database& database, const Value& value) 
     const auto* stored = dynamic_cast<const StoredValue*>(deferred.get());
     if (stored != nullptr && stored->database() == &database) return stored->encoded();
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  A3D_ASSIGN(const Value loaded, value.loaded());
   return algebra3d::encode_to_store(loaded);
 }
 
@@ -111,7 +112,7 @@ Result<TuplePtr> RowReader::tuple() const {
   tuple->id = id();
   tuple->attributes.reserve(layout_->attributes().size());
   for (std::size_t i = 0; i < layout_->attributes().size(); ++i) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value next, value(i));
+    A3D_ASSIGN(Value next, value(i));
     tuple->attributes.push_back(std::move(next));
   }
   return TuplePtr(std::move(tuple));
@@ -196,7 +197,7 @@ Result<std::unique_ptr<RowWriter>> RowWriter::make(Database& database, const Rel
   writer->row_.boxes.resize(attributes.size());
   writer->values_ = tuple.attributes;
   writer->cells_[0] = Cell::of(id);
-  for (std::size_t i = 0; i < attributes.size(); ++i) ALGEBRA3D_RETURN_IF_ERROR(writer->add(i, writer->values_[i]));
+  for (std::size_t i = 0; i < attributes.size(); ++i) A3D_TRY(writer->add(i, writer->values_[i]));
   writer->row_.checksum = row_checksum(layout, writer->cells_);
   writer->cells_[kChecksumColumn] = Cell::of(as_signed(writer->row_.checksum));
   return writer;
@@ -230,7 +231,7 @@ Status RowWriter::add_bytes(std::size_t attribute, const Value& value) {
     cells_[columns.box + kSumAfterBox] = old_->cells()[columns.box + kSumAfterBox];
     return {};
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string bytes, encoded_bytes(database_, value));
+  A3D_ASSIGN(std::string bytes, encoded_bytes(database_, value));
   encoded_.push_back(std::make_unique<std::string>(std::move(bytes)));
   if (columns.form == AttributeForm::large) {
     const std::size_t sum = columns.box + kSumAfterBox;
@@ -278,16 +279,16 @@ void RowWriter::place_bytes(std::size_t attribute, std::string_view bytes) {
 
 Status RowWriter::write() {
   SqliteConnection& connection = database_.connection();
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(layout_.insert_sql()));
+  A3D_ASSIGN(SqliteStatement statement, connection.use(layout_.insert_sql()));
   for (std::size_t i = 0; i < cells_.size(); ++i) statement.bind(static_cast<int>(i) + 1, cells_[i]);
-  ALGEBRA3D_RETURN_IF_ERROR(statement.run());
+  A3D_TRY(statement.run());
   return write_long();
 }
 
 Status RowWriter::write_long() {
   for (const auto& [attribute, bytes] : long_) {
     const ChunkPlace place{layout_.table_number(), cells_[0].integer, static_cast<std::int64_t>(attribute)};
-    ALGEBRA3D_RETURN_IF_ERROR(write_chunks(database_.connection(), place, bytes, database_.options().chunk_bytes));
+    A3D_TRY(write_chunks(database_.connection(), place, bytes, database_.options().chunk_bytes));
   }
   return {};
 }
@@ -302,13 +303,13 @@ Status RowWriter::overwrite() {
   SqliteConnection& connection = database_.connection();
   for (const std::size_t attribute : changed_large_) {
     const ChunkPlace place{layout_.table_number(), cells_[0].integer, static_cast<std::int64_t>(attribute)};
-    ALGEBRA3D_RETURN_IF_ERROR(erase_chunks(connection, place));
+    A3D_TRY(erase_chunks(connection, place));
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(layout_.update_sql(columns)));
+  A3D_ASSIGN(SqliteStatement statement, connection.use(layout_.update_sql(columns)));
   int parameter = 0;
   for (const std::size_t column : columns) statement.bind(++parameter, cells_[column]);
   statement.bind(++parameter, cells_[0]);
-  ALGEBRA3D_RETURN_IF_ERROR(statement.run());
+  A3D_TRY(statement.run());
   return write_long();
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "algebra3d/values/types/binary_io.h"
+#include "base/propagate.h"
 #include "queries/store/detail/database.h"
 #include "queries/store/detail/index_pages.h"
 #include "queries/store/detail/relation_scan.h"
@@ -71,7 +72,7 @@ Result<TreeHeader> decode_header(std::string_view bytes) {
   header.inner_bytes = reader.u64();
   header.leaves_bytes = reader.u64();
   header.image = reader.raw(rtree::kHeaderBytes);
-  ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+  A3D_TRY(reader.finish());
   const bool is_possible = header.inner_bytes / kInnerPages.node_bytes < kMiddlePage &&
                            header.leaves_bytes / kLeafPages.node_bytes < kMiddlePage;
   if (!is_possible) return Error{ErrorCode::database_corrupt, "stored index: too many nodes"};
@@ -79,9 +80,9 @@ Result<TreeHeader> decode_header(std::string_view bytes) {
 }
 
 Result<std::optional<TreeHeader>> read_header(SqliteConnection& connection, std::int64_t owner) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto page, read_index_page(connection, {owner, kHeaderPage}));
+  A3D_ASSIGN(const auto page, read_index_page(connection, {owner, kHeaderPage}));
   if (!page) return std::optional<TreeHeader>();
-  ALGEBRA3D_ASSIGN_OR_RETURN(TreeHeader header, decode_header(*page));
+  A3D_ASSIGN(TreeHeader header, decode_header(*page));
   return std::optional(std::move(header));
 }
 
@@ -120,11 +121,11 @@ Status write_array(SqliteConnection& connection, std::int64_t owner, const Paged
       const std::size_t count = std::min(part.bytes.size() - done, end - at);
       const IndexPage wanted{owner, array.first_page + index};
       if (!open || open->number != wanted.number) {
-        ALGEBRA3D_RETURN_IF_ERROR(close());
+        A3D_TRY(close());
         open = wanted;
         page.clear();
         if (count < end - begin) {
-          ALGEBRA3D_ASSIGN_OR_RETURN(auto stored, read_index_page(connection, wanted));
+          A3D_ASSIGN(auto stored, read_index_page(connection, wanted));
           page = std::move(stored).value_or(std::string());
         }
         page.resize(end - begin);
@@ -133,7 +134,7 @@ Status write_array(SqliteConnection& connection, std::int64_t owner, const Paged
       done += count;
     }
   }
-  ALGEBRA3D_RETURN_IF_ERROR(close());
+  A3D_TRY(close());
   return erase_index_pages(connection, {owner, array.first_page + array.page_count(array_bytes)},
                            {owner, array.last_page});
 }
@@ -141,20 +142,19 @@ Status write_array(SqliteConnection& connection, std::int64_t owner, const Paged
 }  // namespace
 
 Result<bool> has_tree(SqliteConnection& connection, std::int64_t owner, const RelationState& state) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto header, read_header(connection, owner));
+  A3D_ASSIGN(const auto header, read_header(connection, owner));
   return header && header->state == state;
 }
 
 Result<std::shared_ptr<Tree>> load_tree(const std::shared_ptr<Database>& database, std::int64_t owner) {
   SqliteConnection& connection = database->connection();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto stored, read_header(connection, owner));
+  A3D_ASSIGN(const auto stored, read_header(connection, owner));
   if (!stored) return Error{ErrorCode::database_corrupt, "stored index: it is missing"};
   const TreeHeader& header = *stored;
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      Tree tree,
-      Tree::from_image(bytes_of(header.image),
-                       reader_of(database, owner, kInnerPages, static_cast<std::size_t>(header.inner_bytes)),
-                       reader_of(database, owner, kLeafPages, static_cast<std::size_t>(header.leaves_bytes))));
+  A3D_ASSIGN(Tree tree,
+             Tree::from_image(bytes_of(header.image),
+                              reader_of(database, owner, kInnerPages, static_cast<std::size_t>(header.inner_bytes)),
+                              reader_of(database, owner, kLeafPages, static_cast<std::size_t>(header.leaves_bytes))));
   return std::make_shared<Tree>(std::move(tree));
 }
 
@@ -162,10 +162,10 @@ Status store_tree(SqliteConnection& connection, std::int64_t owner, const Relati
                   bool is_new) {
   // A new tree is marked as stored when it is: until then it may be needed as a whole again.
   const rtree::ImageParts parts = is_new ? tree.image() : tree.take_changes();
-  if (is_new) ALGEBRA3D_RETURN_IF_ERROR(erase_index_pages(connection, owner));
-  ALGEBRA3D_RETURN_IF_ERROR(write_index_page(connection, {owner, kHeaderPage}, encode_header(header_of(state, parts))));
-  ALGEBRA3D_RETURN_IF_ERROR(write_array(connection, owner, kInnerPages, parts.inner_bytes, parts.inner));
-  ALGEBRA3D_RETURN_IF_ERROR(write_array(connection, owner, kLeafPages, parts.leaves_bytes, parts.leaves));
+  if (is_new) A3D_TRY(erase_index_pages(connection, owner));
+  A3D_TRY(write_index_page(connection, {owner, kHeaderPage}, encode_header(header_of(state, parts))));
+  A3D_TRY(write_array(connection, owner, kInnerPages, parts.inner_bytes, parts.inner));
+  A3D_TRY(write_array(connection, owner, kLeafPages, parts.leaves_bytes, parts.leaves));
   if (is_new) tree.take_changes();
   return {};
 }
@@ -174,7 +174,7 @@ namespace {
 
 /// Writes the state of the relation beside a tree that stays as it is.
 Status store_state(SqliteConnection& connection, std::int64_t owner, const RelationState& state) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto header, read_header(connection, owner));
+  A3D_ASSIGN(auto header, read_header(connection, owner));
   if (!header) return Error{ErrorCode::database_corrupt, "stored index: it is missing"};
   header->state = state;
   return write_index_page(connection, {owner, kHeaderPage}, encode_header(*header));
@@ -182,7 +182,7 @@ Status store_state(SqliteConnection& connection, std::int64_t owner, const Relat
 
 /// Runs `work`, which writes, and undoes it if it fails.
 Status within_savepoint(SqliteConnection& connection, const std::function<Status()>& work) {
-  ALGEBRA3D_RETURN_IF_ERROR(connection.execute("SAVEPOINT tree"));
+  A3D_TRY(connection.execute("SAVEPOINT tree"));
   const auto done = reading_tree(work);
   Status status = done ? *done : Status(done.error());
   if (status) status = connection.execute("RELEASE tree");
@@ -245,7 +245,7 @@ Result<std::shared_ptr<Tree>> tree_of_rows(const std::shared_ptr<Database>& data
   std::vector<rtree::Entry<std::uint64_t>> entries;
   RelationScan scan(database, layout);
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, scan.next());
+    A3D_ASSIGN(const TuplePtr tuple, scan.next());
     if (tuple == nullptr) break;
     const Value& value = tuple->attributes[attribute];
     if (!value.is_defined()) continue;

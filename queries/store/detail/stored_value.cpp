@@ -3,6 +3,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "base/propagate.h"
+
 namespace queries {
 namespace {
 
@@ -62,7 +64,7 @@ std::string StoredValue::presence_sql() const {
 
 Result<std::string> StoredValue::encoded() const {
   std::string copy;
-  ALGEBRA3D_RETURN_IF_ERROR(database_->with_bytes(value_, [&](std::string_view bytes) -> Status {
+  A3D_TRY(database_->with_bytes(value_, [&](std::string_view bytes) -> Status {
     copy = bytes;
     return {};
   }));

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/propagate.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -36,7 +37,7 @@ std::shared_ptr<Stream> one_after_the_other(std::shared_ptr<Stream> first, std::
   return make_stream_of<Stream>(
       [first = std::move(first), second = std::move(second), is_first = true]() mutable -> Result<ElementOf<Stream>> {
         if (is_first) {
-          ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> next, first->next());
+          A3D_ASSIGN(ElementOf<Stream> next, first->next());
           if (next) return next;
           is_first = false;
         }
@@ -56,10 +57,10 @@ inline Datum element_datum(const std::optional<Value>& value) {
 template <typename Stream, typename Visit>
 Status for_each_element(Stream& stream, const Context& context, Visit visit) {
   for (std::uint32_t step = 1;; ++step) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto element, stream.next());
+    A3D_ASSIGN(const auto element, stream.next());
     if (!element) return {};
-    if (step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_RETURN_IF_ERROR(visit(element));
+    if (step % 1024 == 0) A3D_TRY(context.check_cancelled());
+    A3D_TRY(visit(element));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/propagate.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/tuple_buffer.h"
 
@@ -25,10 +26,10 @@ class StreamBlocks final : public TupleStream {
   template <typename Table>
   Result<bool> fill(Table& table, const Context& context) {
     for (std::uint32_t step = 1;; ++step) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, next());
+      A3D_ASSIGN(TuplePtr tuple, next());
       if (tuple == nullptr) return true;
-      if (step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-      ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_room, table.add(tuple));
+      if (step % 1024 == 0) A3D_TRY(context.check_cancelled());
+      A3D_ASSIGN(const bool has_room, table.add(tuple));
       if (has_room) continue;
       pending_ = std::move(tuple);
       return false;
@@ -72,18 +73,18 @@ class BlockPairs {
 
   Result<TuplePair> next() {
     while (position_ == found_.size()) {
-      if (++steps_ % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+      if (++steps_ % 256 == 0) A3D_TRY(context_.check_cancelled());
       if (!has_block_) {
         if (is_last_) return TuplePair();
-        ALGEBRA3D_RETURN_IF_ERROR(begin_block());
+        A3D_TRY(begin_block());
       }
-      ALGEBRA3D_ASSIGN_OR_RETURN(current_, probe_->next());
+      A3D_ASSIGN(current_, probe_->next());
       has_block_ = current_ != nullptr;
       found_.clear();
       position_ = 0;
       if (!has_block_) continue;
-      if (keeps_probe_) ALGEBRA3D_RETURN_IF_ERROR(probed_->add(current_));
-      ALGEBRA3D_RETURN_IF_ERROR(table_.find(*current_, found_));
+      if (keeps_probe_) A3D_TRY(probed_->add(current_));
+      A3D_TRY(table_.find(*current_, found_));
     }
     return TuplePair{found_[position_++], current_};
   }
@@ -91,7 +92,7 @@ class BlockPairs {
  private:
   Status begin_block() {
     table_.clear();
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_last_, build_.fill(table_, context_));
+    A3D_ASSIGN(is_last_, build_.fill(table_, context_));
     table_.finish();
     has_block_ = true;
     if (probed_) {
@@ -129,7 +130,7 @@ class BlockJoin final : public TupleStream {
       : pairs_(std::forward<Arguments>(arguments)...), combine_(std::move(combine)) {}
 
   Result<TuplePtr> next() override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePair pair, pairs_.next());
+    A3D_ASSIGN(const TuplePair pair, pairs_.next());
     return pair.build == nullptr ? TuplePtr() : combine_(*pair.build, *pair.probe);
   }
 

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/propagate.h"
 #include "base/work_memory.h"
 #include "queries/streams/detail/spatial_attribute.h"
 
@@ -64,7 +65,7 @@ class EarlierBoxTable {
 
   Result<bool> add(const TuplePtr& tuple) {
     const std::size_t size = boxes_.tuples().size();
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_room, boxes_.add(tuple));
+    A3D_ASSIGN(const bool has_room, boxes_.add(tuple));
     if (boxes_.tuples().size() > size) places_.push_back(added_count_);
     if (has_room) ++added_count_;
     return has_room;
@@ -112,7 +113,7 @@ PairStreamPtr box_pairs(JoinSide build, JoinSide probe, WindowOfBox window, cons
 }
 
 Result<PairStreamPtr> box_pairs_within(const JoinSide& side, WindowOfBox window, const Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer tuples, buffered(*side.stream, context));
+  A3D_ASSIGN(TupleBuffer tuples, buffered(*side.stream, context));
   TupleStreamPtr build = tuples.scan();
   EarlierBoxTable table(side.attribute, std::move(window), context);
   return PairStreamPtr(
@@ -121,7 +122,7 @@ Result<PairStreamPtr> box_pairs_within(const JoinSide& side, WindowOfBox window,
 
 TupleStreamPtr concatenated_pairs(PairStreamPtr pairs) {
   return make_stream([pairs = std::move(pairs)]() -> Result<TuplePtr> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePair pair, pairs->next());
+    A3D_ASSIGN(const TuplePair pair, pairs->next());
     return pair.build == nullptr ? TuplePtr() : concatenated(*pair.build, *pair.probe);
   });
 }

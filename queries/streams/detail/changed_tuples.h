@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/propagate.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -12,10 +13,10 @@ namespace queries {
 template <typename Change>
 Datum changed_tuples(const TupleStreamPtr& tuples, Change change) {
   return Datum{make_stream([tuples, change = std::move(change)]() mutable -> Result<TuplePtr> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    A3D_ASSIGN(const TuplePtr tuple, tuples->next());
     if (tuple == nullptr) return TuplePtr();
     Tuple result;
-    ALGEBRA3D_RETURN_IF_ERROR(change(tuple, result.attributes));
+    A3D_TRY(change(tuple, result.attributes));
     return TuplePtr(std::make_shared<const Tuple>(std::move(result)));
   })};
 }

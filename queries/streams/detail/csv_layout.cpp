@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/number_text.h"
+#include "base/propagate.h"
 #include "queries/streams/detail/import_columns.h"
 #include "queries/streams/plain_text.h"
 
@@ -29,7 +30,7 @@ Result<char> separator_named(const std::string& value) {
 
 Status read_csv_option(const std::string& key, const std::string& value, CsvOptions& options) {
   if (key == "separator") {
-    ALGEBRA3D_ASSIGN_OR_RETURN(options.separator, separator_named(value));
+    A3D_ASSIGN(options.separator, separator_named(value));
   } else if (key == "header") {
     if (value != "yes" && value != "no") return wrong_option(key, "yes or no", value);
     options.has_header = value == "yes";
@@ -83,7 +84,7 @@ struct SeparatorScore {
 
 Result<SeparatorScore> score_of(const std::filesystem::path& path, char separator, const CsvOptions& options) {
   constexpr std::size_t kRecords = 200;
-  ALGEBRA3D_ASSIGN_OR_RETURN(CsvReader reader, open_csv(path, separator, options));
+  A3D_ASSIGN(CsvReader reader, open_csv(path, separator, options));
   CsvRecord record;
   SeparatorScore score;
   std::size_t count = 0;
@@ -105,7 +106,7 @@ Result<char> separator_of(const std::filesystem::path& path, const CsvOptions& o
   SeparatorScore best_score;
   for (const char candidate : {',', ';', '\t', '|'}) {
     if (candidate == options.decimal) continue;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const SeparatorScore score, score_of(path, candidate, options));
+    A3D_ASSIGN(const SeparatorScore score, score_of(path, candidate, options));
     if (score > best_score) {
       best = candidate;
       best_score = score;
@@ -136,10 +137,10 @@ struct OpenCsv {
 };
 
 Result<OpenCsv> begin_csv(const std::filesystem::path& path, const CsvOptions& options) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const char separator, separator_of(path, options));
-  ALGEBRA3D_ASSIGN_OR_RETURN(CsvReader reader, open_csv(path, separator, options));
+  A3D_ASSIGN(const char separator, separator_of(path, options));
+  A3D_ASSIGN(CsvReader reader, open_csv(path, separator, options));
   OpenCsv open{std::move(reader), {}, {}};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_record, open.reader.next(open.first));
+  A3D_ASSIGN(const bool has_record, open.reader.next(open.first));
   if (!has_record) return Error{ErrorCode::file_format, "is empty: expected a header or a line of values"};
   open.layout.separator = separator;
   open.layout.has_header = is_header(open.first, options);
@@ -159,8 +160,8 @@ void add_kinds(const CsvRecord& record, const CsvOptions& options, std::vector<C
 Status add_all_kinds(OpenCsv& open, const CsvOptions& options, const Context& context, std::vector<ColumnKind>& kinds) {
   CsvRecord record;
   for (std::size_t step = 1;; ++step) {
-    if (step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_record, open.reader.next(record));
+    if (step % 1024 == 0) A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const bool has_record, open.reader.next(record));
     if (!has_record) return {};
     if (record.is_blank()) continue;
     if (record.cells.size() != kinds.size() && !options.errors_are_undefined)
@@ -194,15 +195,15 @@ std::vector<std::size_t> all_columns(std::size_t count) {
 
 Result<CsvOptions> parse_csv_options(std::string_view text) {
   CsvOptions options;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto pairs, split_options(text));
-  for (const auto& [key, value] : pairs) ALGEBRA3D_RETURN_IF_ERROR(read_csv_option(key, value, options));
+  A3D_ASSIGN(const auto pairs, split_options(text));
+  for (const auto& [key, value] : pairs) A3D_TRY(read_csv_option(key, value, options));
   if (options.separator == options.decimal)
     return wrong_option("separator", "another sign than that of decimals", std::string(1, options.decimal));
   return options;
 }
 
 Result<CsvReader> open_csv(const std::filesystem::path& path, char separator, const CsvOptions& options) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TextFile file, TextFile::open(path));
+  A3D_ASSIGN(TextFile file, TextFile::open(path));
   CsvReader reader(std::move(file), separator);
   reader.skip_lines(options.skipped_lines);
   return reader;
@@ -229,10 +230,10 @@ std::string wrong_length_text(const CsvRecord& record, std::size_t expected) {
 
 Result<CsvLayout> guess_csv_layout(const std::filesystem::path& path, const CsvOptions& options,
                                    const Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(OpenCsv open, begin_csv(path, options));
+  A3D_ASSIGN(OpenCsv open, begin_csv(path, options));
   std::vector<ColumnKind> kinds(open.first.cells.size());
   if (!open.layout.has_header) add_kinds(open.first, options, kinds);
-  ALGEBRA3D_RETURN_IF_ERROR(add_all_kinds(open, options, context, kinds));
+  A3D_TRY(add_all_kinds(open, options, context, kinds));
   const std::vector<std::string> names = attribute_names_of(open.layout.columns);
   std::vector<TypeExpr::Attribute> attributes;
   for (std::size_t i = 0; i < kinds.size(); ++i) attributes.push_back({names[i], kinds[i].type()});
@@ -244,12 +245,12 @@ Result<CsvLayout> guess_csv_layout(const std::filesystem::path& path, const CsvO
 
 Result<CsvLayout> stated_csv_layout(const std::filesystem::path& path, const CsvOptions& options,
                                     const TypeExpr& tuple) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(OpenCsv open, begin_csv(path, options));
+  A3D_ASSIGN(OpenCsv open, begin_csv(path, options));
   CsvLayout& layout = open.layout;
   layout.tuple = tuple;
   const std::size_t attribute_count = tuple.attributes().size();
   if (layout.has_header) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(layout.sources, sources_by_name(layout, tuple));
+    A3D_ASSIGN(layout.sources, sources_by_name(layout, tuple));
   } else if (layout.columns.size() == attribute_count) {
     layout.sources = all_columns(attribute_count);
   } else {

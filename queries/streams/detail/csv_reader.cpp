@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/values/types/utf8.h"
+#include "base/propagate.h"
 
 namespace queries {
 
@@ -52,19 +53,19 @@ Result<bool> CsvReader::next(CsvRecord& record) {
   record_bytes_ = 0;
   std::size_t count = 0;
   if (file_.peek() == TextFile::kEnd) {
-    ALGEBRA3D_RETURN_IF_ERROR(file_.status());
+    A3D_TRY(file_.status());
     return false;
   }
   while (true) {
     if (count == record.cells.size()) record.cells.emplace_back();
     CsvCell& cell = record.cells[count++];
-    ALGEBRA3D_RETURN_IF_ERROR(read_cell(cell, count));
+    A3D_TRY(read_cell(cell, count));
     if (file_.peek() != static_cast<unsigned char>(separator_)) break;
     file_.take();
   }
   take_line_end();
   record.cells.resize(count);
-  ALGEBRA3D_RETURN_IF_ERROR(file_.status());
+  A3D_TRY(file_.status());
   return true;
 }
 
@@ -72,11 +73,11 @@ Status CsvReader::read_cell(CsvCell& cell, std::size_t number) {
   cell.text.clear();
   cell.is_quoted = file_.peek() == '"';
   if (cell.is_quoted) {
-    ALGEBRA3D_RETURN_IF_ERROR(read_quoted(cell, number));
+    A3D_TRY(read_quoted(cell, number));
   } else {
     while (!is_at_line_end() && file_.peek() != static_cast<unsigned char>(separator_)) {
       cell.text += static_cast<char>(file_.take());
-      if (++record_bytes_ % 4096 == 0) ALGEBRA3D_RETURN_IF_ERROR(check_size());
+      if (++record_bytes_ % 4096 == 0) A3D_TRY(check_size());
     }
   }
   return check_cell(cell, number);
@@ -97,7 +98,7 @@ Status CsvReader::read_quoted(CsvCell& cell, std::size_t number) {
     }
     if (next == '\n') file_.count_line();
     cell.text += static_cast<char>(next);
-    if (++record_bytes_ % 4096 == 0) ALGEBRA3D_RETURN_IF_ERROR(check_size());
+    if (++record_bytes_ % 4096 == 0) A3D_TRY(check_size());
   }
   if (is_at_line_end() || file_.peek() == static_cast<unsigned char>(separator_)) return {};
   return Error{ErrorCode::file_format,

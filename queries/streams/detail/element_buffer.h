@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/propagate.h"
 #include "queries/streams/detail/any_stream.h"
 #include "queries/streams/tuple_buffer.h"
 
@@ -25,10 +26,10 @@ class ElementBuffer {
   std::shared_ptr<Stream> scan(std::size_t first = 0) const {
     return make_stream_of<Stream>([tuples = tuples_.scan(), first]() mutable -> Result<ElementOf<Stream>> {
       for (; first > 0; --first) {
-        ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr passed_over, tuples->next());
+        A3D_ASSIGN(const TuplePtr passed_over, tuples->next());
         if (passed_over == nullptr) return ElementOf<Stream>();
       }
-      ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, tuples->next());
+      A3D_ASSIGN(const TuplePtr next, tuples->next());
       if constexpr (std::is_same_v<Stream, TupleStream>)
         return next;
       else

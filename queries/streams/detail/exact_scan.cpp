@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algebra3d/values/spatial_relations/nearest_points.h"
+#include "base/propagate.h"
 #include "queries/streams/detail/index_operands.h"
 #include "queries/streams/detail/nearest_entries.h"
 #include "queries/streams/detail/nearest_search.h"
@@ -29,11 +30,11 @@ class ExactDistanceScan final : public TupleStream {
   Result<TuplePtr> next() override {
     if (left_ == 0) return TuplePtr();
     if (!std::exchange(is_started_, true)) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(pending_, candidates_.next());
+      A3D_ASSIGN(pending_, candidates_.next());
     }
     while (pending_ &&
            (near_.empty() || may_be_within(pending_->distance, distance_bound(*near_.front().squared_distance))))
-      ALGEBRA3D_RETURN_IF_ERROR(take_candidates());
+      A3D_TRY(take_candidates());
     if (near_.empty()) return TuplePtr();
     --left_;
     std::ranges::pop_heap(near_, is_after);
@@ -55,14 +56,14 @@ class ExactDistanceScan final : public TupleStream {
 
   /// The next candidates by their boxes, more and more at a time, with their distances.
   Status take_candidates() {
-    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+    A3D_TRY(context_.check_cancelled());
     std::vector<TuplePtr> tuples;
     std::vector<ValuePair> pairs;
     while (pending_ && tuples.size() < batch_) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(
-          TuplePtr tuple, indexed_tuple(*search_.relation, *search_.index, static_cast<TupleId>(pending_->payload),
-                                        [&](const Tuple& each) { return is_as_far(each, *pending_); }));
-      ALGEBRA3D_ASSIGN_OR_RETURN(pending_, candidates_.next());
+      A3D_ASSIGN(TuplePtr tuple,
+                 indexed_tuple(*search_.relation, *search_.index, static_cast<TupleId>(pending_->payload),
+                               [&](const Tuple& each) { return is_as_far(each, *pending_); }));
+      A3D_ASSIGN(pending_, candidates_.next());
       // A frozen index may know tuples that have changed since.
       if (tuple == nullptr || window_of(tuple->attributes[search_.attribute]).is_empty()) continue;
       pairs.push_back({&to_, &tuple->attributes[search_.attribute]});
@@ -72,10 +73,10 @@ class ExactDistanceScan final : public TupleStream {
     std::vector<std::optional<Rational>> distances(pairs.size());
     const auto question = [&](std::size_t i, const LoadedSet& a, const LoadedSet& b,
                               const algebra3d::Monitor& monitor) -> Status {
-      ALGEBRA3D_ASSIGN_OR_RETURN(distances[i], squared_distance_of(a.set, b.set, monitor));
+      A3D_ASSIGN(distances[i], squared_distance_of(a.set, b.set, monitor));
       return {};
     };
-    ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(pairs, "distances", question));
+    A3D_TRY(examiner_.ask(pairs, "distances", question));
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (!distances[i]) continue;
       ++distance_count_;

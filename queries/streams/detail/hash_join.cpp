@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/propagate.h"
+
 namespace queries {
 namespace {
 
@@ -30,21 +32,21 @@ HashJoin::HashJoin(TupleStreamPtr probe, TupleStreamPtr build, std::size_t probe
       build_partition_{{build_key}, {}} {}
 
 Result<TuplePtr> HashJoin::next() {
-  if (current_ == nullptr) ALGEBRA3D_RETURN_IF_ERROR(begin());
+  if (current_ == nullptr) A3D_TRY(begin());
   while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr pair, current_->next());
+    A3D_ASSIGN(TuplePtr pair, current_->next());
     if (pair != nullptr || next_file_ == file_count_) return pair;
     current_ = next_file();
   }
 }
 
 Status HashJoin::begin() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool fits, build_.fill(table_, context_));
+  A3D_ASSIGN(const bool fits, build_.fill(table_, context_));
   if (fits) {
     current_ = block_join(std::move(table_), probe_, pair_of, context_);
     return {};
   }
-  ALGEBRA3D_RETURN_IF_ERROR(partition_both());
+  A3D_TRY(partition_both());
   current_ = next_file();
   return {};
 }
@@ -53,20 +55,20 @@ Status HashJoin::partition_both() {
   file_count_ = number_of_files(context_);
   for (Partition* const partition : {&build_partition_, &probe_partition_})
     for (std::size_t i = 0; i < file_count_; ++i) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(auto file, TupleFile::make(context_));
+      A3D_ASSIGN(auto file, TupleFile::make(context_));
       partition->files.push_back(std::move(file));
     }
-  for (const TuplePtr& tuple : table_.tuples()) ALGEBRA3D_RETURN_IF_ERROR(add_to(build_partition_, tuple));
+  for (const TuplePtr& tuple : table_.tuples()) A3D_TRY(add_to(build_partition_, tuple));
   table_.clear();
   const auto add_build = [this](const TuplePtr& tuple) { return add_to(build_partition_, tuple); };
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(build_, context_, add_build));
+  A3D_TRY(for_each_tuple(build_, context_, add_build));
   return for_each_tuple(*probe_, context_, [this](const TuplePtr& tuple) { return add_to(probe_partition_, tuple); });
 }
 
 // By bits of the hash that tables do not use for their buckets.
 Status HashJoin::add_to(Partition& partition, const TuplePtr& tuple) const {
   constexpr unsigned kUnusedBits = 40;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value key, tuple->attributes[partition.key.front()].loaded());
+  A3D_ASSIGN(const Value key, tuple->attributes[partition.key.front()].loaded());
   if (!key.is_defined()) return {};
   return partition.files[hash(key) >> kUnusedBits & (file_count_ - 1)]->append(*tuple);
 }

@@ -4,12 +4,13 @@
 #include <iterator>
 
 #include "algebra3d/values/types/described_type.h"
+#include "base/propagate.h"
 #include "queries/streams/detail/sorting.h"
 
 namespace queries {
 
 Result<bool> HashTable::add(const TuplePtr& tuple) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(KeyedTuple keyed, KeyedTuple::make(tuple, key_));
+  A3D_ASSIGN(KeyedTuple keyed, KeyedTuple::make(tuple, key_));
   const Value& key = keyed.key(key_, 0);
   if (!key.is_defined()) return true;
   const bool has_room = account_.take(keyed.bytes() + HashChains::kBytesPerEntry) && !chains_.is_full();
@@ -23,7 +24,7 @@ Status HashTable::find(const Tuple& probe, std::vector<TuplePtr>& found) const {
   const Value* key = &probe.attributes[probe_.front()];
   std::optional<Value> loaded;
   if (key->is_deferred()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(loaded, key->loaded());
+    A3D_ASSIGN(loaded, key->loaded());
     key = &*loaded;
   }
   if (!key->is_defined()) return {};

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 #include "queries/streams/plain_text.h"
 
 namespace queries {
@@ -86,7 +87,7 @@ bool is_characters(const TypeExpr& type) {
 }  // namespace
 
 Result<ImportArguments> import_arguments(const MappingCheck& check) {
-  ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(1, 3));
+  A3D_TRY(check.argument_count(1, 3));
   if (!is_characters(check[0].type)) return check.expected("text", check[0].type);
   ImportArguments arguments;
   bool has_options = false;
@@ -100,7 +101,7 @@ Result<ImportArguments> import_arguments(const MappingCheck& check) {
       return check.expected("a relation that states the types, or a text with options", type);
     has_options = true;
     if (!check[place].constant) return check.error("expected options that are a constant");
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value options, check[place].constant());
+    A3D_ASSIGN(const Value options, check[place].constant());
     if (!options.is_defined()) return check.error("the options are undefined");
     arguments.options = algebra3d::characters_of(options);
   }
@@ -113,7 +114,7 @@ Result<std::string> constant_file_name(const MappingCheck& check, std::string_vi
         fmt::format("the file is not known before the query runs, so its types cannot be guessed; state "
                     "them, as in {}(FILE, [const rel(tuple([Name: string, X: real])) value ()])",
                     op));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value name, check[0].constant());
+  A3D_ASSIGN(const Value name, check[0].constant());
   if (!name.is_defined()) return check.error("the name of the file is undefined, so its types cannot be guessed");
   return algebra3d::characters_of(name);
 }
@@ -125,7 +126,7 @@ std::vector<const algebra3d::Type*> attribute_types(const TypeExpr& tuple) {
 }
 
 Result<Value> value_of_text(const algebra3d::Type& type, std::string_view text, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::NestedList list, list_of_text(type, text));
+  A3D_ASSIGN(const algebra3d::NestedList list, list_of_text(type, text));
   return algebra3d::value_from_nested(type, list, context);
 }
 

@@ -2,16 +2,18 @@
 
 #include <algorithm>
 
+#include "base/propagate.h"
+
 namespace queries {
 
 Result<IndexSource> index_source(const MappingCheck& check) {
   IndexSource source;
-  ALGEBRA3D_ASSIGN_OR_RETURN(source.given, check.stream_or_relation(0));
+  A3D_ASSIGN(source.given, check.stream_or_relation(0));
   source.indexed = source.given;
   const auto& attributes = source.given.attributes();
   const bool has_id = std::ranges::any_of(attributes, [](const auto& attribute) { return attribute.type.is("tid"); });
   if (check[0].type.is_relation() || !has_id) return source;
-  ALGEBRA3D_ASSIGN_OR_RETURN(source.id_attribute, check.id_attribute(source.given));
+  A3D_ASSIGN(source.id_attribute, check.id_attribute(source.given));
   std::vector<std::size_t> kept;
   for (std::size_t index = 0; index < attributes.size(); ++index)
     if (index != *source.id_attribute) kept.push_back(index);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/propagate.h"
 #include "queries/streams/index_object.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
@@ -26,7 +27,7 @@ Result<IndexSource> index_source(const MappingCheck& check);
 template <typename Add>
 Status for_each_indexed(const Datum& source, std::optional<std::size_t> id_attribute, std::string_view op,
                         const Context& context, Add add) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr stream, tuples_of(source));
+  A3D_ASSIGN(const TupleStreamPtr stream, tuples_of(source));
   return for_each_tuple(*stream, context, [&](const TuplePtr& tuple) -> Status {
     if (id_attribute) {
       const Value& id = tuple->attributes[*id_attribute];
@@ -57,7 +58,7 @@ Status check_fits(const Index& index, const Relation& relation, std::string_view
 /// index may know tuples that have changed since, and so may a search that began before its statement changed them.
 template <typename Fits>
 Result<TuplePtr> indexed_tuple(Relation& relation, const IndexObject& index, TupleId id, Fits fits) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, relation.fetch(id));
+  A3D_ASSIGN(TuplePtr tuple, relation.fetch(id));
   const bool is_right = tuple != nullptr && fits(*tuple);
   if (is_right || !index.is_definition() || !relation.keeps(id)) return tuple;
   return index_disagrees(relation.name(), index.attribute(), id, tuple != nullptr);
@@ -71,11 +72,11 @@ TupleStreamPtr fetched(RelationPtr relation, std::shared_ptr<Index> index, Next 
   return make_stream([relation = std::move(relation), index = std::move(index), next = std::move(next), id_of_found,
                       fits]() mutable -> Result<TuplePtr> {
     while (true) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const auto found, next());
+      A3D_ASSIGN(const auto found, next());
       if (!found) return TuplePtr();
       const auto id = static_cast<TupleId>(std::invoke(id_of_found, *found));
-      ALGEBRA3D_ASSIGN_OR_RETURN(
-          TuplePtr tuple, indexed_tuple(*relation, *index, id, [&](const Tuple& each) { return fits(each, *found); }));
+      A3D_ASSIGN(TuplePtr tuple,
+                 indexed_tuple(*relation, *index, id, [&](const Tuple& each) { return fits(each, *found); }));
       if (tuple != nullptr) return tuple;
     }
   });

@@ -9,6 +9,7 @@
 #include "algebra3d/values/spatial_relations/nearest_points.h"
 #include "algebra3d/values/spatial_relations/place_of_box.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 
 namespace queries {
 namespace {
@@ -67,9 +68,9 @@ std::string predicate_names() {
 }
 
 Result<std::string> predicate_name(const MappingCheck& check, std::size_t place) {
-  ALGEBRA3D_RETURN_IF_ERROR(check.characters(place));
+  A3D_TRY(check.characters(place));
   if (!check[place].constant) return check.error("expected a constant as the name of the predicate");
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, check[place].constant());
+  A3D_ASSIGN(const Value value, check[place].constant());
   const std::string name = value.is_defined() ? algebra3d::characters_of(value) : std::string("undefined");
   if (find_predicate(name) == nullptr)
     return check.error(fmt::format("expected a predicate: {}; got '{}'", predicate_names(), name));
@@ -94,9 +95,9 @@ PairTest predicate_test(const std::string& name, bool in_both_orders) {
     return holds_turned ? PairVerdict::turned : PairVerdict::no;
   };
   test.by_geometry = [=](const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) -> Result<PairVerdict> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool holds, predicate->holds(a, b, monitor));
+    A3D_ASSIGN(const bool holds, predicate->holds(a, b, monitor));
     if (holds || !tries_turned) return holds ? PairVerdict::yes : PairVerdict::no;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool holds_turned, predicate->holds(b, a, monitor));
+    A3D_ASSIGN(const bool holds_turned, predicate->holds(b, a, monitor));
     return holds_turned ? PairVerdict::turned : PairVerdict::no;
   };
   return test;
@@ -116,7 +117,7 @@ PairTest distance_test(const Value& limit) {
     return place.gap > most ? std::optional(PairVerdict::no) : std::nullopt;
   };
   test.by_geometry = [=](const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) -> Result<PairVerdict> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_near, are_within(a, b, algebra3d::Rational(most), monitor));
+    A3D_ASSIGN(const bool is_near, are_within(a, b, algebra3d::Rational(most), monitor));
     return verdict(is_near);
   };
   return test;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/propagate.h"
 #include "queries/streams/detail/import_columns.h"
 #include "queries/streams/plain_text.h"
 
@@ -117,7 +118,7 @@ std::vector<std::string> path_of(std::string_view text) {
 
 Result<JsonOptions> parse_json_options(std::string_view text) {
   JsonOptions options;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto pairs, split_options(text));
+  A3D_ASSIGN(const auto pairs, split_options(text));
   for (const auto& [key, value] : pairs) {
     if (key == "records") {
       options.path = path_of(value);
@@ -135,7 +136,7 @@ Result<JsonOptions> parse_json_options(std::string_view text) {
 // The tree counts lines from the beginning of the record.
 Result<JsonTree> tree_of_record(const JsonRecord& record, const Context& context) {
   auto tree = JsonTree::parse(record.text, 1, context.monitor());
-  if (tree) ALGEBRA3D_RETURN_IF_ERROR(check_no_duplicate(*tree, record));
+  if (tree) A3D_TRY(check_no_duplicate(*tree, record));
   if (tree || tree.error().code == ErrorCode::interrupted) return tree;
   std::string message = tree.error().message;
   std::size_t line = 1;
@@ -146,16 +147,16 @@ Result<JsonTree> tree_of_record(const JsonRecord& record, const Context& context
 
 Result<JsonLayout> guess_json_layout(const std::filesystem::path& path, const JsonOptions& options,
                                      const Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TextFile file, TextFile::open(path));
+  A3D_ASSIGN(TextFile file, TextFile::open(path));
   const algebra3d::FileState state = file.state();
   JsonRecords records(std::move(file), options.path);
   JsonRecord record;
   JsonColumns columns;
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_record, records.next(record));
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const bool has_record, records.next(record));
     if (!has_record) break;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const JsonTree tree, tree_of_record(record, context));
+    A3D_ASSIGN(const JsonTree tree, tree_of_record(record, context));
     add_record(tree, columns);
   }
   if (columns.empty())

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/values/conversions/json_tree.h"
+#include "base/propagate.h"
 
 namespace queries {
 
@@ -74,7 +75,7 @@ Status JsonRecords::take_value(std::string& text) {
     const int next = file_.peek();
     if (next == TextFile::kEnd) return not_closed("value", line);
     if (next == '"') {
-      ALGEBRA3D_RETURN_IF_ERROR(take_string(text));
+      A3D_TRY(take_string(text));
       continue;
     }
     if (next == '{' || next == '[') ++depth;
@@ -96,21 +97,21 @@ Status JsonRecords::enter_member(const std::string& name) {
   while (true) {
     if (peek_value() != '"') return expected(fmt::format("the member \"{}\"", name));
     std::string key;
-    ALGEBRA3D_RETURN_IF_ERROR(take_string(key));
+    A3D_TRY(take_string(key));
     if (peek_value() != ':') return expected("':'");
     file_.take();
     const auto read = algebra3d::JsonTree::parse(key);
     if (read && read->content(0) == name) return {};
     if (ends_scalar(peek_value()) && file_.peek() != '{' && file_.peek() != '[' && file_.peek() != '"')
       return expected("a value");
-    ALGEBRA3D_RETURN_IF_ERROR(take_value(key));
+    A3D_TRY(take_value(key));
     if (peek_value() == ',') file_.take();
   }
 }
 
 Status JsonRecords::begin() {
   has_begun_ = true;
-  for (const std::string& name : path_) ALGEBRA3D_RETURN_IF_ERROR(enter_member(name));
+  for (const std::string& name : path_) A3D_TRY(enter_member(name));
   is_array_ = peek_value() == '[';
   if (!path_.empty() && !is_array_) return expected(fmt::format("an array as \"{}\"", path_.back()));
   if (is_array_) file_.take();
@@ -133,16 +134,16 @@ Result<bool> JsonRecords::take_separator() {
 
 Result<bool> JsonRecords::end() {
   is_at_end_ = true;
-  ALGEBRA3D_RETURN_IF_ERROR(file_.status());
+  A3D_TRY(file_.status());
   if (path_.empty() && peek_value() != TextFile::kEnd) return expected("the end of the file after the array");
   return false;
 }
 
 Result<bool> JsonRecords::next(JsonRecord& record) {
   if (is_at_end_) return false;
-  if (!has_begun_) ALGEBRA3D_RETURN_IF_ERROR(begin());
+  if (!has_begun_) A3D_TRY(begin());
   if (is_array_) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_more, take_separator());
+    A3D_ASSIGN(const bool has_more, take_separator());
     if (!has_more) return end();
   }
   const int next = peek_value();
@@ -151,8 +152,8 @@ Result<bool> JsonRecords::next(JsonRecord& record) {
   record.line = file_.line();
   record.number = ++count_;
   if (ends_scalar(next) && next != '{' && next != '[' && next != '"') return expected("a value");
-  ALGEBRA3D_RETURN_IF_ERROR(take_value(record.text));
-  ALGEBRA3D_RETURN_IF_ERROR(file_.status());
+  A3D_TRY(take_value(record.text));
+  A3D_TRY(file_.status());
   return true;
 }
 

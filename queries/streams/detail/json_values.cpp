@@ -6,6 +6,7 @@
 
 #include "algebra3d/values/types/nested_relation.h"
 #include "algebra3d/values/types/utf8.h"
+#include "base/propagate.h"
 #include "queries/streams/plain_text.h"
 
 namespace queries {
@@ -51,9 +52,8 @@ Result<NestedList> list_of_array(const JsonTree& tree, std::size_t array, std::s
   if (depth > kDeepest) return Error{ErrorCode::invalid_value, "arrays are nested deeper than any value"};
   NestedList::List elements;
   for (std::size_t part = JsonTree::first(array); part != tree.end(array); part = tree.after(part)) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(NestedList element, tree.kind(part) == JsonKind::array
-                                                       ? list_of_array(tree, part, depth + 1)
-                                                       : list_of_element(tree, part));
+    A3D_ASSIGN(NestedList element,
+               tree.kind(part) == JsonKind::array ? list_of_array(tree, part, depth + 1) : list_of_element(tree, part));
     elements.push_back(std::move(element));
   }
   return NestedList(std::move(elements));
@@ -99,7 +99,7 @@ Result<Value> nested_of_json(const NestedRelationType& type, const JsonTree& tre
   std::vector<Value> values;
   std::size_t number = 0;
   for (std::size_t tuple = JsonTree::first(0); tuple != tree.end(0); tuple = tree.after(tuple)) {
-    if (++number % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    if (++number % 256 == 0) A3D_TRY(context.check_cancelled());
     const auto texts = texts_of_tuple(type, tree, tuple);
     if (!texts) return Error{texts.error().code, "arel: tuple {}: {}", number, texts.error().message};
     for (std::size_t i = 0; i < texts->size(); ++i) {
@@ -116,10 +116,10 @@ Result<Value> nested_of_json(const NestedRelationType& type, const JsonTree& tre
 }  // namespace
 
 Result<Value> value_of_json(const Type& type, std::string_view json, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const JsonTree tree, JsonTree::parse(json, JsonTree::kWholeDepth, context.monitor()));
+  A3D_ASSIGN(const JsonTree tree, JsonTree::parse(json, JsonTree::kWholeDepth, context.monitor()));
   const NestedRelationType* const nested = algebra3d::as_nested_relation(type);
   if (nested != nullptr && tree.kind(0) == JsonKind::array) return nested_of_json(*nested, tree, context);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, list_of_json(type, tree));
+  A3D_ASSIGN(const NestedList list, list_of_json(type, tree));
   return algebra3d::value_from_nested(type, list, context);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/propagate.h"
 #include "queries/streams/detail/sorting.h"
 
 namespace queries {
@@ -10,7 +11,7 @@ Result<KeyedTuple> KeyedTuple::make(TuplePtr tuple, const std::vector<std::size_
   KeyedTuple result;
   const auto is_deferred = [&](std::size_t attribute) { return tuple->attributes[attribute].is_deferred(); };
   if (std::ranges::any_of(attributes, is_deferred)) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Value> keys, loaded_keys(*tuple, attributes));
+    A3D_ASSIGN(std::vector<Value> keys, loaded_keys(*tuple, attributes));
     result.loaded_ = std::make_unique<const std::vector<Value>>(std::move(keys));
   }
   result.tuple_ = std::move(tuple);

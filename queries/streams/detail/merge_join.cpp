@@ -1,5 +1,7 @@
 #include "queries/streams/detail/merge_join.h"
 
+#include "base/propagate.h"
+
 namespace queries {
 namespace {
 
@@ -11,7 +13,7 @@ class Side {
 
   Status advance(const Context& context) {
     std::vector<Value> last = group_ ? std::move(group_->keys) : std::vector<Value>();
-    ALGEBRA3D_ASSIGN_OR_RETURN(group_, groups_.next(context));
+    A3D_ASSIGN(group_, groups_.next(context));
     if (group_ && !last.empty() && compare_keys(last, group_->keys) > 0)
       return Error{ErrorCode::wrong_usage, unsorted_};
     return {};
@@ -34,7 +36,7 @@ std::string unsorted(const MergeJoinParameters& parameters, const char* which, c
 /// Each tuple beside the padding, which stands on the left or on the right.
 TupleStreamPtr beside(const TuplePtr& padding, TupleStreamPtr tuples, bool is_on_the_left) {
   return make_stream([padding, tuples = std::move(tuples), is_on_the_left]() -> Result<TuplePtr> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    A3D_ASSIGN(const TuplePtr tuple, tuples->next());
     if (tuple == nullptr) return TuplePtr();
     return is_on_the_left ? concatenated(*padding, *tuple) : concatenated(*tuple, *padding);
   });
@@ -55,17 +57,17 @@ class MergeJoin final : public TupleStream {
   Result<TuplePtr> next() override {
     if (!has_begun_) {
       has_begun_ = true;
-      ALGEBRA3D_RETURN_IF_ERROR(left_.advance(context_));
-      ALGEBRA3D_RETURN_IF_ERROR(right_.advance(context_));
+      A3D_TRY(left_.advance(context_));
+      A3D_TRY(right_.advance(context_));
     }
     while (true) {
       if (output_ != nullptr) {
-        ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr next, output_->next());
+        A3D_ASSIGN(TuplePtr next, output_->next());
         if (next != nullptr) return next;
         output_ = nullptr;
       }
       if (is_at_end()) return read_to_the_end();
-      ALGEBRA3D_RETURN_IF_ERROR(step());
+      A3D_TRY(step());
     }
   }
 
@@ -76,8 +78,8 @@ class MergeJoin final : public TupleStream {
 
   // Tuples after the last possible match must still be sorted: else a match may have been missed.
   Result<TuplePtr> read_to_the_end() {
-    while (!left_.is_at_end()) ALGEBRA3D_RETURN_IF_ERROR(left_.advance(context_));
-    while (!right_.is_at_end()) ALGEBRA3D_RETURN_IF_ERROR(right_.advance(context_));
+    while (!left_.is_at_end()) A3D_TRY(left_.advance(context_));
+    while (!right_.is_at_end()) A3D_TRY(right_.advance(context_));
     return TuplePtr();
   }
 
@@ -94,7 +96,7 @@ class MergeJoin final : public TupleStream {
       output_ = all_pairs(left_.tuples().scan(), right_.tuples(), context_);
     else if (is_outer_)
       output_ = beside(right_padding_, left_.tuples().scan(), false);
-    ALGEBRA3D_RETURN_IF_ERROR(left_.advance(context_));
+    A3D_TRY(left_.advance(context_));
     return is_match ? right_.advance(context_) : Status();
   }
 

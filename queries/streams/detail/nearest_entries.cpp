@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/propagate.h"
 #include "queries/streams/detail/spatial_attribute.h"
 
 namespace queries {
@@ -20,11 +21,11 @@ Result<std::optional<NearestEntries::Neighbor>> NearestEntries::next() {
     return cursor_->next();
   };
   if (tree_ == nullptr) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(tree_, index_->tree());
+    A3D_ASSIGN(tree_, index_->tree());
   }
   auto found = reading_tree(step);
   if (!found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto tree, index_->tree_after(found.error()));
+    A3D_ASSIGN(auto tree, index_->tree_after(found.error()));
     cursor_.reset();
     found = reading_tree([&] {
       search(std::move(tree));

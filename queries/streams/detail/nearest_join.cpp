@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/propagate.h"
 #include "queries/streams/detail/spatial_attribute.h"
 
 namespace queries {
@@ -21,7 +22,7 @@ class ProbeBlocks {
     probes.clear();
     account_.clear();
     while (probes.size() < size_) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, stream_->next());
+      A3D_ASSIGN(TuplePtr tuple, stream_->next());
       if (tuple == nullptr) break;
       const std::uint64_t place = place_++;
       if (window_of(tuple->attributes[task_.probe_key]).is_empty()) continue;
@@ -57,9 +58,9 @@ class NearestJoin final : public TupleStream {
         if (const auto& nearest = probes_[probe_].nearest; neighbour_ < nearest.size())
           return concatenated(*probes_[probe_].tuple, *nearest[neighbour_++].tuple);
       probe_ = 0;
-      ALGEBRA3D_RETURN_IF_ERROR(blocks_.read(probes_));
+      A3D_TRY(blocks_.read(probes_));
       if (probes_.empty()) return TuplePtr();
-      ALGEBRA3D_RETURN_IF_ERROR(search_.search(probes_));
+      A3D_TRY(search_.search(probes_));
     }
   }
   std::vector<StageCount> stages() const override { return search_.stages(); }
@@ -83,10 +84,10 @@ class ClosestPair final : public TupleStream {
     std::vector<NearestProbe> probes;
     // Nothing is nearer than 0, and later tuples do not precede.
     while (!best || best->squared_distance->sign() > 0) {
-      ALGEBRA3D_RETURN_IF_ERROR(blocks_.read(probes));
+      A3D_TRY(blocks_.read(probes));
       if (probes.empty()) break;
-      ALGEBRA3D_RETURN_IF_ERROR(search_.search(probes));
-      ALGEBRA3D_RETURN_IF_ERROR(search_.make_first_exact(probes));
+      A3D_TRY(search_.search(probes));
+      A3D_TRY(search_.make_first_exact(probes));
       for (NearestProbe& probe : probes) {
         // Those without an exact distance are farther away than another one of the block.
         if (probe.nearest.empty() || !probe.nearest.front().squared_distance) continue;

@@ -9,6 +9,7 @@
 
 #include "algebra3d/values/spatial_relations/nearest_points.h"
 #include "algebra3d/values/spatial_relations/place_of_box.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 #include "queries/streams/detail/block_join.h"
 #include "queries/streams/detail/spatial_attribute.h"
@@ -171,7 +172,7 @@ NearestSearch::~NearestSearch() = default;
 
 Status NearestSearch::search(std::span<NearestProbe> probes) {
   probe_count_ += probes.size();
-  ALGEBRA3D_RETURN_IF_ERROR(search_all(probes));
+  A3D_TRY(search_all(probes));
   return settle(probes);
 }
 
@@ -181,10 +182,10 @@ Status NearestSearch::search_all(std::span<NearestProbe> probes) {
   table_->start_anew();
   for (bool is_first = true, is_last = false; !is_last; is_first = false) {
     table_->clear();
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_last, blocks.fill(*table_, context_));
+    A3D_ASSIGN(is_last, blocks.fill(*table_, context_));
     table_->finish();
     is_whole_ = is_first && is_last;
-    ALGEBRA3D_RETURN_IF_ERROR(search_table(probes));
+    A3D_TRY(search_table(probes));
   }
   return {};
 }
@@ -194,17 +195,17 @@ Status NearestSearch::search_table(std::span<NearestProbe> probes) {
   constexpr std::size_t kLeastGroup = 128, kBoxesHeld = std::size_t{1} << 22;
   const std::size_t group = std::max(kLeastGroup, kBoxesHeld / (table_->tree().size() + 1));
   for (std::size_t begin = 0; begin < probes.size(); begin += group)
-    ALGEBRA3D_RETURN_IF_ERROR(search_group(probes.subspan(begin, std::min(group, probes.size() - begin))));
+    A3D_TRY(search_group(probes.subspan(begin, std::min(group, probes.size() - begin))));
   return {};
 }
 
 Status NearestSearch::search_group(std::span<NearestProbe> probes) {
   Round round(*table_, task_, probes);
   while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+    A3D_TRY(context_.check_cancelled());
     round.propose(probes, reach_);
     if (round.is_over()) return {};
-    ALGEBRA3D_RETURN_IF_ERROR(take_distances(probes, round));
+    A3D_TRY(take_distances(probes, round));
   }
 }
 
@@ -257,7 +258,7 @@ Result<std::vector<std::uint32_t>> NearestSearch::near_candidates(std::span<cons
     is_far[i] = place.gap > bound && !place.is_inside ? 1 : 0;
   };
   const std::string progress = fmt::format("{} boxes for {} tuples", round.pairs().size(), probe_count_);
-  ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask_boxes(round.pairs(), progress, question));
+  A3D_TRY(examiner_.ask_boxes(round.pairs(), progress, question));
   std::vector<std::uint32_t> near;
   for (std::uint32_t i = 0; i < is_far.size(); ++i)
     if (is_far[i] == 0) near.push_back(i);
@@ -268,7 +269,7 @@ Result<std::vector<std::uint32_t>> NearestSearch::near_candidates(std::span<cons
 
 /// Bounds the distances of the candidates, and keeps those that may be among the nearest ones.
 Status NearestSearch::take_distances(std::span<NearestProbe> probes, const Round& round) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<std::uint32_t> near, near_candidates(probes, round));
+  A3D_ASSIGN(const std::vector<std::uint32_t> near, near_candidates(probes, round));
   std::vector<ValuePair> pairs;
   pairs.reserve(near.size());
   for (const std::uint32_t i : near) pairs.push_back(round.pairs()[i]);
@@ -276,11 +277,11 @@ Status NearestSearch::take_distances(std::span<NearestProbe> probes, const Round
   const auto question = [&](std::size_t i, const LoadedSet& a, const LoadedSet& b,
                             const algebra3d::Monitor& monitor) -> Status {
     const double bound = std::min(reach_, probes[round.candidates()[near[i]].probe].bound);
-    ALGEBRA3D_ASSIGN_OR_RETURN(ranges[i], distance_range_of(a.set, b.set, bound, monitor));
+    A3D_ASSIGN(ranges[i], distance_range_of(a.set, b.set, bound, monitor));
     return {};
   };
   const std::string progress = fmt::format("{} pairs for {} tuples", pairs.size(), probe_count_);
-  ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(pairs, progress, question));
+  A3D_TRY(examiner_.ask(pairs, progress, question));
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const auto [probe, position] = round.candidates()[near[i]];
     if (ranges[i]) {
@@ -306,7 +307,7 @@ Status NearestSearch::thin_out(std::span<NearestProbe> probes) {
     for (NearTuple& near : probe.nearest)
       if (!near.squared_distance) open.push_back({probe.tuple.get(), &near});
   }
-  ALGEBRA3D_RETURN_IF_ERROR(make_exact(open));
+  A3D_TRY(make_exact(open));
   for (NearestProbe& probe : probes) {
     if (probe.nearest.size() <= most) continue;
     keep_nearest(probe, task_.limit);
@@ -333,7 +334,7 @@ Status NearestSearch::settle(std::span<NearestProbe> probes) {
     }
     nearest.erase(nearest.begin() + static_cast<std::ptrdiff_t>(end), nearest.end());
   }
-  ALGEBRA3D_RETURN_IF_ERROR(make_exact(open));
+  A3D_TRY(make_exact(open));
   for (NearestProbe& probe : probes) keep_nearest(probe, task_.limit);
   return {};
 }
@@ -346,7 +347,7 @@ Status NearestSearch::make_exact(std::span<const OpenDistance> open) {
   return examiner_.ask(
       pairs, fmt::format("{} exact distances", pairs.size()),
       [&](std::size_t i, const LoadedSet& a, const LoadedSet& b, const algebra3d::Monitor& monitor) -> Status {
-        ALGEBRA3D_ASSIGN_OR_RETURN(open[i].neighbour->squared_distance, squared_distance_of(a.set, b.set, monitor));
+        A3D_ASSIGN(open[i].neighbour->squared_distance, squared_distance_of(a.set, b.set, monitor));
         return {};
       });
 }

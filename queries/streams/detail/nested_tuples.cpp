@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/propagate.h"
 #include "base/work_memory.h"
 #include "queries/streams/mapping.h"
 
@@ -11,12 +12,12 @@ using algebra3d::NestedRelation;
 using algebra3d::NestedRelationType;
 
 Result<TupleStreamPtr> tuples_of_nested(const Value& relation, const Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, relation.loaded());
+  A3D_ASSIGN(const Value loaded, relation.loaded());
   return make_stream([loaded, &context, position = std::size_t{0}]() mutable -> Result<TuplePtr> {
     if (!loaded.is_defined()) return TuplePtr();
     const auto& tuples = loaded.get<NestedRelation>();
     if (position == tuples.size()) return TuplePtr();
-    if (position % 256 == 255) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    if (position % 256 == 255) A3D_TRY(context.check_cancelled());
     const auto values = tuples.tuple(position++);
     return TuplePtr(std::make_shared<const Tuple>(Tuple{{values.begin(), values.end()}}));
   });
@@ -27,10 +28,10 @@ Result<Value> collected_relation(TupleStream& tuples, const std::vector<std::siz
                                  const NestedRelationType& type, const std::string& op, const Context& context) {
   algebra3d::MemoryAccount account(context.memory);
   std::vector<Value> values;
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) -> Status {
+  A3D_TRY(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) -> Status {
     std::size_t bytes = attributes.size() * sizeof(Value);
     for (const std::size_t attribute : attributes) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(Value loaded, tuple->attributes[attribute].loaded());
+      A3D_ASSIGN(Value loaded, tuple->attributes[attribute].loaded());
       bytes += heap_bytes(loaded);
       values.push_back(std::move(loaded));
     }

@@ -1,15 +1,17 @@
 #include "queries/streams/detail/pairs.h"
 
+#include "base/propagate.h"
+
 namespace queries {
 
 Result<std::pair<TuplePtr, TuplePtr>> NestedLoop::next() {
   while (true) {
-    if (++steps_ % 4096 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+    if (++steps_ % 4096 == 0) A3D_TRY(context_.check_cancelled());
     if (partners_ != nullptr) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr partner, partners_->next());
+      A3D_ASSIGN(TuplePtr partner, partners_->next());
       if (partner != nullptr) return std::pair(current_, std::move(partner));
     }
-    ALGEBRA3D_ASSIGN_OR_RETURN(current_, left_->next());
+    A3D_ASSIGN(current_, left_->next());
     if (current_ == nullptr || right_.is_empty()) return std::pair<TuplePtr, TuplePtr>();
     partners_ = right_.scan();
   }
@@ -17,23 +19,23 @@ Result<std::pair<TuplePtr, TuplePtr>> NestedLoop::next() {
 
 TupleStreamPtr all_pairs(TupleStreamPtr left, TupleBuffer right, const Context& context) {
   return make_stream([loop = NestedLoop(std::move(left), std::move(right), context)]() mutable -> Result<TuplePtr> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto pair, loop.next());
+    A3D_ASSIGN(const auto pair, loop.next());
     return pair.first == nullptr ? TuplePtr() : concatenated(*pair.first, *pair.second);
   });
 }
 
 Result<JoinTypes> join_types(const MappingCheck& check) {
   JoinTypes types;
-  ALGEBRA3D_ASSIGN_OR_RETURN(types.left, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(types.right, check.stream(1));
-  ALGEBRA3D_ASSIGN_OR_RETURN(types.joined, check.concatenated(types.left, types.right));
+  A3D_ASSIGN(types.left, check.stream(0));
+  A3D_ASSIGN(types.right, check.stream(1));
+  A3D_ASSIGN(types.joined, check.concatenated(types.left, types.right));
   return types;
 }
 
 Result<JoinKeys> join_keys(const MappingCheck& check, const JoinTypes& types) {
   JoinKeys keys;
-  ALGEBRA3D_ASSIGN_OR_RETURN(keys.left, check.attribute(2, types.left));
-  ALGEBRA3D_ASSIGN_OR_RETURN(keys.right, check.attribute(3, types.right));
+  A3D_ASSIGN(keys.left, check.attribute(2, types.left));
+  A3D_ASSIGN(keys.right, check.attribute(3, types.right));
   const TypeExpr& left = types.left.attributes()[keys.left].type;
   const TypeExpr& right = types.right.attributes()[keys.right].type;
   if (are_comparable(left, right)) return keys;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace queries {
@@ -20,9 +21,9 @@ class BlockFilter final : public TupleStream {
   Result<TuplePtr> next() override {
     while (next_ == block_.size()) {
       if (is_at_end_) return TuplePtr();
-      ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
-      ALGEBRA3D_RETURN_IF_ERROR(read_block());
-      ALGEBRA3D_RETURN_IF_ERROR(keep_fulfilling());
+      A3D_TRY(context_.check_cancelled());
+      A3D_TRY(read_block());
+      A3D_TRY(keep_fulfilling());
     }
     return std::move(block_[next_++]);
   }
@@ -34,7 +35,7 @@ class BlockFilter final : public TupleStream {
     block_.clear();
     next_ = 0;
     while (block_.size() < size_ && !is_at_end_) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, stream_->next());
+      A3D_ASSIGN(TuplePtr tuple, stream_->next());
       is_at_end_ = tuple == nullptr;
       if (!is_at_end_) block_.push_back(std::move(tuple));
     }
@@ -43,7 +44,7 @@ class BlockFilter final : public TupleStream {
   }
 
   Status keep_fulfilling() {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<bool> fulfil, condition_(block_));
+    A3D_ASSIGN(const std::vector<bool> fulfil, condition_(block_));
     std::size_t kept = 0;
     for (std::size_t i = 0; i < block_.size(); ++i)
       if (fulfil[i]) block_[kept++] = std::move(block_[i]);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra3d/kernel/exact/counters.h"
+#include "base/propagate.h"
 #include "queries/streams/detail/spatial_pairs.h"
 #include "queries/streams/tuple_buffer.h"
 
@@ -38,9 +39,9 @@ class RefinedJoin final : public TupleStream {
       for (; next_ < block_.size(); ++next_)
         if (verdicts_[next_] != PairVerdict::no) return joined(next_++);
       if (is_at_end_) return TuplePtr();
-      ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
-      ALGEBRA3D_RETURN_IF_ERROR(read_block());
-      ALGEBRA3D_RETURN_IF_ERROR(decide());
+      A3D_TRY(context_.check_cancelled());
+      A3D_TRY(read_block());
+      A3D_TRY(decide());
     }
   }
 
@@ -77,7 +78,7 @@ class RefinedJoin final : public TupleStream {
     const Tuple* last_probe = nullptr;
     while (block_.size() < size_) {
       if (pending_.build == nullptr) {
-        ALGEBRA3D_ASSIGN_OR_RETURN(pending_, pairs_->next());
+        A3D_ASSIGN(pending_, pairs_->next());
       }
       is_at_end_ = pending_.build == nullptr;
       if (is_at_end_) break;
@@ -104,7 +105,7 @@ class RefinedJoin final : public TupleStream {
       open.values.push_back({&a, &b});
       open.positions.push_back(i);
     }
-    ALGEBRA3D_RETURN_IF_ERROR(ask_boxes(open));
+    A3D_TRY(ask_boxes(open));
     return ask(open);
   }
 
@@ -126,7 +127,7 @@ class RefinedJoin final : public TupleStream {
       is_decided[i] = verdict ? 1 : 0;
       if (verdict) verdicts_[open.positions[i]] = *verdict;
     };
-    ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask_boxes(open.values, progress(open), question));
+    A3D_TRY(examiner_.ask_boxes(open.values, progress(open), question));
     std::size_t left = 0;
     for (std::size_t i = 0; i < is_decided.size(); ++i) {
       if (is_decided[i] != 0) continue;
@@ -144,11 +145,11 @@ class RefinedJoin final : public TupleStream {
     const auto question = [&](std::size_t i, const LoadedSet& a, const LoadedSet& b,
                               const algebra3d::Monitor& monitor) -> Status {
       const std::uint64_t before = algebra3d::exact_calls_of_this_thread();
-      ALGEBRA3D_ASSIGN_OR_RETURN(verdicts_[open.positions[i]], test_.by_geometry(a.set, b.set, monitor));
+      A3D_ASSIGN(verdicts_[open.positions[i]], test_.by_geometry(a.set, b.set, monitor));
       exact_tests[i] = algebra3d::exact_calls_of_this_thread() - before;
       return {};
     };
-    ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(open.values, progress(open), question));
+    A3D_TRY(examiner_.ask(open.values, progress(open), question));
     for (const std::uint64_t count : exact_tests) {
       ++(count == 0 ? counts_.by_hierarchy : counts_.by_exact_tests);
       counts_.exact_tests += count;

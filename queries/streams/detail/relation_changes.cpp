@@ -2,6 +2,8 @@
 
 #include <functional>
 
+#include "base/propagate.h"
+
 namespace queries {
 
 TuplePtr tuple_with_id(const Tuple& tuple, TupleId id) {
@@ -12,7 +14,7 @@ TuplePtr tuple_with_id(const Tuple& tuple, TupleId id) {
 
 TupleStreamPtr tuples_with_ids(const TupleBuffer& tuples) {
   return make_stream([scan = tuples.scan()]() -> Result<TuplePtr> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, scan->next());
+    A3D_ASSIGN(const TuplePtr next, scan->next());
     return next == nullptr ? next : tuple_with_id(*next, next->id);
   });
 }
@@ -21,7 +23,7 @@ Result<TuplePtr> loaded_tuple(const Tuple& tuple) {
   Tuple result;
   result.id = tuple.id;
   for (const Value& value : tuple.attributes) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value loaded, value.loaded());
+    A3D_ASSIGN(Value loaded, value.loaded());
     result.attributes.push_back(std::move(loaded));
   }
   return TuplePtr(std::make_shared<const Tuple>(std::move(result)));
@@ -45,8 +47,8 @@ std::size_t quick_hash(const Tuple& tuple) {
 Result<bool> are_equal(const Tuple& a, const Tuple& b) {
   for (std::size_t i = 0; i < a.attributes.size(); ++i) {
     if (a.attributes[i].is_defined() != b.attributes[i].is_defined()) return false;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value left, a.attributes[i].loaded());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value right, b.attributes[i].loaded());
+    A3D_ASSIGN(const Value left, a.attributes[i].loaded());
+    A3D_ASSIGN(const Value right, b.attributes[i].loaded());
     if (compare(left, right) != 0) return false;
   }
   return true;
@@ -65,18 +67,18 @@ Result<TuplePtr> lasting_tuple(const Relation& relation, const TuplePtr& tuple, 
 Result<TupleBuffer> own_tuples(TupleStream& tuples, Relation& relation, std::string_view op, const Context& context) {
   TupleBuffer result(context);
   std::unordered_set<TupleId> seen;
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) -> Status {
+  A3D_TRY(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) -> Status {
     if (tuple->id == 0)
       return Error{ErrorCode::wrong_usage,
                    "{}: a tuple does not come straight from a stored relation; only filter, head, sortby and the like "
                    "may come between",
                    op};
     if (!seen.insert(tuple->id).second) return {};
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr stored, relation.fetch(tuple->id));
+    A3D_ASSIGN(const TuplePtr stored, relation.fetch(tuple->id));
     if (stored == nullptr || quick_hash(*stored) != quick_hash(*tuple))
       return Error{ErrorCode::wrong_usage, "{}: a tuple of the stream is not one of the relation '{}'", op,
                    relation.name()};
-    ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr lasting, lasting_tuple(relation, tuple, stored));
+    A3D_ASSIGN(TuplePtr lasting, lasting_tuple(relation, tuple, stored));
     return result.add(std::move(lasting));
   }));
   return result;
@@ -85,9 +87,9 @@ Result<TupleBuffer> own_tuples(TupleStream& tuples, Relation& relation, std::str
 Result<TupleBuffer> tuple_by_id(const Value& id, Relation& relation) {
   std::vector<TuplePtr> found;
   if (!id.is_defined()) return TupleBuffer(found);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr stored, relation.fetch(id_of(id)));
+  A3D_ASSIGN(const TuplePtr stored, relation.fetch(id_of(id)));
   if (stored == nullptr) return TupleBuffer(found);
-  ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr lasting, lasting_tuple(relation, stored, stored));
+  A3D_ASSIGN(TuplePtr lasting, lasting_tuple(relation, stored, stored));
   found.push_back(std::move(lasting));
   return TupleBuffer(std::move(found));
 }

@@ -2,6 +2,7 @@
 
 #include <unordered_set>
 
+#include "base/propagate.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
 #include "queries/streams/tuple_buffer.h"
@@ -16,7 +17,7 @@ template <typename Make>
 TupleStreamPtr made_when_asked(Make make) {
   return make_stream([make = std::move(make), stream = TupleStreamPtr()]() mutable -> Result<TuplePtr> {
     if (stream == nullptr) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(stream, make());
+      A3D_ASSIGN(stream, make());
     }
     return stream->next();
   });

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/propagate.h"
+
 namespace queries {
 
 RunMerge::RunMerge(const std::shared_ptr<TupleFile>& file, std::span<const SortedRun> runs, SortOrder order,
@@ -23,9 +25,9 @@ bool RunMerge::is_after(const Head& a, const Head& b) const {
 
 /// False at the end of the run.
 Result<bool> RunMerge::advance(Head& head) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, head.scan->next());
+  A3D_ASSIGN(TuplePtr tuple, head.scan->next());
   if (tuple == nullptr) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(head.tuple, order_.keyed(std::move(tuple)));
+  A3D_ASSIGN(head.tuple, order_.keyed(std::move(tuple)));
   head.prefix = order_.prefix(head.tuple);
   return true;
 }
@@ -33,7 +35,7 @@ Result<bool> RunMerge::advance(Head& head) const {
 Status RunMerge::start() {
   std::vector<Head> filled;
   for (Head& head : heads_) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_tuple, advance(head));
+    A3D_ASSIGN(const bool has_tuple, advance(head));
     if (has_tuple) filled.push_back(std::move(head));
   }
   heads_ = std::move(filled);
@@ -42,14 +44,14 @@ Status RunMerge::start() {
 }
 
 Result<TuplePtr> RunMerge::next() {
-  if (!std::exchange(has_begun_, true)) ALGEBRA3D_RETURN_IF_ERROR(start());
+  if (!std::exchange(has_begun_, true)) A3D_TRY(start());
   if (heads_.empty()) return TuplePtr();
-  if (++steps_ % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+  if (++steps_ % 1024 == 0) A3D_TRY(context_.check_cancelled());
   const auto after = [this](const Head& a, const Head& b) { return is_after(a, b); };
   std::ranges::pop_heap(heads_, after);
   Head& least = heads_.back();
   TuplePtr result = std::move(least.tuple.tuple());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_tuple, advance(least));
+  A3D_ASSIGN(const bool has_tuple, advance(least));
   if (has_tuple)
     std::ranges::push_heap(heads_, after);
   else

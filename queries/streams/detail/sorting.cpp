@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/propagate.h"
 #include "base/work_memory.h"
 #include "queries/streams/detail/run_merge.h"
 #include "queries/streams/detail/sort_order.h"
@@ -49,10 +50,10 @@ class Sorter {
       : order_(keys), context_(context), account_(context.memory) {}
 
   Status add(TuplePtr tuple) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(KeyedTuple keyed, order_.keyed(std::move(tuple)));
+    A3D_ASSIGN(KeyedTuple keyed, order_.keyed(std::move(tuple)));
     const std::size_t bytes = keyed.bytes() + kBytesToSort;
     if (!account_.take(bytes) || tuples_.size() == std::numeric_limits<std::uint32_t>::max()) {
-      ALGEBRA3D_RETURN_IF_ERROR(write_run());
+      A3D_TRY(write_run());
       // A single tuple is kept however large it is.
       static_cast<void>(account_.take(bytes));
     }
@@ -62,12 +63,12 @@ class Sorter {
 
   Result<TupleStreamPtr> finish() {
     if (runs_.empty()) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Position> positions, sorted_positions());
+      A3D_ASSIGN(std::vector<Position> positions, sorted_positions());
       return TupleStreamPtr(
           std::make_shared<SortedTuples>(std::move(tuples_), std::move(positions), std::move(account_)));
     }
-    ALGEBRA3D_RETURN_IF_ERROR(write_run());
-    while (runs_.size() > merge_width()) ALGEBRA3D_RETURN_IF_ERROR(merge_once());
+    A3D_TRY(write_run());
+    while (runs_.size() > merge_width()) A3D_TRY(merge_once());
     return TupleStreamPtr(std::make_shared<RunMerge>(file_, runs_, order_, context_));
   }
 
@@ -89,12 +90,12 @@ class Sorter {
       return positions.begin() + static_cast<std::ptrdiff_t>(std::min(index, positions.size()));
     };
     for (std::size_t begin = 0; begin < positions.size(); begin += kBlock) {
-      ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+      A3D_TRY(context_.check_cancelled());
       std::sort(place(begin), place(begin + kBlock), before);
     }
     for (std::size_t width = kBlock; width < positions.size(); width *= 2)
       for (std::size_t begin = 0; begin + width < positions.size(); begin += 2 * width) {
-        ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+        A3D_TRY(context_.check_cancelled());
         std::inplace_merge(place(begin), place(begin + width), place(begin + 2 * width), before);
       }
     return positions;
@@ -103,14 +104,14 @@ class Sorter {
   Status write_run() {
     if (tuples_.empty()) return {};
     if (file_ == nullptr) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(file_, TupleFile::make(context_));
+      A3D_ASSIGN(file_, TupleFile::make(context_));
     }
     const std::uint64_t begin = file_->end();
     std::uint32_t steps = 0;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Position> positions, sorted_positions());
+    A3D_ASSIGN(const std::vector<Position> positions, sorted_positions());
     for (const Position& position : positions) {
-      if (++steps % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
-      ALGEBRA3D_RETURN_IF_ERROR(file_->append(*tuples_[position.index].tuple()));
+      if (++steps % 1024 == 0) A3D_TRY(context_.check_cancelled());
+      A3D_TRY(file_->append(*tuples_[position.index].tuple()));
     }
     runs_.push_back({begin, file_->end()});
     tuples_.clear();
@@ -127,14 +128,13 @@ class Sorter {
 
   /// Makes one run of each `merge_width` of them, in a new file.
   Status merge_once() {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto target, TupleFile::make(context_));
+    A3D_ASSIGN(const auto target, TupleFile::make(context_));
     std::vector<SortedRun> merged;
     for (std::size_t first = 0; first < runs_.size(); first += merge_width()) {
       const std::size_t last = std::min(first + merge_width(), runs_.size());
       RunMerge source(file_, std::span(runs_).subspan(first, last - first), order_, context_);
       const std::uint64_t begin = target->end();
-      ALGEBRA3D_RETURN_IF_ERROR(
-          for_each_tuple(source, context_, [&](const TuplePtr& tuple) { return target->append(*tuple); }));
+      A3D_TRY(for_each_tuple(source, context_, [&](const TuplePtr& tuple) { return target->append(*tuple); }));
       merged.push_back({begin, target->end()});
     }
     file_ = target;
@@ -169,7 +169,7 @@ Result<std::vector<Value>> loaded_keys(const Tuple& tuple, const std::vector<std
   std::vector<Value> keys;
   keys.reserve(attributes.size());
   for (const std::size_t attribute : attributes) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value key, tuple.attributes[attribute].loaded());
+    A3D_ASSIGN(Value key, tuple.attributes[attribute].loaded());
     keys.push_back(std::move(key));
   }
   return keys;
@@ -183,7 +183,7 @@ std::strong_ordering compare_keys(const std::vector<Value>& a, const std::vector
 
 Result<TupleStreamPtr> sorted(TupleStream& tuples, const std::vector<SortKey>& order, const Context& context) {
   Sorter sorter(order, context);
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) { return sorter.add(tuple); }));
+  A3D_TRY(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) { return sorter.add(tuple); }));
   return sorter.finish();
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/propagate.h"
+
 namespace queries {
 
 using algebra3d::Box3;
@@ -13,7 +15,7 @@ bool is_spatial(const algebra3d::Registry& registry, const TypeExpr& type) {
 
 Result<std::size_t> spatial_attribute(const algebra3d::Registry& registry, const MappingCheck& check,
                                       std::size_t position, const TypeExpr& tuple) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t index, check.attribute(position, tuple));
+  A3D_ASSIGN(const std::size_t index, check.attribute(position, tuple));
   const TypeExpr& type = tuple.attributes()[index].type;
   if (!is_spatial(registry, type)) return check.expected("an attribute of kind SPATIAL2D or SPATIAL3D", type);
   return index;

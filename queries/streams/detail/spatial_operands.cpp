@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/propagate.h"
 #include "queries/streams/detail/spatial_attribute.h"
 
 namespace queries {
@@ -19,19 +20,19 @@ TypeExpr with_suffix(const TypeExpr& tuple, std::string_view suffix) {
 }  // namespace
 
 Result<SpatialOperands> spatial_operands(const algebra3d::Registry& registry, const MappingCheck& check) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr right, check.stream(1));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t left_key, spatial_attribute(registry, check, 2, left));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t right_key, spatial_attribute(registry, check, 3, right));
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypeExpr joined, check.concatenated(left, right));
+  A3D_ASSIGN(const TypeExpr left, check.stream(0));
+  A3D_ASSIGN(const TypeExpr right, check.stream(1));
+  A3D_ASSIGN(const std::size_t left_key, spatial_attribute(registry, check, 2, left));
+  A3D_ASSIGN(const std::size_t right_key, spatial_attribute(registry, check, 3, right));
+  A3D_ASSIGN(TypeExpr joined, check.concatenated(left, right));
   return SpatialOperands{left_key, right_key, left.attributes()[left_key].type, right.attributes()[right_key].type,
                          std::move(joined)};
 }
 
 Result<SpatialOperands> spatial_self_operands(const algebra3d::Registry& registry, const MappingCheck& check) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t key, spatial_attribute(registry, check, 1, tuple));
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypeExpr joined, check.concatenated(with_suffix(tuple, "_a"), with_suffix(tuple, "_b")));
+  A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
+  A3D_ASSIGN(const std::size_t key, spatial_attribute(registry, check, 1, tuple));
+  A3D_ASSIGN(TypeExpr joined, check.concatenated(with_suffix(tuple, "_a"), with_suffix(tuple, "_b")));
   const TypeExpr& type = tuple.attributes()[key].type;
   return SpatialOperands{key, key, type, type, std::move(joined)};
 }

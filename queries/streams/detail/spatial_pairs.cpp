@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "algebra3d/operators/descriptions/set_of_value.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace queries {
@@ -62,8 +63,8 @@ std::uint64_t morton_code(const Vec3& point, const Box3& frame) {
 }
 
 Result<LoadedSet> loaded_set(const Value& value, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value loaded, value.loaded());
-  ALGEBRA3D_ASSIGN_OR_RETURN(algebra3d::SpatialSet set, algebra3d::set_of_value(loaded, monitor));
+  A3D_ASSIGN(Value loaded, value.loaded());
+  A3D_ASSIGN(algebra3d::SpatialSet set, algebra3d::set_of_value(loaded, monitor));
   return LoadedSet{std::move(loaded), std::move(set)};
 }
 
@@ -132,8 +133,8 @@ Status SpatialPairs::ask(std::span<const ValuePair> pairs, const std::string& pr
     }
     all.unload_all_but(batch);
     const auto part = std::span<const std::uint32_t>(order).subspan(begin, end - begin);
-    ALGEBRA3D_RETURN_IF_ERROR(load(all, part));
-    ALGEBRA3D_RETURN_IF_ERROR(ask_batch(all, part, progress, question));
+    A3D_TRY(load(all, part));
+    A3D_TRY(ask_batch(all, part, progress, question));
   }
   account_.clear();
   return {};
@@ -183,8 +184,8 @@ Status SpatialPairs::load(Batches& all, std::span<const std::uint32_t> pairs) {
       statuses[i] = std::move(set).error();
   });
   load_count_ += missing.size();
-  ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
-  for (Status& status : statuses) ALGEBRA3D_RETURN_IF_ERROR(std::move(status));
+  A3D_TRY(context_.check_cancelled());
+  for (Status& status : statuses) A3D_TRY(std::move(status));
   return {};
 }
 
@@ -204,8 +205,8 @@ Status SpatialPairs::ask_batch(const Batches& all, std::span<const std::uint32_t
       statuses[i] = question(pairs[k], *all.sets[a], *all.sets[b], silent);
     }
   });
-  ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
-  for (Status& status : statuses) ALGEBRA3D_RETURN_IF_ERROR(std::move(status));
+  A3D_TRY(context_.check_cancelled());
+  for (Status& status : statuses) A3D_TRY(std::move(status));
   return {};
 }
 

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "base/propagate.h"
+
 namespace queries {
 
 using algebra3d::Error;
@@ -16,9 +18,9 @@ constexpr std::size_t kPieceBytes = std::size_t{1} << 18U;
 }  // namespace
 
 Result<TextFile> TextFile::open(const std::filesystem::path& path) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(algebra3d::InputFile input, algebra3d::InputFile::open(path));
+  A3D_ASSIGN(algebra3d::InputFile input, algebra3d::InputFile::open(path));
   TextFile file(std::move(input));
-  ALGEBRA3D_RETURN_IF_ERROR(file.skip_byte_order_mark());
+  A3D_TRY(file.skip_byte_order_mark());
   return file;
 }
 

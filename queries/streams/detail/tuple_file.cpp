@@ -6,6 +6,7 @@
 
 #include "algebra3d/values/types/binary_io.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 #include "base/work_memory.h"
 
 namespace queries {
@@ -31,7 +32,7 @@ constexpr bool is_of(const algebra3d::Type& type) {
 
 Result<std::shared_ptr<TupleFile>> TupleFile::make(const Context& context) {
   const auto folder = context.memory != nullptr ? context.memory->folder() : algebra3d::WorkMemory::default_folder();
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto file, TemporaryFile::make(folder));
+  A3D_ASSIGN(auto file, TemporaryFile::make(folder));
   return std::shared_ptr<TupleFile>(new TupleFile(std::move(file)));
 }
 
@@ -80,7 +81,7 @@ void TupleFile::append_deferred(const algebra3d::DeferredValue& value) {
 }
 
 Status TupleFile::flush() {
-  ALGEBRA3D_RETURN_IF_ERROR(file_->append(unwritten_));
+  A3D_TRY(file_->append(unwritten_));
   if (unwritten_.size() > 4 * kBufferBytes) unwritten_ = std::string();  // of a large tuple
   unwritten_.clear();
   return {};
@@ -88,15 +89,15 @@ Status TupleFile::flush() {
 
 Result<TuplePtr> TupleFile::Scan::next() {
   if (next_ == end_) return TuplePtr();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string_view head, bytes(kLengthBytes));
+  A3D_ASSIGN(const std::string_view head, bytes(kLengthBytes));
   const std::uint64_t length = ByteReader(head, "tuple").u64();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string_view body, bytes(length));
+  A3D_ASSIGN(const std::string_view body, bytes(length));
   ByteReader reader(body, "tuple");
   auto tuple = std::make_shared<Tuple>();
   tuple->id = static_cast<TupleId>(reader.u64());
   tuple->attributes.reserve(file_->types_.size());
   for (const algebra3d::Type* type : file_->types_) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value value, read_value(*type, reader));
+    A3D_ASSIGN(Value value, read_value(*type, reader));
     tuple->attributes.push_back(std::move(value));
   }
   return TuplePtr(std::move(tuple));
@@ -104,7 +105,7 @@ Result<TuplePtr> TupleFile::Scan::next() {
 
 /// The next `count` bytes of the file; they live until the next call.
 Result<std::string_view> TupleFile::Scan::bytes(std::uint64_t count) {
-  if (buffer_.size() - position_ < count) ALGEBRA3D_RETURN_IF_ERROR(refill(count));
+  if (buffer_.size() - position_ < count) A3D_TRY(refill(count));
   const std::string_view result = std::string_view(buffer_).substr(position_, count);
   position_ += count;
   next_ += count;
@@ -113,7 +114,7 @@ Result<std::string_view> TupleFile::Scan::bytes(std::uint64_t count) {
 
 Status TupleFile::Scan::refill(std::uint64_t count) {
   const std::uint64_t wanted = std::min(end_ - next_, std::max<std::uint64_t>(count, kBufferBytes));
-  if (next_ + wanted > file_->file_->size()) ALGEBRA3D_RETURN_IF_ERROR(file_->flush());
+  if (next_ + wanted > file_->file_->size()) A3D_TRY(file_->flush());
   if (buffer_.capacity() > 4 * wanted) buffer_ = std::string();  // of a large tuple
   buffer_.resize(wanted);
   position_ = 0;

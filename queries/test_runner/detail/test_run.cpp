@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "base/propagate.h"
 #include "base/text.h"
 #include "queries/session/variables.h"
 #include "queries/test_runner/detail/text_of_file.h"
@@ -25,7 +26,7 @@ constexpr std::array<std::string_view, 14> kAlgebras = {
 class ResultCollector final : public Presenter {
  public:
   Status present(const TypeExpr& type, const Datum& value, Context& context) override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(result_, result_list(type, value, context));
+    A3D_ASSIGN(result_, result_list(type, value, context));
     return {};
   }
   Status present_inquiry(const NestedList& result) override {
@@ -197,10 +198,10 @@ Result<NestedList> TestRun::execute(const CommandText& command) {
   Context context{diagnostics_, options_.cancel, folders_.file};
   std::string text = algebra3d::with_replaced(command.text, "$(SCRATCH)", folders_.scratch.string());
   if (variation_ != nullptr) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(text, variation_->moved_command(text, folders_));
+    A3D_ASSIGN(text, variation_->moved_command(text, folders_));
   }
   ResultCollector collector;
-  ALGEBRA3D_RETURN_IF_ERROR(session_.execute(text, command.start, collector, context));
+  A3D_TRY(session_.execute(text, command.start, collector, context));
   NestedList result = collector.take();
   return variation_ != nullptr ? variation_->original_result(result) : result;
 }

@@ -19,6 +19,7 @@
 
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/types/expression_list.h"
+#include "base/propagate.h"
 #include "queries/language/expression_parser.h"
 #include "queries/language/token.h"
 #include "queries/test_runner/detail/restored_source.h"
@@ -65,7 +66,7 @@ bool is_bound_to_the_frame(const Operator& op, const Overload& overload, Variati
 
 Result<Value> image(const Value& value, const Motion& motion, Context& context) {
   if (!value.is_defined() || !Motion::moves(value.type())) return value;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  A3D_ASSIGN(const Value loaded, value.loaded());
   const TypeExpr type = value.type().term();
   return algebra3d::value_from_nested(value.type(), motion.image(type, loaded.to_nested()), context);
 }
@@ -76,13 +77,13 @@ Overload carried(Overload overload, const Motion& motion) {
                                                                      Context& context) -> Result<Outcome> {
     std::vector<Value> original;
     for (const Value& value : values) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(Value moved, image(value, motion.inverse(), context));
+      A3D_ASSIGN(Value moved, image(value, motion.inverse(), context));
       original.push_back(std::move(moved));
     }
-    ALGEBRA3D_ASSIGN_OR_RETURN(Outcome outcome, plain(original, context));
+    A3D_ASSIGN(Outcome outcome, plain(original, context));
     const Value* const result = std::get_if<Value>(&outcome);
     if (result == nullptr) return outcome;  // undefined
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value moved, image(*result, motion, context));
+    A3D_ASSIGN(Value moved, image(*result, motion, context));
     return Outcome(std::move(moved));
   };
   return overload;

@@ -7,14 +7,15 @@
 
 #include <gtest/gtest.h>
 
+#include "base/propagate.h"
 #include "support/scratch_folder.h"
 
 namespace algebra3d {
 namespace {
 
 Status write_new(const ScratchFolder& scratch, const char* name, std::string_view bytes) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(OutputPath::new_file(scratch.path(name))));
-  ALGEBRA3D_RETURN_IF_ERROR(file.append(bytes));
+  A3D_ASSIGN(AtomicFile file, AtomicFile::create(OutputPath::new_file(scratch.path(name))));
+  A3D_TRY(file.append(bytes));
   return file.commit();
 }
 

@@ -7,6 +7,7 @@
 
 #include "algebra3d/operators/descriptions/all.h"
 #include "algebra3d/operators/registry/aggregate.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -36,18 +37,18 @@ struct ExampleAnswer {
 class Host {
  public:
   Result<ExampleAnswer> call(const Operator& op, const std::vector<ExampleTerm>& terms) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Value> values, evaluated(terms));
+    A3D_ASSIGN(std::vector<Value> values, evaluated(terms));
     std::vector<TypeExpr> types;
     for (const ExampleTerm& term : terms) types.emplace_back(type_of(term, values, types.size())->name());
     if (op.kind() == OperatorKind::aggregate) types.resize(1);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const ResolvedCall resolved, examples_registry().resolve(op, types));
+    A3D_ASSIGN(const ResolvedCall resolved, examples_registry().resolve(op, types));
     switch (resolved.overload->kind()) {
       case OperatorKind::aggregate:
         return aggregated(resolved, values);
       case OperatorKind::table:
         return table(resolved, values);
       default: {
-        ALGEBRA3D_ASSIGN_OR_RETURN(Value value, Registry::call(resolved, values, context_));
+        A3D_ASSIGN(Value value, Registry::call(resolved, values, context_));
         return ExampleAnswer{std::move(value), {}};
       }
     }
@@ -57,7 +58,7 @@ class Host {
     if (view.kind == Kind::shown_call) return answer.text();
     if (view.kind == Kind::row_count) return std::to_string(answer.rows.size());
     shown_ = std::move(answer);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, evaluated(view));
+    A3D_ASSIGN(const Value value, evaluated(view));
     return value.to_nested().print();
   }
 
@@ -68,29 +69,29 @@ class Host {
   Result<Value> evaluated(const ExampleTerm& term) {
     if (term.kind == Kind::shown_call) return *shown_.value;
     if (term.kind == Kind::value) return value_from_nested(*term.type, term.value, context_);
-    ALGEBRA3D_ASSIGN_OR_RETURN(ExampleAnswer answer, call(*term.op, term.arguments));
+    A3D_ASSIGN(ExampleAnswer answer, call(*term.op, term.arguments));
     return *std::move(answer.value);
   }
   Result<std::vector<Value>> evaluated(const std::vector<ExampleTerm>& terms) {
     std::vector<Value> values;
     for (const ExampleTerm& term : terms) {
       if (term.kind == Kind::no_value) continue;
-      ALGEBRA3D_ASSIGN_OR_RETURN(Value value, evaluated(term));
+      A3D_ASSIGN(Value value, evaluated(term));
       values.push_back(std::move(value));
     }
     return values;
   }
   Result<ExampleAnswer> aggregated(const ResolvedCall& call, const std::vector<Value>& values) {
     Aggregation aggregation(call);
-    for (const Value& value : values) ALGEBRA3D_RETURN_IF_ERROR(aggregation.step(value, context_));
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value result, aggregation.finish(context_));
+    for (const Value& value : values) A3D_TRY(aggregation.step(value, context_));
+    A3D_ASSIGN(Value result, aggregation.finish(context_));
     return ExampleAnswer{std::move(result), {}};
   }
   Result<ExampleAnswer> table(const ResolvedCall& call, std::vector<Value>& values) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const RowSourcePtr source, Registry::rows(call, values, context_));
+    A3D_ASSIGN(const RowSourcePtr source, Registry::rows(call, values, context_));
     ExampleAnswer answer;
     while (true) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<Row> row, source->next(context_));
+      A3D_ASSIGN(const std::optional<Row> row, source->next(context_));
       if (!row) return answer;
       std::vector<std::string> cells;
       for (const Value& cell : *row) cells.push_back(cell.to_nested().print());

@@ -8,6 +8,7 @@
 
 #include "algebra3d/operators/registry/aggregate.h"
 #include "algebra3d/values/types/codec.h"
+#include "base/propagate.h"
 #include "unit/operators/call_operator.h"
 #include "unit/operators/range_samples.h"
 
@@ -54,18 +55,18 @@ struct Folder {
 /// What an aggregate makes of an argument that comes three times.
 Result<std::vector<Value>> aggregated(const ResolvedCall& call, const Value& argument, Context& context) {
   Aggregation aggregation(call);
-  for (int i = 0; i < 3; ++i) ALGEBRA3D_RETURN_IF_ERROR(aggregation.step(argument, context));
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value result, aggregation.finish(context));
+  for (int i = 0; i < 3; ++i) A3D_TRY(aggregation.step(argument, context));
+  A3D_ASSIGN(Value result, aggregation.finish(context));
   return std::vector{std::move(result)};
 }
 
 /// The cells of the first rows of a table; there may be as many as there are ints.
 Result<std::vector<Value>> first_cells(const ResolvedCall& call, std::vector<Value> arguments, Context& context) {
   constexpr std::size_t kEnough = 100;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RowSourcePtr rows, Registry::rows(call, arguments, context));
+  A3D_ASSIGN(const RowSourcePtr rows, Registry::rows(call, arguments, context));
   std::vector<Value> cells;
   while (cells.size() < kEnough) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<Row> row, rows->next(context));
+    A3D_ASSIGN(std::optional<Row> row, rows->next(context));
     if (!row) break;
     for (Value& cell : *row) cells.push_back(std::move(cell));
   }
@@ -75,7 +76,7 @@ Result<std::vector<Value>> first_cells(const ResolvedCall& call, std::vector<Val
 Result<std::vector<Value>> results(const ResolvedCall& call, std::vector<Value> arguments, Context& context) {
   if (call.overload->kind() == OperatorKind::aggregate) return aggregated(call, arguments.front(), context);
   if (call.overload->kind() == OperatorKind::table) return first_cells(call, std::move(arguments), context);
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value result, Registry::call(call, arguments, context));
+  A3D_ASSIGN(Value result, Registry::call(call, arguments, context));
   return std::vector{std::move(result)};
 }
 

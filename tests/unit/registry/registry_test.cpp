@@ -6,6 +6,7 @@
 #include "algebra3d/operators/registry/detail/host_name.h"
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -77,7 +78,7 @@ class RegistryTest : public testing::Test {
     return registry.resolve(*registry.find_operator(name), types);
   }
   Result<Value> call(const std::string& name, std::vector<Value> arguments) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const ResolvedCall resolved, resolve(name, arguments));
+    A3D_ASSIGN(const ResolvedCall resolved, resolve(name, arguments));
     return Registry::call(resolved, arguments, context);
   }
   Value single(const std::string& name, const Value& argument) { return *call(name, {argument}); }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algebra3d/operators/descriptions/all.h"
+#include "base/propagate.h"
 #include "queries/session/session.h"
 #include "queries/streams/all.h"
 
@@ -68,7 +69,7 @@ class TestSession : public Presenter {
   bool has_written() const { return has_written_; }
 
   Status present(const TypeExpr& type, const Datum& value, Context& context) override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, value_list(type, value, context));
+    A3D_ASSIGN(const NestedList list, value_list(type, value, context));
     answer_ = list.print();
     has_written_ = session_.store() != nullptr && session_.store()->has_written();
     return {};

@@ -1,6 +1,7 @@
 // Damaged files: an error or the right answer, never wrong data and never a crash.
 #include <random>
 
+#include "base/propagate.h"
 #include "unit/store/store_fixture.h"
 
 namespace queries {
@@ -10,24 +11,24 @@ class StoreDamage : public StoreTest {
  protected:
   /// Everything that is stored, as text, or the error.
   Result<std::string> contents() {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto store, Store::open(path(), OpenMode::read_write, registry_));
-    ALGEBRA3D_RETURN_IF_ERROR(store->begin(false));
+    A3D_ASSIGN(const auto store, Store::open(path(), OpenMode::read_write, registry_));
+    A3D_TRY(store->begin(false));
     return contents(*store);
   }
   Result<std::string> contents(Store& store) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto objects, store.objects());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto types, store.types());
+    A3D_ASSIGN(const auto objects, store.objects());
+    A3D_ASSIGN(const auto types, store.types());
     std::string result;
     for (const NamedType& each : types) result += each.name + " = " + each.type.text() + "\n";
     for (const ObjectInfo& info : objects) {
       result += info.name + " " + info.type.text() + " " + info.function_text + info.derived_text + "\n";
       if (info.type.is_function()) continue;
-      ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, store.read(info.name));
+      A3D_ASSIGN(const Datum datum, store.read(info.name));
       if (info.type.is("rtree3")) {
-        ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t size, datum.index()->size());
+        A3D_ASSIGN(const std::size_t size, datum.index()->size());
         result += fmt::format("{}\n", size);
       } else if (info.type.is_relation()) {
-        ALGEBRA3D_RETURN_IF_ERROR(append(*datum.relation(), result));
+        A3D_TRY(append(*datum.relation(), result));
       } else {
         result += text(datum.value()) + "\n";
       }
@@ -35,14 +36,14 @@ class StoreDamage : public StoreTest {
     return result;
   }
   static Status append(Relation& relation, std::string& result) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto count, relation.count());
+    A3D_ASSIGN(const auto count, relation.count());
     result += fmt::format("{} tuples\n", count);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto stream, relation.scan());
+    A3D_ASSIGN(const auto stream, relation.scan());
     while (true) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const auto tuple, stream->next());
+      A3D_ASSIGN(const auto tuple, stream->next());
       if (tuple == nullptr) return {};
       for (const Value& value : tuple->attributes) {
-        ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+        A3D_ASSIGN(const Value loaded, value.loaded());
         result += loaded.to_nested().print() + "\n";
       }
     }

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <random>
 
+#include "base/propagate.h"
 #include "unit/store/store_fixture.h"
 
 namespace queries {
@@ -43,11 +44,11 @@ class StoreProcesses : public StoreTest {
     });
   }
   Status count_once(Store& store) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum a, store.read("a"));
+    A3D_ASSIGN(const Datum a, store.read("a"));
     const int next = static_cast<int>(a.value().get<std::int64_t>()) + 1;
-    ALGEBRA3D_RETURN_IF_ERROR(store.assign("a", number(next), context_));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum relation, store.read("R"));
-    ALGEBRA3D_RETURN_IF_ERROR(relation.relation()->insert(part(next)));
+    A3D_TRY(store.assign("a", number(next), context_));
+    A3D_ASSIGN(const Datum relation, store.read("R"));
+    A3D_TRY(relation.relation()->insert(part(next)));
     return store.assign("b", number(next), context_);
   }
   /// Writes `count` statements, every fourth as a transaction of two, every fifth undone. The exit status.
@@ -74,21 +75,21 @@ class StoreProcesses : public StoreTest {
   }
   /// The state that a reader sees, which must be one that a statement has left: the number, or what is wrong.
   Result<int> consistent_count(Store& store) {
-    ALGEBRA3D_RETURN_IF_ERROR(store.begin(false));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum a, store.read("a"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum relation, store.read("R"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto stream, relation.relation()->scan());
+    A3D_TRY(store.begin(false));
+    A3D_ASSIGN(const Datum a, store.read("a"));
+    A3D_ASSIGN(const Datum relation, store.read("R"));
+    A3D_ASSIGN(const auto stream, relation.relation()->scan());
     int tuples_seen = 0;
     while (true) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, stream->next());
+      A3D_ASSIGN(const TuplePtr tuple, stream->next());
       if (tuple == nullptr) break;
       ++tuples_seen;
-      ALGEBRA3D_ASSIGN_OR_RETURN(const Value solid, tuple->attributes[1].loaded());
+      A3D_ASSIGN(const Value solid, tuple->attributes[1].loaded());
       if (tuple->attributes[0].get<std::int64_t>() != tuples_seen)
         return Error{ErrorCode::internal, "tuple {} has number {}", tuples_seen, text(tuple->attributes[0])};
     }
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum b, store.read("b"));
-    ALGEBRA3D_RETURN_IF_ERROR(store.commit());
+    A3D_ASSIGN(const Datum b, store.read("b"));
+    A3D_TRY(store.commit());
     const auto first = static_cast<int>(a.value().get<std::int64_t>());
     if (first != b.value().get<std::int64_t>() || first != tuples_seen)
       return Error{ErrorCode::internal, "{}, {} and {} tuples", first, text(b.value()), tuples_seen};
@@ -184,25 +185,24 @@ class FullDisk : public StoreProcesses {
   }
   /// Statements of every kind, some larger than others.
   Status change_something(std::mt19937& random, int round) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, store_->read("Parts"));
+    A3D_ASSIGN(const Datum datum, store_->read("Parts"));
     Relation& parts = *datum.relation();
     const int many = static_cast<int>(random() % 40);
     switch (random() % 4) {
       case 0:
-        for (int i = 0; i < many; ++i) ALGEBRA3D_RETURN_IF_ERROR(parts.insert(part(i)));
+        for (int i = 0; i < many; ++i) A3D_TRY(parts.insert(part(i)));
         return {};
       case 1: {
         std::vector<TupleId> ids;
         for (const TuplePtr& each : tuples(parts)) ids.push_back(each->id);
-        for (const TupleId id : ids)
-          ALGEBRA3D_RETURN_IF_ERROR(id % 3 == 0 ? parts.erase(id) : parts.update(id, part(round)));
+        for (const TupleId id : ids) A3D_TRY(id % 3 == 0 ? parts.erase(id) : parts.update(id, part(round)));
         return {};
       }
       case 2:
-        ALGEBRA3D_RETURN_IF_ERROR(store_->create(fmt::format("v{}", round), "volume3d"));
+        A3D_TRY(store_->create(fmt::format("v{}", round), "volume3d"));
         return store_->assign(fmt::format("v{}", round), Datum{value("volume3d", solid(round))}, context_);
       default:  // what an import does with each file
-        ALGEBRA3D_RETURN_IF_ERROR(parts.insert(part(round)));
+        A3D_TRY(parts.insert(part(round)));
         return store_->remember_imported("Parts", {std::string(2000, 'x') + std::to_string(round), 84, 1});
     }
   }

@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/propagate.h"
 #include "unit/store/store_fixture.h"
 
 namespace queries {
@@ -27,13 +28,13 @@ class StoreTransactions : public StoreTest {
     for (int i = 0; i < count; ++i) content.push_back(std::make_shared<const Tuple>(part(100 + i)));
     const TypeExpr tuple_type = type("(tuple ((No int) (Solid volume3d)))");
     const auto relation = std::make_shared<MemoryRelation>(tuple_type, TupleBuffer(std::move(content)));
-    ALGEBRA3D_RETURN_IF_ERROR(store_->begin(true));
+    A3D_TRY(store_->begin(true));
     Status status = store_->assign("Parts", Datum{RelationPtr(relation)}, context_);
     const Status end = store_->commit();
     return status ? end : status;
   }
   Status replaced_in_transaction(int count) {
-    ALGEBRA3D_RETURN_IF_ERROR(store_->begin_transaction());
+    A3D_TRY(store_->begin_transaction());
     Status status = replaced(count);
     if (status) return store_->commit_transaction();
     // As a script goes on: what follows the failure must not become lasting by itself.

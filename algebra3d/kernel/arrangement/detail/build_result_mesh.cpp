@@ -9,6 +9,7 @@
 #include "algebra3d/kernel/arrangement/detail/stage_audit.h"
 #include "algebra3d/kernel/arrangement/detail/task_sizes.h"
 #include "algebra3d/kernel/halfedge/audit.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::arrangement {
@@ -20,20 +21,19 @@ using FreeSubEdges = std::function<void()>;
 /// The edges of regions, without pseudo-nodes.
 Result<std::vector<RegionEdge>> straight_edges(const Subdivision& subdivision, std::vector<RegionEdge> edges,
                                                const PatchCorners& patch_corners) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the region edges", [&] { return audit(subdivision, edges); }));
+  A3D_TRY(check_stage("the region edges", [&] { return audit(subdivision, edges); }));
   const std::vector<PseudoNode> pseudo_nodes = find_pseudo_nodes(subdivision, edges, patch_corners);
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the pseudo-nodes", [&] { return audit(subdivision, pseudo_nodes); }));
+  A3D_TRY(check_stage("the pseudo-nodes", [&] { return audit(subdivision, pseudo_nodes); }));
   edges = straightened(std::move(edges), pseudo_nodes);
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the straight edges", [&] { return audit(subdivision, edges); }));
+  A3D_TRY(check_stage("the straight edges", [&] { return audit(subdivision, edges); }));
   return edges;
 }
 
 Result<Regions> find_regions(const Subdivision& subdivision, std::vector<RegionEdge> edges,
                              const PatchCorners& patch_corners) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<RegionEdge> straight,
-                             straight_edges(subdivision, std::move(edges), patch_corners));
-  ALGEBRA3D_ASSIGN_OR_RETURN(Regions regions, triangulate_regions(subdivision, straight));
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the regions", [&] { return audit(subdivision, straight, regions); }));
+  A3D_ASSIGN(const std::vector<RegionEdge> straight, straight_edges(subdivision, std::move(edges), patch_corners));
+  A3D_ASSIGN(Regions regions, triangulate_regions(subdivision, straight));
+  A3D_TRY(check_stage("the regions", [&] { return audit(subdivision, straight, regions); }));
   return regions;
 }
 
@@ -65,14 +65,14 @@ Result<UnlinkedMesh> build_unlinked_mesh(const Subdivision& subdivision, Selecti
 
 Result<TriangleMesh> linked_and_audited(UnlinkedMesh mesh) {
   TriangleMesh result = linked(std::move(mesh));
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the result mesh", [&] { return audit(result); }));
+  A3D_TRY(check_stage("the result mesh", [&] { return audit(result); }));
   return result;
 }
 
 }  // namespace
 
 Result<TriangleMesh> build_result_mesh(const Subdivision& subdivision, Selection selection) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(UnlinkedMesh mesh, build_unlinked_mesh(subdivision, std::move(selection), [] {}));
+  A3D_ASSIGN(UnlinkedMesh mesh, build_unlinked_mesh(subdivision, std::move(selection), [] {}));
   return linked_and_audited(std::move(mesh));
 }
 

@@ -7,6 +7,7 @@
 #include "algebra3d/kernel/arrangement/detail/task_sizes.h"
 #include "algebra3d/kernel/search/boxes.h"
 #include "algebra3d/kernel/search/node_gaps.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::arrangement {
@@ -136,7 +137,7 @@ void CandidateFinder::pair_faces() {
 Result<Candidates> find_candidates(const Operands& operands, const Monitor& monitor, std::size_t max_pairs) {
   monitor.tell("finding near triangles");
   Candidates result{CandidateFinder(operands, monitor, max_pairs).run()};
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   if (result.pairs.size() > max_pairs)
     return Error{ErrorCode::limit_exceeded, "more than {} pairs of triangles may touch", max_pairs};
   return result;

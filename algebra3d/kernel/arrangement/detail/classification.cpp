@@ -4,18 +4,18 @@
 #include "algebra3d/kernel/arrangement/detail/propagating.h"
 #include "algebra3d/kernel/arrangement/detail/seeding.h"
 #include "algebra3d/kernel/arrangement/detail/stage_audit.h"
+#include "base/propagate.h"
 
 namespace algebra3d::arrangement {
 
 Result<Classification> classify(const Subdivision& subdivision, const WindingJumps& jumps, Closure closure,
                                 const Monitor& monitor) {
   monitor.tell("separating inside from outside");
-  ALGEBRA3D_ASSIGN_OR_RETURN(LinkedWindings linked, link_windings(subdivision, jumps));
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the linking", [&] { return audit(subdivision, jumps, linked); }));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SetWindings known, seed_windings(subdivision, jumps, linked, closure, monitor));
+  A3D_ASSIGN(LinkedWindings linked, link_windings(subdivision, jumps));
+  A3D_TRY(check_stage("the linking", [&] { return audit(subdivision, jumps, linked); }));
+  A3D_ASSIGN(const SetWindings known, seed_windings(subdivision, jumps, linked, closure, monitor));
   Classification result = propagate_windings(subdivision, linked, known);
-  ALGEBRA3D_RETURN_IF_ERROR(
-      check_stage("the classification", [&] { return audit(subdivision, jumps, closure, result); }));
+  A3D_TRY(check_stage("the classification", [&] { return audit(subdivision, jumps, closure, result); }));
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "algebra3d/kernel/arrangement/detail/segment_maker.h"
 #include "algebra3d/kernel/arrangement/detail/task_sizes.h"
 #include "base/equal_span.h"
+#include "base/propagate.h"
 
 namespace algebra3d::arrangement {
 namespace {
@@ -238,7 +239,7 @@ Status FacetContactFinder::join_block() {
   const auto facets_of = [](const FaceContact& contact) { return std::tie(contact.first_facet, contact.second_facet); };
   for (std::size_t begin = 0, end = 0; begin < block_.size(); begin = end) {
     while (end < block_.size() && facets_of(block_[end]) == facets_of(block_[begin])) ++end;
-    ALGEBRA3D_RETURN_IF_ERROR(join_facets(std::span(block_).subspan(begin, end - begin)));
+    A3D_TRY(join_facets(std::span(block_).subspan(begin, end - begin)));
   }
   block_.clear();
   return {};
@@ -254,9 +255,9 @@ Result<SegmentComplex> FacetContactFinder::run(const PairContacts& contacts) {
   for (const FacetId facet : facets_.ids()) {
     find_face_contacts(contacts, by_first_facet.of(facet.index()));
     if (block_.size() < kContactsPerBlock) continue;
-    ALGEBRA3D_RETURN_IF_ERROR(join_block());
+    A3D_TRY(join_block());
   }
-  ALGEBRA3D_RETURN_IF_ERROR(join_block());
+  A3D_TRY(join_block());
   segments_.add_boundaries();
   return std::move(complex_);
 }

@@ -7,6 +7,7 @@
 #include "algebra3d/kernel/arrangement/detail/radial_order.h"
 #include "algebra3d/kernel/arrangement/detail/sub_facets.h"
 #include "algebra3d/kernel/arrangement/detail/task_sizes.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::arrangement {
@@ -180,7 +181,7 @@ void Linker::find_seeds() {
 }
 
 Result<LinkedWindings> Linker::run() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(result_.ids, number_front_windings(subdivision_));
+  A3D_ASSIGN(result_.ids, number_front_windings(subdivision_));
   result_.sets = WindingSets(result_.ids.count());
   link_at_space_edges();
   find_seeds();

@@ -10,6 +10,7 @@
 #include "algebra3d/kernel/arrangement/detail/plane_overlay.h"
 #include "algebra3d/kernel/arrangement/detail/task_sizes.h"
 #include "algebra3d/kernel/exact/exact_work.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::arrangement {
@@ -108,7 +109,7 @@ NodeId Overlay::node_of(const SegmentCrossing& crossing) {
 
 Status Overlay::run() {
   const std::vector<PlaneCuts> found = find_cuts();
-  ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
+  A3D_TRY(monitor_.check());
   if (cut_count_ > max_cuts_)
     return Error{ErrorCode::limit_exceeded, "triangles cut each other more than {} times", max_cuts_};
   if (work_limit_.is_exceeded())
@@ -123,7 +124,7 @@ Status Overlay::run() {
 Result<SegmentComplex> overlay(const Operands& operands, const Facets& facets, SegmentComplex complex,
                                const Monitor& monitor, std::size_t max_cuts) {
   monitor.tell("finding crossings");
-  ALGEBRA3D_RETURN_IF_ERROR(Overlay(operands, facets, complex, monitor, max_cuts).run());
+  A3D_TRY(Overlay(operands, facets, complex, monitor, max_cuts).run());
   complex.nodes.finish();
   share_cuts(complex);
   bucket_sort(

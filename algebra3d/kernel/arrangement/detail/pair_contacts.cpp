@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::arrangement {
@@ -123,7 +124,7 @@ Result<PairContacts> find_pair_contacts(const Operands& operands, const Candidat
       parallel_collect(pairs.size(), pairs_per_task(pairs.size()), [&](std::size_t begin, std::size_t end) {
         return contacts_of(pairs.subspan(begin, end - begin), operands, result.planes, stage);
       });
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "algebra3d/kernel/arrangement/detail/seed_from_above.h"
 #include "algebra3d/kernel/arrangement/detail/seed_from_faces.h"
+#include "base/propagate.h"
 
 namespace algebra3d::arrangement {
 namespace {
@@ -17,14 +18,13 @@ Status seed_each_set(Source source, LinkedWindings& linked, const Patches& patch
     const auto [set, difference] = linked.sets.find(front);
     const auto [entry, is_new] = known.try_emplace(set);
     if (!is_new) return {};
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     entry->second = find() - difference;
     return {};
   };
   for (const SeedPlace& place : linked.seeds)
-    ALGEBRA3D_RETURN_IF_ERROR(seed(linked.ids.of(place.half_plane), [&] { return source.at_place(place); }));
-  for (const PatchId patch : patches.ids())
-    ALGEBRA3D_RETURN_IF_ERROR(seed(linked.ids.of(patch), [&] { return source.at_patch(patch); }));
+    A3D_TRY(seed(linked.ids.of(place.half_plane), [&] { return source.at_place(place); }));
+  for (const PatchId patch : patches.ids()) A3D_TRY(seed(linked.ids.of(patch), [&] { return source.at_patch(patch); }));
   return {};
 }
 
@@ -35,7 +35,7 @@ Result<SetWindings> seed_windings(const Subdivision& subdivision, const WindingJ
   PointLocation location(subdivision.operands);
   SetWindings known;
   if (closure == Closure::each) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(known, link_upwards(subdivision, linked, location, monitor));
+    A3D_ASSIGN(known, link_upwards(subdivision, linked, location, monitor));
   }
   // Places where many operands meet need the fewest rays.
   std::ranges::stable_sort(linked.seeds, std::greater(), &SeedPlace::operand_count);
@@ -44,7 +44,7 @@ Result<SetWindings> seed_windings(const Subdivision& subdivision, const WindingJ
       closure == Closure::each
           ? seed_each_set(SeedFromFaces(subdivision, jumps, location), linked, patches, monitor, known)
           : seed_each_set(SeedFromAbove(subdivision, jumps, location, linked), linked, patches, monitor, known);
-  ALGEBRA3D_RETURN_IF_ERROR(status);
+  A3D_TRY(status);
   return known;
 }
 

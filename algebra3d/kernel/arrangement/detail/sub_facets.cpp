@@ -10,6 +10,7 @@
 #include "algebra3d/kernel/arrangement/detail/numbers_by_bucket.h"
 #include "algebra3d/kernel/arrangement/detail/task_sizes.h"
 #include "algebra3d/kernel/exact/predicates.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::arrangement {
@@ -131,7 +132,7 @@ Status ChainFinder::add(std::span<const std::uint32_t> in_plane) {
   const Projection projection = subdivision_.plane_of(SubEdgeId(in_plane.front())).projection;
   for (std::size_t begin = 0, end = 0; begin < outgoing_.size(); begin = end) {
     while (end < outgoing_.size() && outgoing_[end].origin == outgoing_[begin].origin) ++end;
-    ALGEBRA3D_RETURN_IF_ERROR(join_around(std::span(outgoing_).subspan(begin, end - begin), projection));
+    A3D_TRY(join_around(std::span(outgoing_).subspan(begin, end - begin), projection));
   }
   number_chains(in_plane);
   return {};
@@ -169,7 +170,7 @@ Result<FrontWindingIds> number_front_windings(const Subdivision& subdivision) {
   std::vector<std::size_t> first_chains;
   std::size_t chain_count = 0;
   for (PlaneBlock& block : blocks) {
-    ALGEBRA3D_RETURN_IF_ERROR(std::move(block.status));
+    A3D_TRY(std::move(block.status));
     first_chains.push_back(chain_count);
     chain_count += block.chain_count;
   }

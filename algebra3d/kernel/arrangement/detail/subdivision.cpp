@@ -9,6 +9,7 @@
 #include "algebra3d/kernel/arrangement/detail/pair_contacts.h"
 #include "algebra3d/kernel/arrangement/detail/stage_audit.h"
 #include "algebra3d/kernel/arrangement/detail/task_sizes.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::arrangement {
@@ -20,19 +21,18 @@ Result<SubEdges> find_sub_edges(Subdivision& subdivision, PairContacts contacts,
   const Operands& operands = subdivision.operands;
   const Facets& facets = subdivision.facets;
   SegmentComplex& complex = subdivision.complex;
-  ALGEBRA3D_ASSIGN_OR_RETURN(complex, find_facet_contacts(operands, facets, contacts));
+  A3D_ASSIGN(complex, find_facet_contacts(operands, facets, contacts));
   contacts = {{}, PlanesOfFaces(operands)};  // freed
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage(
-      "the facet contacts", [&] { return audit(subdivision.operands, subdivision.facets, subdivision.complex); }));
-  ALGEBRA3D_ASSIGN_OR_RETURN(complex, overlay(operands, facets, std::move(complex), monitor, options.max_cuts));
-  ALGEBRA3D_RETURN_IF_ERROR(
+  A3D_TRY(check_stage("the facet contacts",
+                      [&] { return audit(subdivision.operands, subdivision.facets, subdivision.complex); }));
+  A3D_ASSIGN(complex, overlay(operands, facets, std::move(complex), monitor, options.max_cuts));
+  A3D_TRY(
       check_stage("the overlay", [&] { return audit(subdivision.operands, subdivision.facets, subdivision.complex); }));
   SubEdges result = divide(facets, complex);
   if (boundaries == Boundaries::possible) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(result, with_all_incident_facets(operands, facets, complex, std::move(result), monitor));
+    A3D_ASSIGN(result, with_all_incident_facets(operands, facets, complex, std::move(result), monitor));
   }
-  ALGEBRA3D_RETURN_IF_ERROR(
-      check_stage("the sub-edges", [&] { return audit(subdivision.facets, subdivision.complex, result); }));
+  A3D_TRY(check_stage("the sub-edges", [&] { return audit(subdivision.facets, subdivision.complex, result); }));
   return result;
 }
 
@@ -42,22 +42,22 @@ Result<Subdivision> subdivide(std::span<const Operand> list, Boundaries boundari
                               const Monitor& monitor) {
   Subdivision result{Operands(list), {}, {}, {}, {}, {}};
   const Operands& operands = result.operands;
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the operands", [&] { return audit(operands); }));
-  ALGEBRA3D_ASSIGN_OR_RETURN(Candidates candidates, find_candidates(operands, monitor, options.max_pairs));
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the candidates", [&] { return audit(operands, candidates); }));
-  ALGEBRA3D_ASSIGN_OR_RETURN(PairContacts contacts, find_pair_contacts(operands, candidates, monitor));
+  A3D_TRY(check_stage("the operands", [&] { return audit(operands); }));
+  A3D_ASSIGN(Candidates candidates, find_candidates(operands, monitor, options.max_pairs));
+  A3D_TRY(check_stage("the candidates", [&] { return audit(operands, candidates); }));
+  A3D_ASSIGN(PairContacts contacts, find_pair_contacts(operands, candidates, monitor));
   candidates = {};  // freed
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the contacts", [&] { return audit(operands, contacts); }));
+  A3D_TRY(check_stage("the contacts", [&] { return audit(operands, contacts); }));
   result.facets = make_facets(operands, contacts);
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the facets", [&] { return audit(operands, result.facets); }));
+  A3D_TRY(check_stage("the facets", [&] { return audit(operands, result.facets); }));
 
   Result<SubEdges> sub_edges = SubEdges();
   parallel_invoke(
       operands.face_count() >= kFacesWorthATask,
       [&] { sub_edges = find_sub_edges(result, std::move(contacts), boundaries, options, monitor); },
       [&] { result.patches = find_patches(operands, result.facets); });
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.sub_edges, std::move(sub_edges));
-  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the patches", [&] { return audit(operands, result.facets, result.patches); }));
+  A3D_ASSIGN(result.sub_edges, std::move(sub_edges));
+  A3D_TRY(check_stage("the patches", [&] { return audit(operands, result.facets, result.patches); }));
   result.uncut_edges = find_uncut_edges(operands, result.complex, result.sub_edges, result.patches);
   result.sub_edges.segments = {};
   result.complex.free_segments();

@@ -5,6 +5,7 @@
 
 #include "algebra3d/kernel/arrangement/detail/faces_above.h"
 #include "algebra3d/kernel/arrangement/detail/seed_from_above.h"
+#include "base/propagate.h"
 
 namespace algebra3d::arrangement {
 namespace {
@@ -116,7 +117,7 @@ Result<SetWindings> UpwardLinker::run(const Monitor& monitor) {
   std::vector<CellWindings> unbounded;
   for (const InputFaceId face : highest_faces()) {
     if (!location_.has_more_near(operands_.point(Operands::halfedge(face, 0)), kMany)) continue;
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     const std::optional<RayEnd> end = shoot_up(face);
     if (!end) continue;
     if (end->above)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/nearest_in_triangle.h"
+#include "base/propagate.h"
 
 namespace algebra3d::detail {
 namespace {
@@ -117,7 +118,7 @@ Result<bool> is_boundary_near(const CentredSolid& solid, const Rotation& rotatio
                               const FaceLookup& faces_of_other, double tolerance, const Monitor& monitor) {
   std::vector<Corners> others;
   for (std::size_t f = 0; f < solid.mesh().face_count(); ++f) {
-    if (f % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    if (f % 1024 == 0) A3D_TRY(monitor.check());
     Corners corners = solid.triangle(FaceId(f));
     for (Vec3& corner : corners) corner = rotation(corner);
     if (faces_of_other.has_triangle_near(corners)) continue;

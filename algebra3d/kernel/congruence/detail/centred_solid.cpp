@@ -6,6 +6,7 @@
 #include "algebra3d/kernel/exact/nearest_mass_properties.h"
 #include "algebra3d/kernel/exact/plane.h"
 #include "algebra3d/kernel/halfedge/mesh_triangles.h"
+#include "base/propagate.h"
 
 namespace algebra3d::detail {
 
@@ -28,8 +29,8 @@ Result<CentredSolid> CentredSolid::make(const CongruenceOperand& operand, double
   solid.operand_ = operand;
   solid.unit_ = unit;
   const TriangleMesh& mesh = *operand.mesh;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const MassProperties mass,
-                             approximate_mass_properties(mesh.points(), triangles_of(mesh), monitor.cancel()));
+  A3D_ASSIGN(const MassProperties mass,
+             approximate_mass_properties(mesh.points(), triangles_of(mesh), monitor.cancel()));
   const Rational length_unit(unit);
   solid.volume_ = (mass.volume / (length_unit * length_unit * length_unit)).nearest_double();
   solid.axes_ = principal_axes(in_unit(mass.inertia, length_unit));

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "algebra3d/kernel/congruence/detail/point_grid.h"
+#include "base/propagate.h"
 
 namespace algebra3d::detail {
 namespace {
@@ -110,7 +111,7 @@ Result<std::vector<Rotation>> rotations_of_pairs(const Vec3& p, const Vec3& q, c
   grid.insert_all();
   std::vector<Rotation> rotations;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    if (i % 1024 == 0) A3D_TRY(monitor.check());
     grid.for_each_near(points[i], reach, [&](std::uint32_t other) {
       if (std::abs(length(points[other] - points[i]) - distance) > 2 * tolerance) return true;
       const Frame to = frame_of(points[i], points[other]);
@@ -142,7 +143,7 @@ Result<std::vector<Rotation>> rotations_of_vertices(const CentredSolid& from, co
   const VertexMatcher matcher(from, to, unit_vector(farthest(from.vertices(), length)), tolerance);
   for (const Vec3& q : to.vertices()) {
     if (!(std::abs(length(q) - from.radius()) <= tolerance)) continue;
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     if (length(q) > 0) matcher.match(unit_vector(q), rotations);
   }
   return rotations;
@@ -157,7 +158,7 @@ Result<std::vector<Rotation>> candidate_rotations(const CentredSolid& from, cons
     rotations = rotations_of_axes(from.axes().axes, to.axes().axes);
   } else {
     // A vertex and the centre may each be off by the tolerance, on both sides.
-    ALGEBRA3D_ASSIGN_OR_RETURN(rotations, rotations_of_vertices(from, to, 4 * tolerance, monitor));
+    A3D_ASSIGN(rotations, rotations_of_vertices(from, to, 4 * tolerance, monitor));
   }
   std::ranges::stable_sort(rotations, [](const Rotation& a, const Rotation& b) {
     if (a.is_mirrored() != b.is_mirrored()) return b.is_mirrored();

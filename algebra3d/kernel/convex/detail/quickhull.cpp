@@ -8,6 +8,7 @@
 #include "algebra3d/kernel/convex/detail/hull_plane.h"
 #include "algebra3d/kernel/exact/predicates.h"
 #include "base/id_vector.h"
+#include "base/propagate.h"
 
 namespace algebra3d::detail {
 namespace {
@@ -234,7 +235,7 @@ class Quickhull {
 Result<std::vector<HullTriangle>> quickhull(const PointArray& points, const std::array<VertexId, 4>& simplex,
                                             const Monitor& monitor) {
   Quickhull hull(points, monitor);
-  ALGEBRA3D_RETURN_IF_ERROR(hull.build(simplex));
+  A3D_TRY(hull.build(simplex));
   return hull.triangles();
 }
 

@@ -9,6 +9,7 @@
 #include "algebra3d/kernel/distance/detail/separation.h"
 #include "algebra3d/kernel/search/node_gaps.h"
 #include "algebra3d/kernel/search/slab_gaps.h"
+#include "base/propagate.h"
 
 namespace algebra3d::distances {
 namespace {
@@ -131,7 +132,7 @@ Result<std::vector<CandidatePair>> find_candidates(const DistanceOperand& a, con
       [&](std::uint32_t first, std::uint32_t second) { return search.visit(FaceId(first), FaceId(second)); },
       [&](BoxHierarchy::Node first, BoxHierarchy::Node second) { return search.are_apart(first, second); },
       [&] { return !monitor.is_cancelled(); });
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   return search.take();
 }
 

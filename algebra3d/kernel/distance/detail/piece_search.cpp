@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algebra3d/kernel/distance/covering_bound.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::distances {
@@ -67,7 +68,7 @@ Status PieceSearch::measure_vertices(const Monitor& monitor) {
       near = samples[i].nearest;
     }
   });
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   SampleId largest;
   for (std::size_t i = 0; i < count; ++i) {
     const SampleId id = set_.add(std::move(samples[i]));
@@ -110,7 +111,7 @@ Status PieceSearch::bound_faces(double at_least, const Monitor& monitor) {
   facets_.emplace(*to_.mesh, half_scale_for(box_));
   constexpr std::size_t kWorkOfFirstBound = 1 << 13, kUnlimited = static_cast<std::size_t>(-1);
   bound<Vec3>(unsettled_faces(), do_nearly_coincide() ? kWorkOfFirstBound : kUnlimited, monitor);
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   probe_faces();
   return do_nearly_coincide() ? bound_near_faces(monitor) : Status();
 }
@@ -120,7 +121,7 @@ Status PieceSearch::bound_near_faces(const Monitor& monitor) {
   constexpr std::size_t kLeastWork = 512;
   std::vector<std::uint32_t> faces = unsettled_faces();
   bound<WideVec3>(faces, std::max(kLeastWork, near_work() / std::max<std::size_t>(1, faces.size())), monitor);
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   probe_faces();
   faces = unsettled_faces();
   return faces.empty() ? Status() : cover(faces, monitor);
@@ -137,8 +138,7 @@ Status PieceSearch::cover(std::span<const std::uint32_t> faces, const Monitor& m
   }
   const TriangleMesh part(std::move(points), triangles);
   // A covering is no closer than twice what is enough to it; a piece may be compared with many faces.
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<double> bound,
-                             covering_bound(part, to_, enough() / 2, near_work() / 1024, monitor));
+  A3D_ASSIGN(const std::optional<double> bound, covering_bound(part, to_, enough() / 2, near_work() / 1024, monitor));
   if (!bound) return {};
   for (const std::uint32_t face : faces) face_bounds_[face].upper = std::min(face_bounds_[face].upper, *bound);
   return {};
@@ -172,7 +172,7 @@ Status PieceSearch::refine(double at_least, const Monitor& monitor) {
   const FaceBounds<Vec3> bounds(from_, to_, *facets_, box_, enough(), monitor);
   std::size_t count = 0;
   while (!pieces_.empty() && !is_settled(pieces_.top().upper) && may_go_on(++count)) {
-    if (count % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    if (count % 256 == 0) A3D_TRY(monitor.check());
     const Piece piece = pieces_.top();
     pieces_.pop();
     work_ += kWorkOfDivision;

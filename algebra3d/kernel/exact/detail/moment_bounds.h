@@ -12,6 +12,7 @@
 #include "algebra3d/kernel/exact/detail/exact_sum_integers.h"
 #include "algebra3d/kernel/exact/detail/fixed_sums.h"
 #include "algebra3d/kernel/exact/exact_sum.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::detail {
@@ -117,8 +118,8 @@ Result<MomentBounds> moment_bounds(const PointArray& points, IndexTriangles tria
                                    const std::atomic<bool>* cancel) {
   const CutPoints<Limbs> cut(points);
   FixedSums<Limbs> sums(cut.integers());
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_triangle(
-      triangles, cancel, [&](const std::array<std::uint32_t, 3>& t) { sums.template add<kDegree>(t); }));
+  A3D_TRY(for_each_triangle(triangles, cancel,
+                            [&](const std::array<std::uint32_t, 3>& t) { sums.template add<kDegree>(t); }));
   constexpr auto kBits = static_cast<mp_bitcnt_t>(CutPoints<Limbs>::kBits);
   const mpz_class count(static_cast<unsigned long>(triangles.size()));
   const long exponent = long{cut.exponent(0)} + cut.exponent(1) + cut.exponent(2);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d::planar {
 namespace {
@@ -160,7 +161,7 @@ Result<Subdivision> delaunay(const PlanePoints& points, const Monitor& monitor) 
   std::vector<DelaunayPart> strips;
   VertexId begin(0);
   for (const VertexId end : points.strip_ends()) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     strips.push_back(builder.strip(begin, end));
     begin = end;
   }

@@ -2,6 +2,7 @@
 
 #include "algebra3d/kernel/planar/detail/delaunay.h"
 #include "algebra3d/kernel/planar/segment_text.h"
+#include "base/propagate.h"
 
 namespace algebra3d::planar {
 
@@ -27,12 +28,12 @@ Status EdgeTriangulation::insert(SegmentId edge, ConstraintInserter& inserter) {
 }
 
 Status EdgeTriangulation::build(const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(triangulation_, delaunay(points_, monitor));
+  A3D_ASSIGN(triangulation_, delaunay(points_, monitor));
   Stage stage(monitor, "triangulating", edges_.size());
   ConstraintInserter inserter(points_, triangulation_);
   for (const SegmentId edge : IdRange<SegmentId>(edges_.size())) {
     if (!stage.begin_step()) return Monitor::interrupted();
-    ALGEBRA3D_RETURN_IF_ERROR(insert(edge, inserter));
+    A3D_TRY(insert(edge, inserter));
   }
   return {};
 }

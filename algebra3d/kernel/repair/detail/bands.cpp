@@ -12,6 +12,7 @@
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/repair/detail/band_loops.h"
 #include "algebra3d/kernel/search/boxes.h"
+#include "base/propagate.h"
 #include "rtree/rtree.h"
 
 namespace algebra3d {
@@ -85,7 +86,7 @@ Result<std::vector<Band>> BandCloser::candidates(const Monitor& monitor) const {
   const auto tree = rtree::RTree<std::uint32_t>::bulk_load(entries);
   std::vector<Band> result;
   for (const LoopId i : loops_.ids()) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     const double reach = loops_[i].diameter() / 2;
     Box3 window = Box3::of(loops_[i].box.min);
     window.min = window.min - Vec3{reach, reach, reach};
@@ -135,7 +136,7 @@ void BandCloser::add(Band band) {
 }
 
 Result<bool> BandCloser::run(const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Band> bands, candidates(monitor));
+  A3D_ASSIGN(std::vector<Band> bands, candidates(monitor));
   IdVector<LoopId, bool> is_closed(loops_.size());
   std::vector<bool> has_changed(components_.count);
   bool has_some = false;
@@ -158,7 +159,7 @@ Result<bool> close_bands(IndexedSoup& soup, double largest, RepairReport& report
   constexpr int kMostRounds = 20;
   bool has_some = false;
   for (int round = 0; round < kMostRounds; ++round) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool found, BandCloser(soup, largest, report).run(monitor));
+    A3D_ASSIGN(const bool found, BandCloser(soup, largest, report).run(monitor));
     if (!found) break;
     has_some = true;
   }

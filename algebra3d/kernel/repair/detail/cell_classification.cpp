@@ -9,6 +9,7 @@
 
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/search/boxes.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -110,7 +111,7 @@ Result<std::map<CellId, bool>> CellClassification::run(const Monitor& monitor, d
   Samples all = samples_at_interfaces();
   for (auto& [cell, samples] : all) {
     if (cell == cells_.unbounded_cell()) continue;
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     const std::span<const CellSample> chosen = largest(samples);
     angles += static_cast<double>(chosen.size()) * static_cast<double>(numbers_.triangle_count());
     if (angles > max_angles)

@@ -13,6 +13,7 @@
 #include "algebra3d/kernel/repair/detail/hole_loops.h"
 #include "algebra3d/kernel/repair/scaled_triangles.h"
 #include "algebra3d/kernel/search/boxes.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -130,7 +131,7 @@ Status HoleCloser::run(const Monitor& monitor) {
   const CoverTest test(soup_, loops);
   std::vector<CoveredHole> holes;
   for (HoleLoop& loop : loops) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     holes.push_back(cover(std::move(loop), test));
   }
   const std::vector<bool> are_left_open = are_open_patches(holes);

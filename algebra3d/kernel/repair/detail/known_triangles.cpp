@@ -8,6 +8,7 @@
 #include "algebra3d/kernel/exact/exact_sum.h"
 #include "algebra3d/kernel/exact/point_table.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -130,8 +131,8 @@ Result<Rational> KnownTriangles::volume_of(const TriangleMesh& other, const Face
   }
   for (const FaceId face : is_left.ids())
     if (!is_left[face]) lost.add(*mesh_, face);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational more, added.volume(cancel));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational less, lost.volume(cancel));
+  A3D_ASSIGN(const Rational more, added.volume(cancel));
+  A3D_ASSIGN(const Rational less, lost.volume(cancel));
   return volume_ + more - less;
 }
 

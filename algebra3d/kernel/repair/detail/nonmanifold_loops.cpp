@@ -9,6 +9,7 @@
 #include "algebra3d/kernel/repair/detail/convex_polygon.h"
 #include "algebra3d/kernel/repair/detail/missing_halfedges.h"
 #include "algebra3d/kernel/soup/loop_triangulation.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -94,7 +95,7 @@ Status NonmanifoldLoopCloser::run(const Monitor& monitor) {
   if (!missing_.has_nonmanifold || !(missing_.has_boundary || limits_.covers_interfaces)) return {};
   for (const MissingId start : missing_.edges.ids()) {
     if (!may_start(missing_.edges[start])) continue;
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     const std::vector<MissingId> loop = loop_from(start);
     for (const MissingId i : loop) missing_.edges[i].is_covered = !missing_.edges[i].is_chord;
     const auto is_nonmanifold = [&](MissingId i) { return is_of_nonmanifold_loop(missing_.edges[i]); };

@@ -5,6 +5,7 @@
 
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/repair/detail/surface_distance.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -40,7 +41,7 @@ Result<std::vector<SurfacePart>> far_parts(MeasureFrame& frame, const TriangleMe
     return !surface.is_empty() && surface.is_near(triangle, frame.tolerance());
   };
   for (const SurfacePart& part : parts) {
-    ALGEBRA3D_RETURN_IF_ERROR(frame.pause());
+    A3D_TRY(frame.pause());
     if (!std::ranges::all_of(part.polygon.triangles(), is_near)) far.push_back(part);
   }
   return far;

@@ -10,6 +10,7 @@
 #include "algebra3d/kernel/repair/detail/part_distance.h"
 #include "algebra3d/kernel/repair/detail/surface_distance.h"
 #include "algebra3d/kernel/repair/detail/unmatched_parts.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -52,14 +53,14 @@ class RepairMeasure {
 
 /// Measures parts that are outside the solid as left out, and others as inside.
 Status RepairMeasure::measure_left_out(const TriangleMatching& matching, const GivenParts& given) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<SurfacePart> far, far_parts(frame_, frame_.solid(), given.parts));
+  A3D_ASSIGN(const std::vector<SurfacePart> far, far_parts(frame_, frame_.solid(), given.parts));
   if (far.empty()) return {};
   const InsideTest test(frame_.solid());
   UnmatchedFlags are_outside(matching.given.triangles.size()), are_inside(matching.given.triangles.size());
   double area_outside = 0, area_inside = 0;
   std::vector<SurfacePart> outside;
   for (const SurfacePart& part : far) {
-    ALGEBRA3D_RETURN_IF_ERROR(frame_.pause());
+    A3D_TRY(frame_.pause());
     const Vec3 middle = frame_.scale().unscaled(part.polygon.middle());
     const bool is_inside = test.is_inside(middle);
     if (is_inside && area_inside == 0) amounts_.inside.where = middle;
@@ -77,8 +78,8 @@ Status RepairMeasure::measure_left_out(const TriangleMatching& matching, const G
 
 /// Measures parts of the solid's boundary where there was no triangle; gives the faces that they are of.
 Result<std::vector<UnmatchedId>> RepairMeasure::measure_added(const TriangleMatching& matching) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<SurfacePart> parts, parts_of_solid(frame_, matching));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<SurfacePart> far, far_parts(frame_, frame_.given(), parts));
+  A3D_ASSIGN(const std::vector<SurfacePart> parts, parts_of_solid(frame_, matching));
+  A3D_ASSIGN(const std::vector<SurfacePart> far, far_parts(frame_, frame_.given(), parts));
   double area = 0;
   std::vector<UnmatchedId> added;
   for (const SurfacePart& part : far) {
@@ -117,9 +118,9 @@ std::vector<bool> RepairMeasure::find_added(const TriangleMatching& matching, co
 
 Result<MeasuredRepair> RepairMeasure::run(const FaceMatches& recognised, std::span<const HoleCover> covers) {
   const TriangleMatching matching = match_triangles(frame_, recognised);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const GivenParts given, parts_of_given(frame_, matching));
-  ALGEBRA3D_RETURN_IF_ERROR(measure_left_out(matching, given));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<UnmatchedId> added, measure_added(matching));
+  A3D_ASSIGN(const GivenParts given, parts_of_given(frame_, matching));
+  A3D_TRY(measure_left_out(matching, given));
+  A3D_ASSIGN(const std::vector<UnmatchedId> added, measure_added(matching));
   amounts_.area_seen = frame_.scale().area(given.area_seen);
   amounts_.tolerance = frame_.scale().unscaled(frame_.tolerance());
   return MeasuredRepair{amounts_, find_added(matching, added, covers)};
@@ -146,12 +147,12 @@ Result<TriangleClasses> classify_triangles(const TriangleMesh& given, const Tria
                                            const Monitor& monitor) {
   MeasureFrame frame(given, solid, moved, monitor);
   const TriangleMatching matching = match_triangles(frame, {});
-  ALGEBRA3D_ASSIGN_OR_RETURN(const GivenParts left, parts_of_given(frame, matching));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<SurfacePart> far, far_parts(frame, solid, left.parts));
+  A3D_ASSIGN(const GivenParts left, parts_of_given(frame, matching));
+  A3D_ASSIGN(const std::vector<SurfacePart> far, far_parts(frame, solid, left.parts));
   UnmatchedFlags are_outside(matching.given.triangles.size());
   const InsideTest test(solid);
   for (const SurfacePart& part : far) {
-    ALGEBRA3D_RETURN_IF_ERROR(frame.pause());
+    A3D_TRY(frame.pause());
     if (are_outside[part.triangle]) continue;
     are_outside[part.triangle] = !test.is_inside(frame.scale().unscaled(part.polygon.middle()));
   }

@@ -15,6 +15,7 @@
 #include "algebra3d/kernel/repair/detail/work_limits.h"
 #include "algebra3d/kernel/soup/spatial_order.h"
 #include "algebra3d/kernel/validity/validity.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -26,7 +27,7 @@ bool has_manifold_edges(const TriangleMesh& mesh, FaceId face) {
 
 Result<bool> is_valid_volume(const TriangleMesh& mesh, const FaceSet& known, const Monitor& monitor) {
   const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = monitor.cancel(), .known = known};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport found, prove_volume(mesh, options));
+  A3D_ASSIGN(const ValidityReport found, prove_volume(mesh, options));
   return found.is_valid();
 }
 
@@ -65,12 +66,12 @@ Status RepairAttempt::make(const ValidityReport& found) {
   soup_.stitch();
   soup_.orient();
   if (soup_.strategy().closes_bands) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_bands, soup_.close_bands());
+    A3D_ASSIGN(const bool has_bands, soup_.close_bands());
     if (!has_bands) reason_ = reason_for_nothing();
     if (!has_bands) return {};
   }
-  ALGEBRA3D_RETURN_IF_ERROR(soup_.close_holes());
-  ALGEBRA3D_RETURN_IF_ERROR(soup_.orient_shells());
+  A3D_TRY(soup_.close_holes());
+  A3D_TRY(soup_.orient_shells());
   return note_outcome(make_solid(found.count(Defect::intersecting_triangles) > 0));
 }
 
@@ -78,12 +79,12 @@ Status RepairAttempt::make(const ValidityReport& found) {
 Status RepairAttempt::make_solid(bool may_cross) {
   const FaceSet known = recognised_faces(given_->recognise(soup_.mesh()));
   if (!may_cross) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, take_if_valid(known));
+    A3D_ASSIGN(const bool is_valid, take_if_valid(known));
     if (is_valid) return {};
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(soup_.mesh(), monitor_, known));
+  A3D_ASSIGN(const ValidParts parts, ValidParts::make(soup_.mesh(), monitor_, known));
   if (may_cross && parts.lone_faces().empty()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, take_if_valid(known));
+    A3D_ASSIGN(const bool is_valid, take_if_valid(known));
     if (is_valid) return {};
   }
   return divide(parts);
@@ -91,7 +92,7 @@ Status RepairAttempt::make_solid(bool may_cross) {
 
 /// Takes the mesh of the soup as it is, if it is a solid.
 Result<bool> RepairAttempt::take_if_valid(const FaceSet& known) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(is_proved_, is_valid_volume(soup_.mesh(), known, monitor_));
+  A3D_ASSIGN(is_proved_, is_valid_volume(soup_.mesh(), known, monitor_));
   if (is_proved_) solid_ = soup_.mesh();
   return is_proved_;
 }
@@ -153,9 +154,8 @@ std::string RepairAttempt::reason_for_limit() const {
 Status RepairAttempt::measure() {
   RepairReport& report = soup_.report();
   if (report.amounts) return {};
-  ALGEBRA3D_ASSIGN_OR_RETURN(MeasuredRepair measured,
-                             measure_repair(*given_->mesh(), solid_, given_->recognise(solid_), report.largest_move(),
-                                            report.covers, monitor_.silent()));
+  A3D_ASSIGN(MeasuredRepair measured, measure_repair(*given_->mesh(), solid_, given_->recognise(solid_),
+                                                     report.largest_move(), report.covers, monitor_.silent()));
   report.amounts = measured.amounts;
   are_covers_there_ = std::move(measured.are_added);
   return {};
@@ -166,8 +166,8 @@ Status RepairAttempt::report_division() {
   if (met_others_.empty()) return {};
   RepairReport& report = soup_.report();
   if (report.has_kept_open_patches) report.forget(RepairStep::open_patches);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleClasses classes,
-                             classify_triangles(soup_.mesh(), solid_, report.largest_move(), monitor_.silent()));
+  A3D_ASSIGN(const TriangleClasses classes,
+             classify_triangles(soup_.mesh(), solid_, report.largest_move(), monitor_.silent()));
   report_divided(classes);
   report_outside(classes);
   return {};
@@ -195,7 +195,7 @@ void RepairAttempt::report_outside(const TriangleClasses& classes) {
 
 /// Leaves out shells that the options do not want.
 Status RepairAttempt::filter() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh kept, filter_shells(solid_, options_, soup_.report(), monitor_));
+  A3D_ASSIGN(const TriangleMesh kept, filter_shells(solid_, options_, soup_.report(), monitor_));
   const bool is_all_kept = kept.face_count() == solid_.face_count();
   is_proved_ = is_proved_ && is_all_kept;
   solid_ = in_spatial_order(kept);
@@ -219,15 +219,15 @@ Result<bool> RepairAttempt::is_proved(const FaceSet& known) const {
 
 Result<RepairedSolid> RepairAttempt::finish() && {
   if (reason_) return nothing(*reason_);
-  ALGEBRA3D_RETURN_IF_ERROR(measure());
+  A3D_TRY(measure());
   if (left_out_part() > options_.most_dropped) return nothing(reason_for_limit());
-  ALGEBRA3D_RETURN_IF_ERROR(report_division());
-  ALGEBRA3D_RETURN_IF_ERROR(filter());
+  A3D_TRY(report_division());
+  A3D_TRY(filter());
   complete_report();
   const FaceMatches recognised = given_->recognise(solid_);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, is_proved(recognised_faces(recognised)));
+  A3D_ASSIGN(const bool is_valid, is_proved(recognised_faces(recognised)));
   if (!is_valid) return nothing("the repair gave no valid solid");
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational volume, given_->volume_of(solid_, recognised, monitor_.cancel()));
+  A3D_ASSIGN(const Rational volume, given_->volume_of(solid_, recognised, monitor_.cancel()));
   soup_.report().volume_after = Amount::nearest(volume);
   return RepairedSolid{std::move(solid_), {}, std::move(soup_.report()), soup_.strategy().name};
 }

@@ -6,6 +6,7 @@
 #include "algebra3d/kernel/repair/detail/parity_estimate.h"
 #include "algebra3d/kernel/repair/detail/repair_attempt.h"
 #include "algebra3d/kernel/repair/detail/repair_strategy.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -41,7 +42,7 @@ class RepairSearch {
 
 Result<RepairAttempt> RepairSearch::attempt(const RepairStrategy& strategy) const {
   RepairAttempt result(given_, strategy, options_, monitor_);
-  ALGEBRA3D_RETURN_IF_ERROR(result.make(found_));
+  A3D_TRY(result.make(found_));
   return result;
 }
 
@@ -58,9 +59,9 @@ bool is_cheaper(const RepairAttempt& a, const RepairAttempt& b) {
 
 /// Puts what another strategy gives in place of the best attempt so far, if that agrees and is cheaper.
 Status RepairSearch::take_if_cheaper(const RepairStrategy& strategy, RepairAttempt& best) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(RepairAttempt other, attempt(strategy));
+  A3D_ASSIGN(RepairAttempt other, attempt(strategy));
   if (!other.has_solid() || agreement(other).is_doubtful()) return {};
-  ALGEBRA3D_RETURN_IF_ERROR(other.measure());
+  A3D_TRY(other.measure());
   if (is_cheaper(other, best)) best = std::move(other);
   return {};
 }
@@ -69,11 +70,10 @@ Status RepairSearch::take_if_cheaper(const RepairStrategy& strategy, RepairAttem
 /// closing that adds less than leaving the cap out loses, it is closed.
 Result<RepairedSolid> RepairSearch::cheapest(RepairAttempt accepted) {
   if (!accepted.has_solid() || !accepted.may_be_done_otherwise()) return finish(std::move(accepted));
-  ALGEBRA3D_RETURN_IF_ERROR(accepted.measure());
+  A3D_TRY(accepted.measure());
   for (const CheaperStrategies& group : cheaper_strategies()) {
     if (!accepted.is_worth_trying(group.condition)) continue;
-    for (const RepairStrategy& strategy : group.strategies)
-      ALGEBRA3D_RETURN_IF_ERROR(take_if_cheaper(strategy, accepted));
+    for (const RepairStrategy& strategy : group.strategies) A3D_TRY(take_if_cheaper(strategy, accepted));
   }
   return finish(std::move(accepted));
 }
@@ -81,8 +81,8 @@ Result<RepairedSolid> RepairSearch::cheapest(RepairAttempt accepted) {
 /// Finishes the best attempt, or that which replaced misconnected triangles if it is cheaper.
 Result<RepairedSolid> RepairSearch::finish(RepairAttempt best) {
   if (!without_misconnected_ || !best.has_solid()) return std::move(best).finish();
-  ALGEBRA3D_RETURN_IF_ERROR(best.measure());
-  ALGEBRA3D_RETURN_IF_ERROR(without_misconnected_->measure());
+  A3D_TRY(best.measure());
+  A3D_TRY(without_misconnected_->measure());
   if (is_cheaper(*without_misconnected_, best)) best = *std::move(without_misconnected_);
   return std::move(best).finish();
 }
@@ -109,7 +109,7 @@ Result<RepairedSolid> RepairSearch::second_best() {
 
 Result<RepairedSolid> RepairSearch::run() {
   for (const RepairStrategy& strategy : search_strategies()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(RepairAttempt made, attempt(strategy));
+    A3D_ASSIGN(RepairAttempt made, attempt(strategy));
     if (!usual_ && made.keeps_what_is_enclosed()) return cheapest(std::move(made));
     const Agreement found = agreement(made);
     if (is_accepted(made, found.is_doubtful())) return cheapest(std::move(made));

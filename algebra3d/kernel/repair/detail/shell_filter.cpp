@@ -5,6 +5,7 @@
 #include "algebra3d/kernel/autorefinement/winding_selection.h"
 #include "algebra3d/kernel/exact/exact_sum.h"
 #include "algebra3d/kernel/halfedge/topology.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -24,8 +25,8 @@ Result<TriangleMesh> filter_shells(TriangleMesh solid, const RepairOptions& opti
   const Rational smallest(options.smallest_shell);
   std::vector<FaceId> kept;
   for (const std::vector<FaceId>& shell : connected_components(solid).faces()) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Rational volume, volume_of_shell(solid, shell));
+    A3D_TRY(monitor.check());
+    A3D_ASSIGN(const Rational volume, volume_of_shell(solid, shell));
     const bool is_cavity = volume.sign() < 0, is_small = volume.abs() < smallest;
     if (!is_small && (!is_cavity || options.keeps_cavities)) {
       kept.insert(kept.end(), shell.begin(), shell.end());

@@ -9,6 +9,7 @@
 
 #include "algebra3d/kernel/exact/vertical_line.h"
 #include "algebra3d/kernel/repair/detail/shells.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -99,7 +100,7 @@ Status flip_shells(const ShellNesting& nesting, std::span<Shell> shells, const M
   for (std::size_t i = 0; i < shells.size(); ++i) {
     const bool is_negative = shells[i].volume.sign() < 0;
     if (!is_negative && !has_flipped) continue;
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     const auto larger = shells.first(i);
     const Shell* enclosing = has_flipped ? nesting.enclosing_shell(shells[i], larger) : nullptr;
     const bool goes_along = goes_along_with(enclosing, shells[i]);
@@ -113,10 +114,10 @@ Status flip_shells(const ShellNesting& nesting, std::span<Shell> shells, const M
 }  // namespace
 
 Status orient_shells(IndexedSoup& soup, RepairReport& report, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto found, find_shells(soup, monitor));
+  A3D_ASSIGN(auto found, find_shells(soup, monitor));
   std::vector<Shell>& shells = found.values();
   std::ranges::stable_sort(shells, std::greater<>(), &Shell::size);
-  ALGEBRA3D_RETURN_IF_ERROR(flip_shells(ShellNesting(soup), shells, monitor));
+  A3D_TRY(flip_shells(ShellNesting(soup), shells, monitor));
   for (const Shell& shell : shells) {
     if (!shell.is_flipped) continue;
     report.add(RepairStep::flipped_shells, soup.corner(shell.triangles[0], 0));

@@ -13,6 +13,7 @@
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/repair/detail/manifold_patches.h"
 #include "algebra3d/kernel/repair/detail/shell_volumes.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -106,7 +107,7 @@ Result<SizeRange> ShellMeasure::first_range(ShellId id, Shell& shell) const {
     if (std::isfinite(value)) shell.volume = Rational(value);
     return SizeRange{std::abs(value) - error, std::abs(value) + error, id, true};
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(shell.volume, closed ? volume_of_closed(shell) : volume_of_open(shell));
+  A3D_ASSIGN(shell.volume, closed ? volume_of_closed(shell) : volume_of_open(shell));
   const double size = std::abs(shell.volume.nearest_double());
   return SizeRange{std::nextafter(size, -kInfinity), std::nextafter(size, kInfinity), id, false};
 }
@@ -114,8 +115,8 @@ Result<SizeRange> ShellMeasure::first_range(ShellId id, Shell& shell) const {
 Status ShellMeasure::run(IdVector<ShellId, Shell>& shells, const Monitor& monitor) const {
   std::vector<SizeRange> ranges;
   for (const ShellId id : shells.ids()) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const SizeRange range, first_range(id, shells[id]));
+    A3D_TRY(monitor.check());
+    A3D_ASSIGN(const SizeRange range, first_range(id, shells[id]));
     ranges.push_back(range);
   }
   std::ranges::sort(ranges, {}, [](const SizeRange& range) { return std::pair(range.low, range.shell); });
@@ -123,9 +124,9 @@ Status ShellMeasure::run(IdVector<ShellId, Shell>& shells, const Monitor& monito
   for (std::size_t i = 0; i < ranges.size(); highest = std::max(highest, ranges[i++].high)) {
     const bool is_apart = ranges[i].low > highest && (i + 1 == ranges.size() || ranges[i].high < ranges[i + 1].low);
     if (!ranges[i].is_estimate || is_apart) continue;
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     Shell& shell = shells[ranges[i].shell];
-    ALGEBRA3D_ASSIGN_OR_RETURN(shell.volume, volume_of_closed(shell));
+    A3D_ASSIGN(shell.volume, volume_of_closed(shell));
   }
   return {};
 }
@@ -142,7 +143,7 @@ Result<IdVector<ShellId, Shell>> find_shells(const IndexedSoup& soup, const Moni
     shells[id].triangles.push_back(triangle);
     for (std::size_t i = 0; i < 3; ++i) shells[id].box.extend(soup.corner(triangle, i));
   }
-  ALGEBRA3D_RETURN_IF_ERROR(ShellMeasure(soup).run(shells, monitor));
+  A3D_TRY(ShellMeasure(soup).run(shells, monitor));
   return shells;
 }
 

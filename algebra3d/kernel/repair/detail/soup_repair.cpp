@@ -16,6 +16,7 @@
 #include "algebra3d/kernel/repair/detail/shell_orientation.h"
 #include "algebra3d/kernel/repair/detail/stitching.h"
 #include "algebra3d/kernel/repair/detail/triangle_orientation.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -108,7 +109,7 @@ void SoupRepair::orient() {
 }
 
 Result<bool> SoupRepair::close_bands() {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_some, algebra3d::close_bands(soup_, largest_hole(), report_, monitor_));
+  A3D_ASSIGN(const bool has_some, algebra3d::close_bands(soup_, largest_hole(), report_, monitor_));
   if (has_some) drop_what_became_defective();
   return has_some;
 }
@@ -117,10 +118,10 @@ Result<bool> SoupRepair::close_bands() {
 Result<bool> SoupRepair::close_holes_once() {
   const std::size_t triangle_count = soup_.triangles.size();
   const HoleLimits limits{largest_hole(), strategy_.drops_open_patches};
-  ALGEBRA3D_RETURN_IF_ERROR(algebra3d::close_holes(soup_, limits, report_, monitor_));
+  A3D_TRY(algebra3d::close_holes(soup_, limits, report_, monitor_));
   const std::size_t hole_count = report_.covers.size();
   const NonmanifoldLoopLimits loop_limits{largest_hole(), false, strategy_.takes_shortcuts};
-  ALGEBRA3D_RETURN_IF_ERROR(close_nonmanifold_loops(soup_, loop_limits, report_, monitor_));
+  A3D_TRY(close_nonmanifold_loops(soup_, loop_limits, report_, monitor_));
   if (report_.covers.size() > hole_count) has_covered_nonmanifold_loops_ = true;
   return soup_.triangles.size() != triangle_count && report_.find(RepairStep::open_holes) == nullptr;
 }
@@ -131,13 +132,13 @@ Status SoupRepair::close_holes() {
   constexpr int kMostRounds = 4;
   for (int round = 0; round < kMostRounds && has_boundary(mesh()); ++round) {
     if (round > 0) split_t_junctions(soup_, report_);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_closed, close_holes_once());
+    A3D_ASSIGN(const bool has_closed, close_holes_once());
     if (!has_closed) break;
     drop_what_became_defective();
   }
   if (strategy_.covers_interfaces) {
     const NonmanifoldLoopLimits limits{largest_hole(), true, strategy_.takes_shortcuts};
-    ALGEBRA3D_RETURN_IF_ERROR(close_nonmanifold_loops(soup_, limits, report_, monitor_));
+    A3D_TRY(close_nonmanifold_loops(soup_, limits, report_, monitor_));
   }
   drop_what_became_defective();
   return {};

@@ -8,6 +8,7 @@
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "base/id_vector.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -40,7 +41,7 @@ SpaceCells::SpaceCells(const TriangleMesh& surface)
 
 Status SpaceCells::find(const Monitor& monitor) {
   join_across_simple_edges();
-  ALGEBRA3D_RETURN_IF_ERROR(join_around_nonmanifold_edges(monitor));
+  A3D_TRY(join_around_nonmanifold_edges(monitor));
   return join_components(monitor);
 }
 
@@ -90,7 +91,7 @@ Status SpaceCells::join_components(const Monitor& monitor) {
   const FaceComponents components = connected_components(surface_);
   const IdVector<ComponentId, FaceId> highest = highest_faces(surface_, components);
   for (const ComponentId component : highest.ids()) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     const TriangleRef start = surface_.corners(highest[component]);
     FaceSide above = FaceSide::of(highest[component], leads_up_to_front(start));
     bool is_outermost = true;

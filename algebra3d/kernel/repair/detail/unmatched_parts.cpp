@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algebra3d/kernel/halfedge/circulators.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -95,7 +96,7 @@ Result<std::vector<NearFaceId>> GivenCutter::subtract_solid(UnmatchedId i, std::
   const MeasuredTriangle& triangle = given_.triangles[i];
   std::vector<NearFaceId> crossing;
   for (const std::uint32_t number : given_.near(i, near_.tree, tolerance)) {
-    ALGEBRA3D_RETURN_IF_ERROR(frame_.pause());
+    A3D_TRY(frame_.pause());
     const NearFaceId face(number);
     if (!are_coplanar(triangle, near_.faces[face], tolerance)) {
       crossing.push_back(face);
@@ -112,15 +113,15 @@ Result<std::vector<NearFaceId>> GivenCutter::subtract_solid(UnmatchedId i, std::
 }
 
 Status GivenCutter::cut(UnmatchedId i) {
-  ALGEBRA3D_RETURN_IF_ERROR(frame_.pause());
+  A3D_TRY(frame_.pause());
   std::vector<ConvexPolygon> parts{whole(given_.triangles[i])};
   subtract_earlier(i, parts);
   result_.area_seen += area_of_parts(parts);
   if (parts.empty()) return {};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<NearFaceId> crossing, subtract_solid(i, parts));
+  A3D_ASSIGN(const std::vector<NearFaceId> crossing, subtract_solid(i, parts));
   for (const NearFaceId face : crossing) {
     if (parts.empty()) break;
-    ALGEBRA3D_RETURN_IF_ERROR(frame_.pause());
+    A3D_TRY(frame_.pause());
     divide_at(parts, given_.triangles[i], near_.faces[face], frame_.tolerance(), kMostParts);
   }
   for (ConvexPolygon& part : parts)
@@ -130,7 +131,7 @@ Status GivenCutter::cut(UnmatchedId i) {
 
 Result<GivenParts> GivenCutter::run() {
   result_.are_covered.assign(given_.triangles.size(), false);
-  for (const UnmatchedId i : given_.triangles.ids()) ALGEBRA3D_RETURN_IF_ERROR(cut(i));
+  for (const UnmatchedId i : given_.triangles.ids()) A3D_TRY(cut(i));
   return std::move(result_);
 }
 
@@ -144,7 +145,7 @@ Result<std::vector<SurfacePart>> parts_of_solid(MeasureFrame& frame, const Trian
   const double tolerance = frame.tolerance();
   std::vector<SurfacePart> result;
   for (const UnmatchedId i : matching.solid.triangles.ids()) {
-    ALGEBRA3D_RETURN_IF_ERROR(frame.pause());
+    A3D_TRY(frame.pause());
     const MeasuredTriangle& triangle = matching.solid.triangles[i];
     std::vector<ConvexPolygon> parts{whole(triangle)};
     for (const std::uint32_t number : matching.solid.near(i, matching.given.tree, 0)) {

@@ -11,6 +11,7 @@
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/repair/detail/cell_classification.h"
 #include "algebra3d/kernel/repair/detail/space_cells.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -44,10 +45,9 @@ CellBoundary boundary_of_inside(const TriangleMesh& surface, SpaceCells& cells,
 
 /// Triangulates faces anew with their coplanar neighbours where edges no longer separate anything.
 Result<TriangleMesh> without_needless_edges(const CellBoundary& boundary, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts,
-                             ValidParts::make(boundary.mesh, boundary.has_nonmanifold_edge, monitor));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SolidArrangement arrangement,
-                             SolidArrangement::make(parts.operands(), monitor, {Closure::together}));
+  A3D_ASSIGN(const ValidParts parts, ValidParts::make(boundary.mesh, boundary.has_nonmanifold_edge, monitor));
+  A3D_ASSIGN(const SolidArrangement arrangement,
+             SolidArrangement::make(parts.operands(), monitor, {Closure::together}));
   return arrangement.solid([](const WindingVector& windings) { return windings[0] > 0; });
 }
 
@@ -56,11 +56,11 @@ Result<TriangleMesh> without_needless_edges(const CellBoundary& boundary, const 
 Result<TriangleMesh> solid_by_generalized_winding(const IndexedSoup& soup, const ValidParts& parts,
                                                   const Monitor& monitor, const ArrangementOptions& limits,
                                                   double max_angles) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh surface, unite_surfaces(parts.operands(), monitor, limits));
+  A3D_ASSIGN(const TriangleMesh surface, unite_surfaces(parts.operands(), monitor, limits));
   SpaceCells cells(surface);
-  ALGEBRA3D_RETURN_IF_ERROR(cells.find(monitor));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto is_inside,
-                             classify_cells(surface, cells, GeneralizedWindingNumbers(soup), monitor, max_angles));
+  A3D_TRY(cells.find(monitor));
+  A3D_ASSIGN(const auto is_inside,
+             classify_cells(surface, cells, GeneralizedWindingNumbers(soup), monitor, max_angles));
   return without_needless_edges(boundary_of_inside(surface, cells, is_inside), monitor);
 }
 

@@ -6,6 +6,7 @@
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/kernel/exact/rational.h"
 #include "algebra3d/kernel/rounding/detail/lattice_squares.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -47,7 +48,7 @@ bool CellCover::covers(const CellLattice::Index& cell) {
 Result<bool> CellCover::has_inner_cell(const std::atomic<bool>* cancel) {
   const Monitor monitor(cancel);
   for (std::size_t i = 0; i + 1 < keys_.size(); ++i) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     if (CellKey::column(keys_[i]) != CellKey::column(keys_[i + 1]) || keys_[i + 1] == keys_[i] + 1) continue;
     if (covers(CellKey::cell(keys_[i] + 1))) return true;
   }
@@ -58,7 +59,7 @@ Result<TriangleMesh> CellCover::boundary(const std::atomic<bool>* cancel) {
   const Monitor monitor(cancel);
   LatticeSquares squares(lattice_);
   for (const std::uint64_t key : keys_) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     const CellLattice::Index cell = CellKey::cell(key);
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (const bool is_upper : {false, true}) {

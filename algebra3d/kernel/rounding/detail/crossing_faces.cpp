@@ -8,6 +8,7 @@
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/kernel/exact/predicates.h"
 #include "algebra3d/kernel/validity/validity.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -66,14 +67,14 @@ Result<std::vector<FacePair>> CrossingSearch::find(const std::atomic<bool>* canc
 
 /// The pairs while all given faces are there and open, as a proof finds them.
 Result<std::vector<FacePair>> CrossingSearch::find_among_given(const std::atomic<bool>* cancel) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Crossings crossings, find_crossings(given_mesh_, cancel));
+  A3D_ASSIGN(const Crossings crossings, find_crossings(given_mesh_, cancel));
   std::vector<FacePair> pairs;
   pairs.reserve(crossings.pairs.size());
   for (const auto& [f, g] : crossings.pairs) pairs.emplace_back(f.index(), g.index());
   if (crossings.duplicates.empty()) return pairs;
   std::vector<std::size_t> duplicates;
   for (const FaceId face : crossings.duplicates) duplicates.push_back(face.index());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FacePair> others, find_of(duplicates, cancel));
+  A3D_ASSIGN(const std::vector<FacePair> others, find_of(duplicates, cancel));
   pairs.insert(pairs.end(), others.begin(), others.end());
   std::ranges::sort(pairs);
   return pairs;
@@ -108,7 +109,7 @@ Result<std::vector<FacePair>> CrossingSearch::find_of(const std::vector<std::siz
         return true;
       },
       go_on);
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   std::ranges::sort(pairs);
   return pairs;
 }

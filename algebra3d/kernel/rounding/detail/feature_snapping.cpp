@@ -13,6 +13,7 @@
 #include "algebra3d/kernel/rounding/detail/crossing_faces.h"
 #include "algebra3d/kernel/rounding/detail/near_features.h"
 #include "base/id_vector.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -119,7 +120,7 @@ class FeatureSnapping {
 
 Result<Faults> FeatureSnapping::find_faults(const CrossingSearch& search) const {
   Faults faults;
-  ALGEBRA3D_ASSIGN_OR_RETURN(faults.pairs, search.find(cancel_));
+  A3D_ASSIGN(faults.pairs, search.find(cancel_));
   for (const std::size_t f : faces_.open_faces()) {
     const auto [a, b, c] = faces_.triangle(f);
     if (collinear(a, b, c)) faults.flat_faces.push_back(f);
@@ -215,7 +216,7 @@ Result<FeatureJoins> FeatureSnapping::joins_of(const Faults& faults) {
   FeatureJoins joins;
   for (const FacePair& pair : faults.pairs) progress_[cluster_of(pair.first)].can_join = false;
   for (const FacePair& pair : faults.pairs) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     Progress& progress = progress_[cluster_of(pair.first)];
     const int level = level_of(pair);
     const double reach = reach_at(level) * spacing_;
@@ -234,7 +235,7 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
   const CrossingSearch search(faces_);
   std::size_t crossings_before = 0, work = 0;
   for (;; ++rounds_) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Faults faults, find_faults(search));
+    A3D_ASSIGN(Faults faults, find_faults(search));
     if (rounds_ == 0) crossings_before = faults.pairs.size();
     work += faults.pairs.size() + (rounds_ == 0 ? 0 : faces_.open_faces().size());
     const bool is_hopeless = faults.pairs.size() > kMostGrowth * crossings_before + kManyMoreCrossings;
@@ -244,16 +245,16 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
     note_progress(faults);
     Left left = leave_hopeless_clusters(faults);
     if (faults.pairs.empty() && faults.flat_faces.empty() && left.restored.empty()) break;
-    ALGEBRA3D_ASSIGN_OR_RETURN(FeatureJoins joins, joins_of(faults));
+    A3D_ASSIGN(FeatureJoins joins, joins_of(faults));
     std::vector<std::size_t> open = std::move(left.faces);
     open.insert(open.end(), faults.flat_faces.begin(), faults.flat_faces.end());
     for (const auto& [f, g] : faults.pairs) open.insert(open.end(), {f, g});
     faces_.close_all_but(std::move(open));
     faces_.restore(left.restored);
     if (!left.again.empty()) faces_.untie(left.again);
-    ALGEBRA3D_RETURN_IF_ERROR(faces_.apply(std::move(joins), cancel_));
+    A3D_TRY(faces_.apply(std::move(joins), cancel_));
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const double distance, faces_.largest_distance(kSmallDistance * spacing_, cancel_));
+  A3D_ASSIGN(const double distance, faces_.largest_distance(kSmallDistance * spacing_, cancel_));
   FeatureSnappedMesh result{faces_.mesh(), faces_.largest_displacement(), distance, reached_, crossings_before, 0,
                             work};
   for (const auto& [cluster, progress] : progress_)

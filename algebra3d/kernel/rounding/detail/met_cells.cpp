@@ -7,6 +7,7 @@
 #include "algebra3d/kernel/exact/triangle_box.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/search/boxes.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -79,7 +80,7 @@ Result<std::optional<std::vector<std::uint64_t>>> cells_of(const TriangleMesh& m
   KeySet keys(budget);
   const Monitor monitor(cancel);
   for (const FaceId face : faces(mesh)) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     if (!visit_cells(mesh.corners(face), lattice, [&](std::uint64_t key) { return keys.add(key); }))
       return std::optional<std::vector<std::uint64_t>>();
   }
@@ -128,7 +129,7 @@ Result<std::optional<MetCells>> finest_met_cells(const TriangleMesh& mesh, const
   while (edge >= smallest && cells_along_longest_side(bounds, edge) <= kMostCells) {
     CellLattice lattice(bounds, edge, grid);
     if (!lattice.covers(bounds)) break;
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto keys, cells_of(mesh, lattice, budget, cancel));
+    A3D_ASSIGN(auto keys, cells_of(mesh, lattice, budget, cancel));
     if (!keys) break;
     finest = MetCells{std::move(lattice), *std::move(keys)};
     edge /= 2;

@@ -5,6 +5,7 @@
 
 #include "algebra3d/kernel/rounding/detail/snap_rounding.h"
 #include "base/indices.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -24,14 +25,14 @@ RoundingCandidate with_its_faces(const TriangleMesh& mesh, const RoundedVertices
 
 Result<RoundingCandidate> with_moved_vertices(const TriangleMesh& mesh, const RoundedVertices& vertices,
                                               const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh moved, moved_mesh(mesh, vertices.points, cancel));
+  A3D_ASSIGN(SnappedMesh moved, moved_mesh(mesh, vertices.points, cancel));
   return RoundingCandidate{std::move(moved.mesh),
                            Movement(rounded_up(vertices.largest_movement + moved.largest_detour))};
 }
 
 Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVertices& vertices,
                                        const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(mesh, vertices, cancel));
+  A3D_ASSIGN(SnappedMesh snapped, snap_round(mesh, vertices, cancel));
   const RoundingMethod method =
       snapped.largest_detour > 0 ? RoundingMethod::edges_led_round : RoundingMethod::vertices_moved;
   return RoundingCandidate{std::move(snapped.mesh),
@@ -54,7 +55,7 @@ Status RoundingJob::begin(const std::string& what) const {
 
 Result<bool> RoundingJob::accept(const RoundingCandidate& candidate) {
   if (candidate.movement.distance >= accepted_distance_) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, prove(candidate));
+  A3D_ASSIGN(const bool is_valid, prove(candidate));
   if (is_valid) accepted_distance_ = candidate.movement.distance;
   return is_valid;
 }

@@ -6,6 +6,7 @@
 
 #include "algebra3d/kernel/rounding/detail/rounding_rungs.h"
 #include "algebra3d/kernel/rounding/detail/thickening.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -26,11 +27,10 @@ constexpr ThickeningSteps kFarThickening = {20, 60, 4};
 /// The faces are kept if no vertices come together. Where they do, snap rounding is next; but on a grid of multiples,
 /// which may be coarse, edges led round vertices may close a gap as wide as a triangle.
 Result<bool> move_vertices(RoundingJob& job) {
-  ALGEBRA3D_RETURN_IF_ERROR(job.begin("moving vertices"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool are_faces_kept, job.accept_moved());
+  A3D_TRY(job.begin("moving vertices"));
+  A3D_ASSIGN(const bool are_faces_kept, job.accept_moved());
   if (are_faces_kept || job.grid().is_floating()) return are_faces_kept;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate moved,
-                             with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
+  A3D_ASSIGN(const RoundingCandidate moved, with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
   return job.accept(moved);
 }
 
@@ -47,27 +47,27 @@ Result<bool> thicken(RoundingJob& job, const std::vector<bool>& crowded, const T
 /// The rungs above snap rounding and dividing. Where most vertices are crowded, joining within wide reaches makes more
 /// triangles cross than before; where few are, it may be nearer than thickened faces, and has fewer triangles.
 Result<bool> join_or_thicken(RoundingJob& job, const RoundingCandidate& snapped) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, join_features(job, snapped, job.grid(), kGrowingReach));
+  A3D_ASSIGN(bool is_found, join_features(job, snapped, job.grid(), kGrowingReach));
   if (is_near_enough(job)) return true;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<bool> crowded, crowded_vertices(job, snapped.mesh));
+  A3D_ASSIGN(const std::vector<bool> crowded, crowded_vertices(job, snapped.mesh));
   if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, kFirstReach, kModestReach));
+    A3D_ASSIGN(is_found, join_coplanar(job, crowded, kFirstReach, kModestReach));
   }
   const bool is_crowded = 2 * std::ranges::count(crowded, true) > std::ssize(crowded);
   if (!is_found && !is_crowded) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kWideReach));
+    A3D_ASSIGN(is_found, join_features(job, snapped, job.grid(), kWideReach));
   }
   if (is_near_enough(job)) return true;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_thickened, thicken(job, crowded, kNearThickening));
+  A3D_ASSIGN(const bool is_thickened, thicken(job, crowded, kNearThickening));
   if (is_found || is_thickened) return true;
   if (is_crowded) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kWideReach));
+    A3D_ASSIGN(is_found, join_features(job, snapped, job.grid(), kWideReach));
   }
   if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, 4 * kModestReach, kLargestReach));
+    A3D_ASSIGN(is_found, join_coplanar(job, crowded, 4 * kModestReach, kLargestReach));
   }
   if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, round_to_coarser_grids(job));
+    A3D_ASSIGN(is_found, round_to_coarser_grids(job));
   }
   return is_found ? Result<bool>(true) : thicken(job, crowded, kFarThickening);
 }
@@ -75,26 +75,25 @@ Result<bool> join_or_thicken(RoundingJob& job, const RoundingCandidate& snapped)
 }  // namespace
 
 Result<bool> round_part(RoundingJob& job) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_moved, move_vertices(job));
+  A3D_ASSIGN(const bool is_moved, move_vertices(job));
   if (is_moved) return true;
-  ALGEBRA3D_RETURN_IF_ERROR(job.begin("leading edges round vertices"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, job.accept(snapped));
+  A3D_TRY(job.begin("leading edges round vertices"));
+  A3D_ASSIGN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
+  A3D_ASSIGN(const bool is_found, job.accept(snapped));
   return is_found || !job.grid().is_floating() ? Result<bool>(is_found)
                                                : join_features(job, snapped, job.grid(), {kModestReach, kModestReach});
 }
 
 // Where the grid may be coarse for the solid, dividing comes before joining; else it would only take time.
 Result<bool> round_whole(RoundingJob& job) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, move_vertices(job));
+  A3D_ASSIGN(bool is_found, move_vertices(job));
   if (is_found) return true;
-  ALGEBRA3D_RETURN_IF_ERROR(job.begin("leading edges round vertices"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
-  ALGEBRA3D_ASSIGN_OR_RETURN(is_found, job.accept(snapped));
+  A3D_TRY(job.begin("leading edges round vertices"));
+  A3D_ASSIGN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
+  A3D_ASSIGN(is_found, job.accept(snapped));
   if (!is_found && !job.grid().is_floating()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate moved,
-                               with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings(job, moved));
+    A3D_ASSIGN(const RoundingCandidate moved, with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
+    A3D_ASSIGN(is_found, divide_at_crossings(job, moved));
   }
   return is_found ? Result<bool>(true) : join_or_thicken(job, snapped);
 }

@@ -21,6 +21,7 @@
 #include "algebra3d/kernel/rounding/detail/solid_part.h"
 #include "algebra3d/kernel/rounding/detail/turn_distance.h"
 #include "algebra3d/kernel/validity/validity.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -83,8 +84,7 @@ Result<RoundingCandidate> snap_rounded_near_moved(TriangleMesh mesh, const Coord
   const std::vector<bool> is_moved = are_moved(mesh, grid);
   if (std::ranges::find(is_moved, true) == is_moved.end()) return RoundingCandidate{std::move(mesh)};
   const SolidPart part(mesh, is_moved);
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped,
-                             snap_rounded(part.mesh(), rounded_vertices(part.mesh(), grid), cancel));
+  A3D_ASSIGN(RoundingCandidate snapped, snap_rounded(part.mesh(), rounded_vertices(part.mesh(), grid), cancel));
   if (part.is_whole()) return snapped;
   EdgeBalance balance;
   balance.add(part.mesh(), 1);
@@ -98,8 +98,7 @@ Result<RoundingCandidate> snap_rounded_near_moved(TriangleMesh mesh, const Coord
 Result<bool> round_divided(const RoundingJob& job, std::optional<TriangleMesh> divided, RoundingCandidate& candidate,
                            const CoordinateGrid& grid) {
   if (!divided) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped,
-                             snap_rounded_near_moved(*std::move(divided), grid, job.cancel()));
+  A3D_ASSIGN(RoundingCandidate snapped, snap_rounded_near_moved(*std::move(divided), grid, job.cancel()));
   candidate.mesh = std::move(snapped.mesh);
   candidate.movement = candidate.movement + snapped.movement;
   return true;
@@ -107,7 +106,7 @@ Result<bool> round_divided(const RoundingJob& job, std::optional<TriangleMesh> d
 
 /// Divides the candidate at its crossings, and rounds the new corners. False if that is too much.
 Result<bool> divide(const RoundingJob& job, RoundingCandidate& candidate, const CoordinateGrid& grid) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
+  A3D_ASSIGN(std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
   return round_divided(job, std::move(divided), candidate, grid);
 }
 
@@ -123,15 +122,14 @@ void take(RoundingCandidate& candidate, FeatureSnappedMesh joined) {
 
 Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate) {
   for (int i = 0; i < kMaxDivisions; ++i) {
-    ALGEBRA3D_RETURN_IF_ERROR(job.begin("dividing where triangles cross"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
+    A3D_TRY(job.begin("dividing where triangles cross"));
+    A3D_ASSIGN(const std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
     if (!divided || divided->face_count() > max_faces(job.mesh())) return false;
     const Movement moved_before = candidate.movement;
-    ALGEBRA3D_ASSIGN_OR_RETURN(candidate,
-                               with_moved_vertices(*divided, rounded_vertices(*divided, job.grid()), job.cancel()));
+    A3D_ASSIGN(candidate, with_moved_vertices(*divided, rounded_vertices(*divided, job.grid()), job.cancel()));
     candidate.movement = moved_before + candidate.movement;
     candidate.method = RoundingMethod::crossings_divided;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_accepted, job.accept(candidate));
+    A3D_ASSIGN(const bool is_accepted, job.accept(candidate));
     if (is_accepted) return true;
   }
   return false;
@@ -146,8 +144,8 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
   double farthest = 0;  // of one turn
   JoiningWork work(job.mesh(), reaches.most_work);
   for (int turn = 0; turn < kMaxTurns; ++turn) {
-    ALGEBRA3D_RETURN_IF_ERROR(job.begin(fmt::format("joining features, turn {}", turn + 1)));
-    ALGEBRA3D_ASSIGN_OR_RETURN(
+    A3D_TRY(job.begin(fmt::format("joining features, turn {}", turn + 1)));
+    A3D_ASSIGN(
         FeatureSnappedMesh joined,
         snap_features(candidate.mesh, grid, spacing, {reach, most_crossings, work.left()}, job.cancel(), job.folded()));
     work.add(joined.work + kWorkOfTurn * candidate.mesh.face_count());
@@ -162,16 +160,15 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
     const bool is_simple = joined.crossing_pairs == 0;
     take(candidate, std::move(joined));
     if (is_simple) {
-      ALGEBRA3D_RETURN_IF_ERROR(
-          tighten_distance(candidate, first, kSmallSumOfDistances * spacing, farthest, job.cancel()));
-      ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_accepted, job.accept(candidate));
+      A3D_TRY(tighten_distance(candidate, first, kSmallSumOfDistances * spacing, farthest, job.cancel()));
+      A3D_ASSIGN(const bool is_accepted, job.accept(candidate));
       if (is_accepted) return true;
     }
     const bool grows = candidate.mesh.face_count() > 2 * std::max(max_faces(job.mesh()), max_faces(first.mesh));
     if (!job.is_whole() || grows || work.left() == 0) return false;
     most_crossings = crossings_before / 2 + kToleratedCrossings;
     if (reaches.must_fall) most_crossings = std::min(most_crossings, std::max<std::size_t>(crossings_before, 1) - 1);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, candidate, grid));
+    A3D_ASSIGN(const bool is_divided, divide(job, candidate, grid));
     if (!is_divided) return false;
   }
   return false;
@@ -181,13 +178,13 @@ namespace {
 
 /// Joins features of the mesh whose facets were made coplanar within a reach in coordinate units.
 Result<bool> join_moved(RoundingJob& job, const MovedVertices& moved, double reach, double largest_reach) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(job.mesh(), moved, job.cancel()));
+  A3D_ASSIGN(SnappedMesh snapped, snap_round(job.mesh(), moved, job.cancel()));
   const double farthest = std::ranges::max(moved.movements);
   RoundingCandidate coplanar{std::move(snapped.mesh), Movement(rounded_up(farthest + snapped.largest_detour)), reach,
                              RoundingMethod::facets_made_coplanar};
   const std::size_t max_pairs = kCoplanarPairs * job.mesh().face_count() + kLeastCoplanarPairs;
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> divided, job.divided(coplanar.mesh, max_pairs));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, round_divided(job, std::move(divided), coplanar, job.grid()));
+  A3D_ASSIGN(std::optional<TriangleMesh> divided, job.divided(coplanar.mesh, max_pairs));
+  A3D_ASSIGN(const bool is_divided, round_divided(job, std::move(divided), coplanar, job.grid()));
   return is_divided ? join_features(job, std::move(coplanar), job.grid(), {largest_reach, largest_reach})
                     : Result<bool>(false);
 }
@@ -195,7 +192,7 @@ Result<bool> join_moved(RoundingJob& job, const MovedVertices& moved, double rea
 }  // namespace
 
 Result<std::vector<bool>> crowded_vertices(const RoundingJob& job, const TriangleMesh& snapped) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(snapped, job.cancel()));
+  A3D_ASSIGN(const std::vector<Entanglement> entanglements, disentangle(snapped, job.cancel()));
   std::set<Vec3> places;
   for (const FaceId face : faces(snapped))
     if (entanglements[face.index()] != Entanglement::none)
@@ -213,10 +210,10 @@ Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, d
   std::size_t triangles = 0;  // of all attempts
   bool is_found = false;
   while (!is_found && reach <= largest_reach && triangles < kMaxCoplanarTriangles) {
-    ALGEBRA3D_RETURN_IF_ERROR(job.begin("making facets coplanar"));
+    A3D_TRY(job.begin("making facets coplanar"));
     const MovedVertices moved = snap_coplanar(job.mesh(), crowded, reach * job.spacing());
     if (moved.movements != movements) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_moved(job, moved, reach * job.spacing(), largest_reach));
+      A3D_ASSIGN(is_found, join_moved(job, moved, reach * job.spacing(), largest_reach));
       movements = moved.movements;
       triangles += job.mesh().face_count();
     }
@@ -228,17 +225,17 @@ Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, d
 Result<bool> round_to_coarser_grids(RoundingJob& job) {
   for (int exponent = kGridStep; exponent <= kCoarsestGrid; exponent += kGridStep) {
     const double spacing = std::ldexp(job.spacing(), exponent);
-    ALGEBRA3D_RETURN_IF_ERROR(job.begin(fmt::format("moving vertices to a grid that is 2^{} times coarser", exponent)));
+    A3D_TRY(job.begin(fmt::format("moving vertices to a grid that is 2^{} times coarser", exponent)));
     const CoordinateGrid coarser = CoordinateGrid::multiples(spacing);
     const RoundedVertices vertices = rounded_vertices(job.mesh(), coarser);
     if (!vertices.are_finite) return false;
-    ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate candidate, snap_rounded(job.mesh(), vertices, job.cancel()));
+    A3D_ASSIGN(RoundingCandidate candidate, snap_rounded(job.mesh(), vertices, job.cancel()));
     candidate.reach = spacing;
     candidate.method = RoundingMethod::coarser_grid;
-    ALGEBRA3D_ASSIGN_OR_RETURN(bool is_accepted, job.accept(candidate));
+    A3D_ASSIGN(bool is_accepted, job.accept(candidate));
     if (!is_accepted) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(
-          is_accepted, join_features(job, std::move(candidate), coarser, {kReachOnCoarserGrids, kReachOnCoarserGrids}));
+      A3D_ASSIGN(is_accepted,
+                 join_features(job, std::move(candidate), coarser, {kReachOnCoarserGrids, kReachOnCoarserGrids}));
     }
     if (is_accepted) return true;
   }
@@ -247,9 +244,9 @@ Result<bool> round_to_coarser_grids(RoundingJob& job) {
 
 Result<std::optional<RoundingCandidate>> cover_of_cubes(const TriangleMesh& solid, const CoordinateGrid& grid,
                                                         std::size_t budget, const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MetCells> met, finest_met_cells(solid, grid, budget, cancel));
+  A3D_ASSIGN(const std::optional<MetCells> met, finest_met_cells(solid, grid, budget, cancel));
   if (!met) return std::optional<RoundingCandidate>();
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh boundary, CellCover(solid, *met).boundary(cancel));
+  A3D_ASSIGN(TriangleMesh boundary, CellCover(solid, *met).boundary(cancel));
   return std::optional(
       RoundingCandidate{std::move(boundary), Movement(met->lattice.diagonal()), 0, RoundingMethod::cover_of_cubes});
 }

@@ -5,6 +5,7 @@
 #include "algebra3d/base/box3.h"
 #include "algebra3d/kernel/rounding/detail/needle_flips.h"
 #include "algebra3d/kernel/rounding/detail/vertex_removal.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -34,7 +35,7 @@ double superfluous_within(const TriangleMesh& solid, const CoordinateGrid& grid,
 
 Result<bool> make_simpler(TriangleStars& stars, const std::vector<bool>& may_change, double tolerance,
                           const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_smaller, remove_superfluous_vertices(stars, may_change, tolerance, monitor));
+  A3D_ASSIGN(const bool is_smaller, remove_superfluous_vertices(stars, may_change, tolerance, monitor));
   const bool is_flipped = flip_needles(stars, may_change, tolerance);
   return is_smaller || is_flipped;
 }

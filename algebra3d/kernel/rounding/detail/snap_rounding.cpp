@@ -8,6 +8,7 @@
 
 #include "algebra3d/kernel/planar/sweep_triangulation.h"
 #include "algebra3d/kernel/rounding/detail/facet_outlines.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -115,7 +116,7 @@ TriangleMesh SnapRounding::mesh_of_used_points() {
 
 Result<SnappedMesh> SnapRounding::run() {
   for (const CoplanarFacetId facet : outlines_.facets().ids()) {
-    if (facet.index() % kFacetsPerLook == 0) ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
+    if (facet.index() % kFacetsPerLook == 0) A3D_TRY(monitor_.check());
     const bool keeps_triangles = !outlines_.is_moved(facet) || !outlines_.is_simple(facet);
     if (keeps_triangles || !add_triangulated(facet)) add_moved(facet);
   }

@@ -9,6 +9,7 @@
 #include "algebra3d/kernel/rounding/detail/rounded_vertices.h"
 #include "algebra3d/kernel/search/box_hierarchy.h"
 #include "base/indices.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -185,7 +186,7 @@ Status SnappedFaces::merge(FeatureJoins& joins, const Monitor& monitor) {
   std::ranges::sort(changing);
   changing.erase(std::unique(changing.begin(), changing.end()), changing.end());
   for (const std::size_t f : changing) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     Face face = faces_[f];
     for (std::size_t i = 0; i < 3; ++i) {
       const PointId old = face.corners[i], merged = sets.find(old);
@@ -302,7 +303,7 @@ Status SnappedFaces::lead(FeatureJoins& joins, const Monitor& monitor) {
   std::vector<std::size_t> changing;
   std::vector<PointPair> links;  // in both directions
   for (const auto& [edge, points] : joins.led) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     const std::vector<std::size_t> along = faces_along(edge);
     changing.insert(changing.end(), along.begin(), along.end());
     PointId from = edge.first;
@@ -318,12 +319,12 @@ Status SnappedFaces::lead(FeatureJoins& joins, const Monitor& monitor) {
   changing.erase(std::unique(changing.begin(), changing.end()), changing.end());
   std::vector<Face> parts;
   for (const std::size_t face : changing) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     divide_along_sides(face, joins, links, parts);
   }
   for (const std::size_t face : changing) take_away(face);
   for (const Face& part : parts) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     add(part);
   }
   return {};
@@ -338,10 +339,10 @@ void SnappedFaces::divide(std::size_t face, PointId point) {
 }
 
 Status SnappedFaces::apply(FeatureJoins joins, const Monitor& monitor) {
-  if (!joins.merged.empty()) ALGEBRA3D_RETURN_IF_ERROR(merge(joins, monitor));
-  ALGEBRA3D_RETURN_IF_ERROR(lead(joins, monitor));
+  if (!joins.merged.empty()) A3D_TRY(merge(joins, monitor));
+  A3D_TRY(lead(joins, monitor));
   for (const auto& [face, point] : joins.divided) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     if (faces_[face].is_there) divide(face, point);
   }
   tidy_lists();

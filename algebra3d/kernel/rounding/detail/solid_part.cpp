@@ -10,6 +10,7 @@
 #include "algebra3d/kernel/rounding/detail/rounded_vertices.h"
 #include "algebra3d/kernel/validity/validity.h"
 #include "base/indices.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -70,7 +71,7 @@ bool has_manifold_edges(const TriangleMesh& mesh, FaceId face) {
 
 Result<ProofWithContacts> prove_whole(const TriangleMesh& mesh, const std::atomic<bool>* cancel, FaceSet known) {
   const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel, .known = std::move(known)};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_volume(mesh, options));
+  A3D_ASSIGN(const ValidityReport report, prove_volume(mesh, options));
   return ProofWithContacts{report.is_valid(), report.contact_vertices};
 }
 

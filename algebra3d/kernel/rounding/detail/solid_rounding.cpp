@@ -14,6 +14,7 @@
 #include "algebra3d/kernel/rounding/detail/triangle_stars.h"
 #include "algebra3d/kernel/rounding/detail/vanishing.h"
 #include "algebra3d/kernel/search/boxes.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -41,7 +42,7 @@ SolidRounding::SolidRounding(const TriangleMesh& solid, const SolidPart& part, c
 
 Result<std::optional<TriangleMesh>> SolidRounding::divided(const TriangleMesh& mesh, std::size_t max_pairs) const {
   const auto is_inside = [](int winding) { return winding > 0; };
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::in_sheets(mesh, monitor()));
+  A3D_ASSIGN(const ValidParts parts, ValidParts::in_sheets(mesh, monitor()));
   auto cells = solid_by_winding(parts, is_inside, monitor(), {Closure::together, max_pairs});
   if (!cells.ok() && cells.error().code == ErrorCode::limit_exceeded) return std::optional<TriangleMesh>();
   if (!cells.ok()) return std::move(cells).error();
@@ -64,14 +65,13 @@ Result<bool> SolidRounding::may_vanish(const RoundingCandidate& candidate) const
   if (candidate.reach > kFirstReach * spacing()) return false;
   if (!is_whole()) return true;  // the rest stays
   // The displacement bounds the depth of a solid that vanished when its boundary was moved.
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_cell,
-                             has_inner_cell(mesh(), grid(), candidate.movement.displacement, cancel()));
+  A3D_ASSIGN(const bool has_cell, has_inner_cell(mesh(), grid(), candidate.movement.displacement, cancel()));
   return !has_cell;
 }
 
 Result<bool> SolidRounding::accept_as_it_is(const RoundingCandidate& candidate) {
   if (candidate.mesh.is_empty()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool may_be_empty, may_vanish(candidate));
+    A3D_ASSIGN(const bool may_be_empty, may_vanish(candidate));
     if (!may_be_empty) return false;
   }
   if (const auto change = part_.change_to(candidate.mesh, candidate.kept))
@@ -92,7 +92,7 @@ Result<bool> SolidRounding::accept_in_place_of(const SolidPart& part, const Tria
         keeps_shells = part.keeps_shells_with(added);
         solid = part.solid_with(added);
       });
-  ALGEBRA3D_RETURN_IF_ERROR(proof);
+  A3D_TRY(proof);
   if (!proof->is_valid) return false;
   if (!keeps_shells) result_.shells_before = connected_components(solid_).count;
   result_.mesh = std::move(solid);
@@ -114,7 +114,7 @@ Result<std::optional<RoundingCandidate>> SolidRounding::simplified(const Roundin
   for (const Vec3& place : candidate.mesh.points().approx())
     may_change.push_back(places_that_stay_.find(place) == kNone);
   TriangleStars stars(candidate.mesh);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_simpler, make_simpler(stars, may_change, tolerance, cancel()));
+  A3D_ASSIGN(const bool is_simpler, make_simpler(stars, may_change, tolerance, cancel()));
   if (!is_simpler) return std::optional<RoundingCandidate>();
   const Movement movement = candidate.movement + Movement(rounded_up(2 * tolerance));
   return std::optional(
@@ -122,9 +122,9 @@ Result<std::optional<RoundingCandidate>> SolidRounding::simplified(const Roundin
 }
 
 Result<bool> SolidRounding::prove(const RoundingCandidate& candidate) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<RoundingCandidate> simpler, simplified(candidate));
+  A3D_ASSIGN(const std::optional<RoundingCandidate> simpler, simplified(candidate));
   if (simpler) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(*simpler));
+    A3D_ASSIGN(const bool is_valid, accept_as_it_is(*simpler));
     if (is_valid) return true;
   }
   return accept_as_it_is(candidate);
@@ -135,14 +135,13 @@ Result<bool> SolidRounding::accept_moved() {
   if (!are_apart(all)) return false;
   const double movement = rounded_up(all.largest_movement);
   const RoundingCandidate moved_part = with_its_faces(mesh(), vertices());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<RoundingCandidate> simpler, simplified(moved_part));
+  A3D_ASSIGN(const std::optional<RoundingCandidate> simpler, simplified(moved_part));
   if (simpler) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(*simpler));
+    A3D_ASSIGN(const bool is_valid, accept_as_it_is(*simpler));
     return is_valid && result_.contact_vertices == 0;
   }
   TriangleMesh moved(solid_, std::move(all.points));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ProofWithContacts proof,
-                             prove_moved(solid_, moved, all.movements, movement, cancel()));
+  A3D_ASSIGN(const ProofWithContacts proof, prove_moved(solid_, moved, all.movements, movement, cancel()));
   if (!proof.is_valid || proof.contact_vertices > 0) return false;
   result_ = {std::move(moved), "", 0, movement, RoundingMethod::vertices_moved};
   return true;

@@ -8,6 +8,7 @@
 #include "algebra3d/kernel/exact/predicates.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/rounding/detail/lattice_squares.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -65,7 +66,7 @@ Result<TriangleMesh> square_cover(const TriangleMesh& surface, const MetCells& m
   const Monitor monitor(cancel);
   DividedCells divided(met.lattice);
   for (const FaceId face : faces(surface)) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     const TriangleRef triangle = surface.corners(face);
     for (const std::uint64_t key : cells_of(triangle, met.lattice)) {
       const CellLattice::Index cell = CellKey::cell(key);

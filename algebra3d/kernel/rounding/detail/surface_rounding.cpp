@@ -7,6 +7,7 @@
 #include "algebra3d/kernel/autorefinement/valid_parts.h"
 #include "algebra3d/kernel/search/boxes.h"
 #include "algebra3d/kernel/validity/validity.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -14,7 +15,7 @@ SurfaceRounding::SurfaceRounding(const TriangleMesh& surface, const CoordinateGr
     : RoundingJob(surface, largest_coordinate(surface), grid, monitor) {}
 
 Result<std::optional<TriangleMesh>> SurfaceRounding::divided(const TriangleMesh& mesh, std::size_t max_pairs) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh, monitor()));
+  A3D_ASSIGN(const ValidParts parts, ValidParts::make(mesh, monitor()));
   auto pieces = unite_surfaces(parts.operands(), monitor(), {Closure::together, max_pairs});
   if (!pieces.ok() && pieces.error().code == ErrorCode::limit_exceeded) return std::optional<TriangleMesh>();
   if (!pieces.ok()) return std::move(pieces).error();
@@ -23,7 +24,7 @@ Result<std::optional<TriangleMesh>> SurfaceRounding::divided(const TriangleMesh&
 
 Result<bool> SurfaceRounding::accept_moved() {
   if (!are_apart(vertices())) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, prove(with_its_faces(mesh(), vertices())));
+  A3D_ASSIGN(const bool is_valid, prove(with_its_faces(mesh(), vertices())));
   return is_valid && result_.contact_vertices == 0;
 }
 
@@ -31,7 +32,7 @@ Result<bool> SurfaceRounding::prove(const RoundingCandidate& candidate) {
   if (candidate.mesh.is_empty() && candidate.reach > kFirstReach * spacing()) return false;
   const ProofOptions options{
       .thoroughness = Thoroughness::first_defect, .cancel = cancel(), .known = candidate.kept_faces()};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_surface(candidate.mesh, options));
+  A3D_ASSIGN(const ValidityReport report, prove_surface(candidate.mesh, options));
   if (!report.is_valid()) return false;
   result_ = RoundedSurface{
       candidate.mesh, "", 0, candidate.movement.distance, candidate.method, report.contact_vertices, candidate.reach};

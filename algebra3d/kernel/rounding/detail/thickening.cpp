@@ -21,6 +21,7 @@
 #include "algebra3d/kernel/rounding/detail/triangle_stars.h"
 #include "algebra3d/kernel/rounding/detail/vertex_removal.h"
 #include "algebra3d/kernel/search/box_hierarchy.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -79,7 +80,7 @@ Result<TriangleMesh> simplified(const TriangleMesh& mesh, double tolerance, cons
   const TriangleMesh paired = with_paired_faces(mesh);
   TriangleStars stars(paired);
   const std::vector<bool> may_go(paired.vertex_count(), true);
-  ALGEBRA3D_RETURN_IF_ERROR(remove_superfluous_vertices(stars, may_go, tolerance, monitor, ThinTriangles::allowed));
+  A3D_TRY(remove_superfluous_vertices(stars, may_go, tolerance, monitor, ThinTriangles::allowed));
   return stars.mesh();
 }
 
@@ -114,22 +115,19 @@ class Thickening {
 
 /// The shells with prisms over their faces, divided exactly where these cross.
 Result<std::optional<TriangleMesh>> Thickening::thick_mesh(double cell) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh simple,
-                             simplified(shells_.crowded, kShellTolerance * cell, job_.cancel()));
+  A3D_ASSIGN(const TriangleMesh simple, simplified(shells_.crowded, kShellTolerance * cell, job_.cancel()));
   const RoundedVertices on_lattice = rounded_vertices(simple, CoordinateGrid::multiples(cell));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SnappedMesh moved, moved_mesh(simple, on_lattice.points, job_.cancel()));
+  A3D_ASSIGN(const SnappedMesh moved, moved_mesh(simple, on_lattice.points, job_.cancel()));
   return job_.divided(together(thickened_faces(moved.mesh, {cell, kHeight * cell}), shells_.others), kMaxPairs);
 }
 
 Result<std::optional<RoundingCandidate>> Thickening::candidate(double cell) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<TriangleMesh> thick, thick_mesh(cell));
+  A3D_ASSIGN(const std::optional<TriangleMesh> thick, thick_mesh(cell));
   if (!thick) return std::optional<RoundingCandidate>();
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate result,
-                             snap_rounded(*thick, rounded_vertices(*thick, job_.grid()), job_.cancel()));
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.mesh, simplified(result.mesh, kThickTolerance * cell, job_.cancel()));
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      const std::optional<double> distance,
-      covering_bound(result.mesh, {&rounded_, &hierarchy_}, cell, kMaxPiecesOfThick, job_.cancel()));
+  A3D_ASSIGN(RoundingCandidate result, snap_rounded(*thick, rounded_vertices(*thick, job_.grid()), job_.cancel()));
+  A3D_ASSIGN(result.mesh, simplified(result.mesh, kThickTolerance * cell, job_.cancel()));
+  A3D_ASSIGN(const std::optional<double> distance,
+             covering_bound(result.mesh, {&rounded_, &hierarchy_}, cell, kMaxPiecesOfThick, job_.cancel()));
   if (!distance || *distance > kMostCellsAway * cell) return std::optional<RoundingCandidate>();
   const double in_all = job_.vertices().largest_movement + *distance;
   result.movement = Movement(rounded_up(in_all + length(box_.max - box_.min)), rounded_up(in_all));
@@ -146,15 +144,14 @@ Result<bool> thicken_faces(RoundingJob& job, const std::vector<bool>& crowded, c
   for (int exponent = steps.first; exponent <= steps.last; exponent += steps.step) {
     const double cells = std::ldexp(1.0, exponent), cell = cells * job.spacing();
     if (!thickening.has_room_for(cell) || cell >= job.accepted_distance()) return false;
-    ALGEBRA3D_RETURN_IF_ERROR(job.begin(fmt::format("thickening faces, on a lattice of 2^{} spacings", exponent)));
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<RoundingCandidate> candidate, thickening.candidate(cell));
+    A3D_TRY(job.begin(fmt::format("thickening faces, on a lattice of 2^{} spacings", exponent)));
+    A3D_ASSIGN(std::optional<RoundingCandidate> candidate, thickening.candidate(cell));
     if (!candidate || candidate->movement.distance >= job.accepted_distance()) continue;
-    ALGEBRA3D_ASSIGN_OR_RETURN(bool is_accepted, job.accept(*candidate));
+    A3D_ASSIGN(bool is_accepted, job.accept(*candidate));
     if (!is_accepted) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(
-          is_accepted,
-          join_features(job, *std::move(candidate), job.grid(),
-                        {kFirstJoiningReach, std::max(kFirstJoiningReach, kLastJoiningReach * cells), true}));
+      A3D_ASSIGN(is_accepted,
+                 join_features(job, *std::move(candidate), job.grid(),
+                               {kFirstJoiningReach, std::max(kFirstJoiningReach, kLastJoiningReach * cells), true}));
     }
     if (is_accepted) return true;
   }

@@ -13,6 +13,7 @@
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/search/box_hierarchy.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -52,12 +53,11 @@ Status tighten_distance(RoundingCandidate& candidate, const RoundingCandidate& f
   const DistanceOperand from_first{&first.mesh, &hierarchy};
   const TriangleMesh changed = submesh(candidate.mesh, faces_that_differ(candidate.mesh, first.mesh));
   if (distance > farthest) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(distance,
-                               bounded_distance(changed, distance, from_first, std::max(small, farthest), cancel));
+    A3D_ASSIGN(distance, bounded_distance(changed, distance, from_first, std::max(small, farthest), cancel));
   }
   if (distance > small) {  // near needles that bound, and that of one turn, may be far too large
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<double> covering,
-                               covering_bound(changed, from_first, small / 4, kMaxPieces, cancel));
+    A3D_ASSIGN(const std::optional<double> covering,
+               covering_bound(changed, from_first, small / 4, kMaxPieces, cancel));
     distance = std::min(distance, covering.value_or(distance));
   }
   candidate.movement.distance = first.movement.distance + distance;

@@ -15,6 +15,7 @@
 #include "algebra3d/kernel/rounding/detail/cell_cover.h"
 #include "algebra3d/kernel/rounding/detail/met_cells.h"
 #include "algebra3d/kernel/search/boxes.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -96,7 +97,7 @@ Result<bool> has_inner_cell(const TriangleMesh& body, const CoordinateGrid& grid
   const std::vector<Extent> extents = extents_of(body, points);
   const bool are_too_many = fewest_cells(extents, largest_edge(smallest, depth) / smallest) > kSearchedCells;
   if (are_too_many || is_thinner_than_a_cell(points, extents)) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MetCells> met, finest_met_cells(body, grid, kSearchedCells, cancel));
+  A3D_ASSIGN(const std::optional<MetCells> met, finest_met_cells(body, grid, kSearchedCells, cancel));
   return met ? CellCover(body, *met).has_inner_cell(cancel) : Result<bool>(false);
 }
 
@@ -109,7 +110,7 @@ Result<bool> has_inner_cell(const TriangleMesh& solid, const CoordinateGrid& gri
     const TriangleMesh body = submesh(solid, bodies[i]);
     const double smallest = smallest_cell(body, grid);
     if (largest_edge(smallest, depth) == 0) continue;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, has_inner_cell(body, grid, smallest, depth, cancel));
+    A3D_ASSIGN(const bool is_found, has_inner_cell(body, grid, smallest, depth, cancel));
     if (is_found) return true;
   }
   return false;

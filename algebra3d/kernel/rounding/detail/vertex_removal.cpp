@@ -10,6 +10,7 @@
 
 #include "algebra3d/kernel/rounding/detail/thin_fan.h"
 #include "algebra3d/kernel/rounding/detail/vertex_fan.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 #include "base/wide_vec3.h"
 
@@ -232,7 +233,7 @@ Result<bool> remove_superfluous_vertices(TriangleStars& stars, const std::vector
       is_in_play[vertex] = false;
       has_changed = true;
     }
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     in_question = removal.changed();
     std::erase_if(in_question, [&](std::uint32_t v) -> bool { return !is_in_play[v]; });
     std::ranges::sort(in_question);

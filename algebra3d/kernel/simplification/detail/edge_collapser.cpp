@@ -7,6 +7,7 @@
 
 #include "algebra3d/base/box3.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -203,7 +204,7 @@ Status EdgeCollapser::fill_queue() {
       buckets[f][i] = static_cast<std::uint16_t>(CostBuckets::bucket_of(places.places[0].cost + penalty(h)));
     }
   });
-  ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
+  A3D_TRY(monitor_.check());
   for (std::size_t f = 0; f < buckets.size() && !monitor_.is_cancelled(); ++f)
     for (std::uint32_t i = 0; i < 3; ++i)
       if (buckets[f][i] != kNoBucket) push(static_cast<std::uint32_t>(4 * f + i), buckets[f][i]);
@@ -276,8 +277,8 @@ void EdgeCollapser::handle(std::uint32_t h, std::size_t bucket) {
 Status EdgeCollapser::run(const CollapseLimits& limits) {
   const double error = limits.error / unit_;
   largest_cost_ = error * error + 16 * kNoise;
-  ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
-  ALGEBRA3D_RETURN_IF_ERROR(fill_queue());
+  A3D_TRY(monitor_.check());
+  A3D_TRY(fill_queue());
   const std::size_t before = faces_.face_count();
   Stage stage(monitor_, "simplifying", before > limits.triangles ? before - limits.triangles : 0);
   for (std::size_t bucket = 0; bucket < CostBuckets::kCount; ++bucket) {

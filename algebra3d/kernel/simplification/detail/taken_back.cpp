@@ -6,6 +6,7 @@
 #include "algebra3d/kernel/validity/validity.h"
 #include "base/indices.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -37,17 +38,17 @@ Result<std::vector<FaceId>> defects_of_surface(const TriangleMesh& mesh, const M
   ProofOptions options;
   options.thoroughness = Thoroughness::first_defect;
   options.cancel = monitor.cancel();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_surface(mesh, options));
+  A3D_ASSIGN(const ValidityReport report, prove_surface(mesh, options));
   std::vector<FaceId> faces;
   if (report.is_valid()) return faces;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Entanglement> found, disentangle(mesh, monitor.cancel()));
+  A3D_ASSIGN(const std::vector<Entanglement> found, disentangle(mesh, monitor.cancel()));
   for (std::size_t f = 0; f < found.size(); ++f)
     if (found[f] != Entanglement::none) faces.emplace_back(f);
   return faces;
 }
 
 Result<std::vector<FaceId>> defects_of_volume(const TriangleMesh& mesh, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const VolumeExamination examination, examine_volume(mesh, monitor.cancel()));
+  A3D_ASSIGN(const VolumeExamination examination, examine_volume(mesh, monitor.cancel()));
   std::vector<FaceId> faces;
   if (examination.report.is_valid()) return faces;
   for (std::size_t f = 0; f < mesh.face_count(); ++f)

@@ -9,6 +9,7 @@
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/kernel/halfedge/polygon_mesh.h"
 #include "base/large_allocator.h"
+#include "base/propagate.h"
 
 namespace algebra3d::subdivision {
 
@@ -30,7 +31,7 @@ struct RefinedMesh {
 
   /// The mesh, or the error that the work is cancelled: then the arrays are not filled.
   Result<PolygonMesh> finish(PolygonLayout layout, const Monitor& monitor) && {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     return PolygonMesh(PointArray(std::move(points)), std::move(layout), std::move(corners), std::move(opposites),
                        std::move(outgoing));
   }

@@ -7,6 +7,7 @@
 
 #include "algebra3d/kernel/subdivision/detail/edge_numbers.h"
 #include "algebra3d/kernel/subdivision/detail/refined_mesh.h"
+#include "base/propagate.h"
 
 namespace algebra3d::subdivision {
 
@@ -64,7 +65,7 @@ Result<PolygonMesh> split_triangles(const PolygonMesh& mesh, const Monitor& moni
   const Stage stage(monitor, what,
                     2 * block_count(halfedge_count) + block_count(view.face_count()) + block_count(vertex_count));
   const EdgeNumbers edges(view, Edges::all, stage);
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   RefinedMesh refined(std::size_t{vertex_count} + edges.count(), std::size_t{4} * halfedge_count);
   LargeVector<std::uint32_t> edge_vertices;
   edge_vertices.resize(halfedge_count);
@@ -75,7 +76,7 @@ Result<PolygonMesh> split_triangles(const PolygonMesh& mesh, const Monitor& moni
     refined.points[v] = edge_point(h, e);
     refined.outgoing[v] = HalfedgeId(TriangleSplit::outgoing_of_edge_vertex(h, view.is_boundary(h)));
   });
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   for_each_element(view.face_count(), stage,
                    [&](std::uint32_t f) { TriangleSplit::write_faces(view, f, edge_vertices.data(), refined); });
   for_each_element(vertex_count, stage, [&](std::uint32_t v) {

@@ -25,6 +25,7 @@
 #include "algebra3d/kernel/validity/shell_tops.h"
 #include "base/disjoint_sets.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -151,7 +152,7 @@ Status ask_for_unknown(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, 
   const FrontsByRays rays(mesh, hierarchy, shells);
   if (count <= kFewShells) {
     for (std::uint32_t shell = 0; shell < count; ++shell) {
-      ALGEBRA3D_RETURN_IF_ERROR(end_if_cancelled(cancel));
+      A3D_TRY(end_if_cancelled(cancel));
       shells.fronts[shell] = rays.front(shell);
     }
     return {};
@@ -160,7 +161,7 @@ Status ask_for_unknown(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, 
   const ShellTops tops(mesh, hierarchy, shells.shell_of_face, count);
   const std::vector<int> orientations = shell_orientations(mesh, shells.shell_of_face, count);
   for (const std::uint32_t shell : tops.from_highest()) {
-    ALGEBRA3D_RETURN_IF_ERROR(end_if_cancelled(cancel));
+    A3D_TRY(end_if_cancelled(cancel));
     if (shells.fronts[shell] != kUnknown) continue;
     const FaceOverhead above = tops.overhead(shell);
     int outside = 0;
@@ -196,7 +197,7 @@ Result<std::vector<bool>> shells_near_others(const TriangleMesh& mesh, const She
         ended = end_if_cancelled(cancel);
         return ended.ok();
       });
-  ALGEBRA3D_RETURN_IF_ERROR(std::move(ended));
+  A3D_TRY(std::move(ended));
   return are_near;
 }
 
@@ -206,7 +207,7 @@ Result<std::vector<bool>> shells_near_others(const TriangleMesh& mesh, const She
 Status take_over(const TriangleMesh& mesh, const Preimage& preimage, const BoxHierarchy& near,
                  const std::atomic<bool>* cancel, ShellWindings& shells) {
   const std::size_t count = shells.first_faces.size();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<bool> are_near, shells_near_others(mesh, shells, near, cancel));
+  A3D_ASSIGN(const std::vector<bool> are_near, shells_near_others(mesh, shells, near, cancel));
   const std::vector<int> before = shell_orientations(*preimage.mesh, shells.shell_of_face, count);
   const std::vector<int> after = shell_orientations(mesh, shells.shell_of_face, count);
   for (std::size_t shell = 0; shell < count; ++shell)
@@ -225,7 +226,7 @@ Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const Height
                                           const BoxHierarchy& hierarchy, const std::atomic<bool>* cancel) {
   ShellWindings shells = find_shells(mesh, fields);
   shells.fronts.assign(shells.first_faces.size(), kUnknown);
-  ALGEBRA3D_RETURN_IF_ERROR(ask_for_unknown(mesh, hierarchy, cancel, shells));
+  A3D_TRY(ask_for_unknown(mesh, hierarchy, cancel, shells));
   return shells;
 }
 
@@ -234,10 +235,9 @@ Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const Height
                                           const std::atomic<bool>* cancel) {
   ShellWindings shells = find_shells(mesh, fields);
   shells.fronts.assign(shells.first_faces.size(), kUnknown);
-  if (shells.first_faces.size() > kFewShells)
-    ALGEBRA3D_RETURN_IF_ERROR(take_over(mesh, preimage, near, cancel, shells));
+  if (shells.first_faces.size() > kFewShells) A3D_TRY(take_over(mesh, preimage, near, cancel, shells));
   if (std::ranges::find(shells.fronts, kUnknown) != shells.fronts.end())
-    ALGEBRA3D_RETURN_IF_ERROR(ask_for_unknown(mesh, BoxHierarchy(mesh), cancel, shells));
+    A3D_TRY(ask_for_unknown(mesh, BoxHierarchy(mesh), cancel, shells));
   return shells;
 }
 

@@ -16,6 +16,7 @@
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
 #include "base/context.h"
+#include "base/propagate.h"
 
 // Elements of meshes as rows. A value is a surface3d, volume3d or mesh3d; rows keep a copy of it, which is cheap.
 
@@ -107,7 +108,7 @@ RowsType rows_up_to(std::size_t count, Cells cells) {
   using Next = Result<std::optional<typename RowsType::Cells>>;
   return RowsType([count, cells = std::move(cells), next = std::size_t{0}](Context& context) mutable -> Next {
     if (next == count) return Next(std::nullopt);
-    ALGEBRA3D_RETURN_IF_ERROR(check_sometimes(context, next));
+    A3D_TRY(check_sometimes(context, next));
     return Next(cells(next++));
   });
 }

@@ -8,6 +8,7 @@
 #include "algebra3d/values/spatial_relations/relation.h"
 #include "algebra3d/values/types/planar.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 // Operators on two sets of points, each of any kind.
 
@@ -37,7 +38,7 @@ inline Result<SpatialSet> set_of(const Rect& rect, Context& /*context*/) {
   return SpatialSet(rect.box());
 }
 inline Result<SpatialSet> set_of(const Region& region, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh mesh, flat_mesh(region, context.monitor()));
+  A3D_ASSIGN(TriangleMesh mesh, flat_mesh(region, context.monitor()));
   return SpatialSet(Surface3d::trusted(std::move(mesh)));
 }
 
@@ -49,10 +50,10 @@ inline bool is_either_empty(const GeometryHeader& a, const GeometryHeader& b) {
 template <typename A, typename B, typename Ask>
 auto ask_loaded(Context& context, const OnDemand<A>& a, const OnDemand<B>& b, const Ask& ask)
     -> decltype(ask(std::declval<SpatialSet>(), std::declval<SpatialSet>())) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const A first, a.load());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const B second, b.load());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialSet first_set, set_of(first, context));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialSet second_set, set_of(second, context));
+  A3D_ASSIGN(const A first, a.load());
+  A3D_ASSIGN(const B second, b.load());
+  A3D_ASSIGN(const SpatialSet first_set, set_of(first, context));
+  A3D_ASSIGN(const SpatialSet second_set, set_of(second, context));
   return ask(first_set, second_set);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algebra3d/values/display/detail/task_size.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::detail {
@@ -84,7 +85,7 @@ Result<CellsOfPoints> choose_cells(const TrianglesView& fine, std::size_t max_tr
   GridSearch search(max_triangles);
   double last = 0;
   while (!search.is_done()) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     last = search.next();
     find_cells(ClusterGrid(box, last), fine.points, cells);
     search.learn(count_kept(fine.triangles, cells));

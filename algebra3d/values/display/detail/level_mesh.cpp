@@ -8,6 +8,7 @@
 #include "algebra3d/values/display/detail/mesh_shapes.h"
 #include "algebra3d/values/display/detail/shape_parts.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d::detail {
 namespace {
@@ -79,7 +80,7 @@ Result<DrawnShape> shape_of_level(const DrawnShape& whole, const ClusteredTriang
   // Points relative to the origin: a box around it gives the origin 0, and so the same positions.
   const Box3 box{whole.box.min - whole.origin, whole.box.max - whole.origin};
   const TriangleMesh mesh(PointArray(level.points), level.triangles);
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_of_mesh(mesh, box, monitor));
+  A3D_ASSIGN(DrawnShape shape, shape_of_mesh(mesh, box, monitor));
   limit_points(shape, max_points);
   const std::vector<std::uint32_t> positions = positions_of_vertices(shape, level.points.size());
   append(shape.edges, shape.boundary);

@@ -15,6 +15,7 @@
 #include "algebra3d/values/display/detail/shape_parts.h"
 #include "algebra3d/values/display/detail/task_size.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::detail {
@@ -146,21 +147,21 @@ Result<std::vector<std::uint32_t>> add_elements(const Mesh& mesh, DrawnShape& sh
   monitor.tell("drawing");
   const std::vector<Vec3> normals_of_faces = face_normals(mesh);
   CornerNormals normals = corner_normals(mesh, normals_of_faces, kCreaseDegrees);
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   add_positions(mesh, normals, shape);
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   add_edges(mesh, normals.of_corner, normals_of_faces, shape);
   add_isolated_vertices(mesh, shape);
   drop_if_ascending(shape.vertex_ids);
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  A3D_TRY(monitor.check());
   return std::move(normals.of_corner);
 }
 
 }  // namespace
 
 Result<DrawnShape> shape_of_mesh(const TriangleMesh& mesh, const Box3& box, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(box));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<std::uint32_t> of_corner, add_elements(mesh, shape, monitor));
+  A3D_ASSIGN(DrawnShape shape, shape_in(box));
+  A3D_ASSIGN(const std::vector<std::uint32_t> of_corner, add_elements(mesh, shape, monitor));
   shape.triangle_count = mesh.face_count();
   shape.triangles.resize(mesh.face_count());
   parallel_for(mesh.face_count(), kElementsPerTask, [&](std::size_t f) {
@@ -170,9 +171,9 @@ Result<DrawnShape> shape_of_mesh(const TriangleMesh& mesh, const Box3& box, cons
 }
 
 Result<DrawnShape> shape_of_mesh(const PolygonMesh& mesh, const Box3& box, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(box));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CornerTriangle> triangles, triangulate_faces(mesh, monitor));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<std::uint32_t> of_corner, add_elements(mesh, shape, monitor));
+  A3D_ASSIGN(DrawnShape shape, shape_in(box));
+  A3D_ASSIGN(const std::vector<CornerTriangle> triangles, triangulate_faces(mesh, monitor));
+  A3D_ASSIGN(const std::vector<std::uint32_t> of_corner, add_elements(mesh, shape, monitor));
   shape.triangle_count = triangles.size();
   shape.triangles.resize(triangles.size());
   shape.face_ids.resize(triangles.size());

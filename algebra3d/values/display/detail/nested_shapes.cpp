@@ -1,6 +1,7 @@
 #include "algebra3d/values/display/detail/nested_shapes.h"
 
 #include "algebra3d/values/display/detail/shape_parts.h"
+#include "base/propagate.h"
 
 namespace algebra3d::detail {
 namespace {
@@ -48,7 +49,7 @@ Result<DrawnShape> joined(std::span<const DrawnShape> shapes) {
   }
   if (position_count > std::numeric_limits<std::uint32_t>::max())
     return Error(ErrorCode::limit_exceeded, "a relation of {} vertices cannot be drawn as one shape", position_count);
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape all, shape_in(box));
+  A3D_ASSIGN(DrawnShape all, shape_in(box));
   all.positions.reserve(position_count);
   for (const DrawnShape& shape : shapes) append_shape(shape, all);
   return all;

@@ -9,6 +9,7 @@
 #include "algebra3d/kernel/exact/plane.h"
 #include "algebra3d/kernel/planar/constrained_delaunay.h"
 #include "algebra3d/values/display/detail/shape_parts.h"
+#include "base/propagate.h"
 
 namespace algebra3d::detail {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 constexpr DrawnShape::Normal kUp = {0, 0, 127, 0};
 
 Result<DrawnShape> single_point(const ExactPoint& position) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(box_of(position)));
+  A3D_ASSIGN(DrawnShape shape, shape_in(box_of(position)));
   shape.points.push_back(add_position(shape, position.approx()));
   return shape;
 }
@@ -92,7 +93,7 @@ Result<DrawnShape> shape_of_point_in_plane(const Point2d& point) {
 Result<DrawnShape> shape_of_points(const Points3d& points) {
   Box3 box;
   for (const ExactPoint& point : points.points()) box.extend(box_of(point));
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(box));
+  A3D_ASSIGN(DrawnShape shape, shape_in(box));
   shape.positions.reserve(points.points().size());
   for (const ExactPoint& point : points.points()) add_position(shape, point.approx());
   shape.points.resize(shape.positions.size());
@@ -103,7 +104,7 @@ Result<DrawnShape> shape_of_points(const Points3d& points) {
 Result<DrawnShape> shape_of_vector(const Vector3d& vector) {
   Box3 box = box_of(vector.components);
   box.extend(Vec3{});
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(box));
+  A3D_ASSIGN(DrawnShape shape, shape_in(box));
   const Vec3 tip = vector.components.approx();
   if (tip == Vec3{})
     shape.points.push_back(add_position(shape, tip));
@@ -121,7 +122,7 @@ Result<DrawnShape> shape_of_plane(const Plane3d& plane) {
   const Vec3 tip = foot + 0.5 * reach * normal;
   Box3 box = Box3::around(corners);
   box.extend(tip);
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(box));
+  A3D_ASSIGN(DrawnShape shape, shape_in(box));
   add_flat_face(shape, corners, kSquare);
   add_loop(shape, 0, 4);
   add_lines(shape, arrow(foot, tip));
@@ -130,7 +131,7 @@ Result<DrawnShape> shape_of_plane(const Plane3d& plane) {
 }
 
 Result<DrawnShape> shape_of_box(const Box3& box) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(box));
+  A3D_ASSIGN(DrawnShape shape, shape_in(box));
   // Corner 4i + 2j + k is at the end of the axes whose digit is 1. A flat box has fewer corners.
   std::array<std::uint32_t, 8> numbers{};
   for (std::size_t corner = 0; corner < 8; ++corner) {
@@ -155,7 +156,7 @@ Result<DrawnShape> shape_of_box(const Box3& box) {
 }
 
 Result<DrawnShape> shape_of_rect(const Rect& rect) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_of_box(rect.box()));
+  A3D_ASSIGN(DrawnShape shape, shape_of_box(rect.box()));
   if (shape.positions.size() < 4) return shape;
   // The corners are numbered by x, then y.
   shape.normals.assign(4, kUp);
@@ -166,8 +167,8 @@ Result<DrawnShape> shape_of_rect(const Rect& rect) {
 
 Result<DrawnShape> shape_of_region(const Region& region, const Monitor& monitor) {
   const Polygons& polygons = region.polygons();
-  ALGEBRA3D_ASSIGN_OR_RETURN(DrawnShape shape, shape_in(region.box()));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<IndexTriangle> triangles, triangulate(polygons, monitor));
+  A3D_ASSIGN(DrawnShape shape, shape_in(region.box()));
+  A3D_ASSIGN(const std::vector<IndexTriangle> triangles, triangulate(polygons, monitor));
   add_flat_face(shape, polygons.corners.approx(), triangles);
   for (std::size_t cycle = 0; cycle < polygons.cycle_count(); ++cycle)
     add_loop(shape, polygons.first_corner(cycle), polygons.cycle_ends[cycle]);

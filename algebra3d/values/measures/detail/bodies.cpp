@@ -20,6 +20,7 @@
 #include "algebra3d/kernel/search/box_hierarchy.h"
 #include "algebra3d/values/spatial_relations/point_location.h"
 #include "base/disjoint_ids.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -68,8 +69,7 @@ Result<std::vector<Shell>> shells_of(const TriangleMesh& mesh, const Monitor& mo
   SubmeshMaker maker(mesh);
   for (Shell& shell : shells) {
     shell.mesh = maker.make(shell.faces);
-    ALGEBRA3D_ASSIGN_OR_RETURN(shell.volume,
-                               exact_volume(shell.mesh.points(), triangles_of(shell.mesh), monitor.cancel()));
+    A3D_ASSIGN(shell.volume, exact_volume(shell.mesh.points(), triangles_of(shell.mesh), monitor.cancel()));
   }
   return shells;
 }
@@ -131,7 +131,7 @@ bool is_within(const Shell& cavity, const Geometry& outer) {
 }  // namespace
 
 Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shell> shells, shells_of(solid.mesh(), monitor));
+  A3D_ASSIGN(std::vector<Shell> shells, shells_of(solid.mesh(), monitor));
   std::vector<Shell> outer, cavities;
   for (Shell& shell : shells) (shell.volume.sign() > 0 ? outer : cavities).push_back(std::move(shell));
   if (outer.size() <= 1) return std::vector<Volume3d>(outer.size(), solid);
@@ -140,7 +140,7 @@ Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& mo
   for (Shell& shell : outer) filled.push_back(Volume3d::trusted(std::move(shell.mesh)));
   const SolidBoxes boxes(filled);
   for (const Shell& cavity : cavities) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     // Outer shells around a point are nested; the cavity belongs to the innermost one.
     std::optional<std::size_t> innermost;
     boxes.for_each_meeting(box_of(cavity.mesh.point(VertexId(0))), [&](std::size_t i) {
@@ -158,15 +158,15 @@ Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& mo
 }
 
 Result<bool> has_divided_body(const Volume3d& solid, const TriangleMesh& part, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shell> shells, shells_of(part, monitor));
+  A3D_ASSIGN(std::vector<Shell> shells, shells_of(part, monitor));
   std::erase_if(shells, [](const Shell& shell) { return shell.volume.sign() <= 0; });
   if (shells.size() <= 1) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Volume3d> bodies, bodies_of(solid, monitor));
+  A3D_ASSIGN(const std::vector<Volume3d> bodies, bodies_of(solid, monitor));
   if (bodies.size() == 1) return true;
   const SolidBoxes boxes(bodies);
   std::vector<std::uint8_t> has_part(bodies.size(), 0);
   for (const Shell& shell : shells) {
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    A3D_TRY(monitor.check());
     std::uint8_t& flag = has_part[body_around(shell, bodies, boxes)];
     if (flag != 0) return true;
     flag = 1;

@@ -5,6 +5,7 @@
 
 #include "algebra3d/kernel/arrangement/arrangement.h"
 #include "algebra3d/values/measures/detail/bodies.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -21,7 +22,7 @@ Result<Surface3d> boundary_in_other(const SolidArrangement& arrangement, std::si
     const bool is_boundary = (front[group] > 0) != (back[group] > 0);
     return is_boundary && front[1 - group] > 0 && back[1 - group] > 0 ? 1 : 0;
   };
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh part, arrangement.faces(is_inside_other));
+  A3D_ASSIGN(TriangleMesh part, arrangement.faces(is_inside_other));
   return Surface3d::trusted(std::move(part));
 }
 
@@ -31,20 +32,20 @@ Result<bool> is_divided(const Volume3d& solid, const SolidArrangement& arrangeme
   const auto is_left = [group](const WindingVector& windings) {
     return windings[group] > 0 && windings[1 - group] == 0;
   };
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh rest, arrangement.solid(is_left));
+  A3D_ASSIGN(const TriangleMesh rest, arrangement.solid(is_left));
   return has_divided_body(solid, rest, monitor);
 }
 
 }  // namespace
 
 Result<Overlap> Overlap::of(const Volume3d& a, const Volume3d& b, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SolidArrangement arrangement, arrangement_of(a, b, monitor));
+  A3D_ASSIGN(const SolidArrangement arrangement, arrangement_of(a, b, monitor));
   Overlap overlap;
-  ALGEBRA3D_ASSIGN_OR_RETURN(overlap.of_first_in_second, boundary_in_other(arrangement, 0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(overlap.of_second_in_first, boundary_in_other(arrangement, 1));
-  ALGEBRA3D_ASSIGN_OR_RETURN(overlap.is_divided, algebra3d::is_divided(a, arrangement, 0, monitor));
+  A3D_ASSIGN(overlap.of_first_in_second, boundary_in_other(arrangement, 0));
+  A3D_ASSIGN(overlap.of_second_in_first, boundary_in_other(arrangement, 1));
+  A3D_ASSIGN(overlap.is_divided, algebra3d::is_divided(a, arrangement, 0, monitor));
   if (overlap.is_divided) return overlap;
-  ALGEBRA3D_ASSIGN_OR_RETURN(overlap.is_divided, algebra3d::is_divided(b, arrangement, 1, monitor));
+  A3D_ASSIGN(overlap.is_divided, algebra3d::is_divided(b, arrangement, 1, monitor));
   return overlap;
 }
 

@@ -7,6 +7,7 @@
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/detail/codec_points.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -15,7 +16,7 @@ template <typename T, ExactPoint T::*kTriple>
 class ExactTripleType : public DescribedType {
  public:
   Result<Value> from_nested(const NestedList& list, Context& /*context*/) const override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto triple, point_from_nested(list, name()));
+    A3D_ASSIGN(auto triple, point_from_nested(list, name()));
     return Value::of(T{std::move(triple)});
   }
   NestedList to_nested(const Value& value) const override { return point_to_nested(triple_of(value)); }
@@ -33,7 +34,7 @@ class ExactTripleType : public DescribedType {
   Result<Value> decode(std::string_view bytes, bool /*trusted*/) const override {
     ByteReader reader(bytes, name());
     auto triple = read_point(reader);
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     return Value::of(T{std::move(triple)});
   }
 

@@ -11,6 +11,7 @@
 #include "algebra3d/values/types/coordinate_text.h"
 #include "algebra3d/values/types/described_type.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
@@ -23,7 +24,7 @@ Result<std::array<ExactPoint, 3>> corners_from_nested(const NestedList& list, st
     return Error{ErrorCode::invalid_value, "{}: expected (p1 p2 p3), got {}", what, list.print_short()};
   std::array<ExactPoint, 3> corners;
   for (std::size_t i = 0; i < 3; ++i) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(corners[i], point_from_nested(list.elements()[i], what));
+    A3D_ASSIGN(corners[i], point_from_nested(list.elements()[i], what));
   }
   return corners;
 }
@@ -111,8 +112,8 @@ Result<TriangleMesh> mesh_from_nested(const NestedList& list, std::string_view t
   corners.reserve(list.elements().size());
   for (const NestedList& element : list.elements()) {
     poll_interruption_at(corners.size());
-    ALGEBRA3D_ASSIGN_OR_RETURN(
-        auto triangle, corners_from_nested(element, fmt::format("{}: triangle {}", type_name, corners.size() + 1)));
+    A3D_ASSIGN(auto triangle,
+               corners_from_nested(element, fmt::format("{}: triangle {}", type_name, corners.size() + 1)));
     corners.push_back(std::move(triangle));
   }
   WeldedTriangles welded = weld(corners);

@@ -8,6 +8,7 @@
 #include "algebra3d/values/types/detail/mesh_codec.h"
 #include "algebra3d/values/types/spatial.h"
 #include "algebra3d/values/types/value_text.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -16,8 +17,8 @@ template <typename T>
 class GeometryType : public DescribedType, public DirectText {
  public:
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto mesh, mesh_from_nested(list, name()));
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto proved, T::prove(std::move(mesh), {.cancel = context.cancel}));
+    A3D_ASSIGN(auto mesh, mesh_from_nested(list, name()));
+    A3D_ASSIGN(auto proved, T::prove(std::move(mesh), {.cancel = context.cancel}));
     if (proved) return Value::of(std::move(proved).value());
     context.diagnostics.report_undefined(proved.reason(), list.print_short());
     return Value(*this);
@@ -51,11 +52,11 @@ class GeometryType : public DescribedType, public DirectText {
   Result<Value> decode(std::string_view bytes, bool trusted) const override {
     ByteReader reader(bytes, name());
     TriangleMesh mesh = read_mesh(reader);
-    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
+    A3D_TRY(reader.finish());
     if (trusted) return Value::of(T::trusted(std::move(mesh)));
     // The proof requires that points with different indices are distinct.
     if (has_equal_points(mesh)) return corrupt("expected points that differ from each other");
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto proved, T::prove(std::move(mesh), {.thoroughness = Thoroughness::first_defect}));
+    A3D_ASSIGN(auto proved, T::prove(std::move(mesh), {.thoroughness = Thoroughness::first_defect}));
     if (!proved) return Error{ErrorCode::database_corrupt, "{}", proved.reason()};
     return Value::of(std::move(proved).value());
   }

@@ -14,6 +14,7 @@
 #include "algebra3d/values/types/coordinate_text.h"
 #include "algebra3d/values/types/utf8.h"
 #include "base/indices.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -42,7 +43,7 @@ Status read_value(const NestedList& list, const std::string& what, AttributeValu
   if (width > 1 && (!list.is_list() || list.elements().size() != width))
     return Error{ErrorCode::invalid_value, "{}: expected {} numbers, got {}", what, width, list.print_short()};
   for (std::size_t k = 0; k < width; ++k) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(numbers[k], double_from_nested(width == 1 ? list : list.elements()[k], what));
+    A3D_ASSIGN(numbers[k], double_from_nested(width == 1 ? list : list.elements()[k], what));
   }
   values.set(i, std::span(numbers).first(width));
   return {};
@@ -79,7 +80,7 @@ Result<MeshAttributes> with_nested(const NestedList& list, const PolygonMesh& me
                  name_of(*element),
                  given.size()};
   for (std::size_t i = 0; i < given.size(); ++i)
-    ALGEBRA3D_RETURN_IF_ERROR(read_value(given[i], fmt::format("{}: value {}", what, i), values, i));
+    A3D_TRY(read_value(given[i], fmt::format("{}: value {}", what, i), values, i));
   return others.with(*element, name, values);
 }
 
@@ -149,7 +150,7 @@ NestedList attributes_to_nested(const MeshAttributes& attributes) {
 Result<MeshAttributes> attributes_from_nested(const NestedList& list, const PolygonMesh& mesh) {
   MeshAttributes attributes;
   for (const NestedList& attribute : list.elements()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(attributes, with_nested(attribute, mesh, attributes));
+    A3D_ASSIGN(attributes, with_nested(attribute, mesh, attributes));
   }
   return attributes;
 }

@@ -6,6 +6,7 @@
 #include "algebra3d/values/types/detail/codec_points.h"
 #include "algebra3d/values/types/detail/polygons_codec.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 
@@ -18,10 +19,8 @@ Error unexpected(std::string_view what, std::string_view expectation, const Nest
 Status add_moving_corner(const NestedList& corner, std::string_view what, MovingPolygons& moving) {
   if (!corner.is_list() || corner.elements().size() != 4) return unexpected(what, "(x1 y1 x2 y2)", corner);
   const auto& parts = corner.elements();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ExactPoint start,
-                             planar_point_from_nested(NestedList::list(parts[0], parts[1]), what));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ExactPoint end,
-                             planar_point_from_nested(NestedList::list(parts[2], parts[3]), what));
+  A3D_ASSIGN(const ExactPoint start, planar_point_from_nested(NestedList::list(parts[0], parts[1]), what));
+  A3D_ASSIGN(const ExactPoint end, planar_point_from_nested(NestedList::list(parts[2], parts[3]), what));
   moving.start.corners.push_back(start);
   moving.end.corners.push_back(end);
   return {};
@@ -32,8 +31,7 @@ Status add_moving_face(const NestedList& face, std::string_view what, MovingPoly
   for (const NestedList& cycle : face.elements()) {
     if (!cycle.is_list() || cycle.elements().size() < 3)
       return unexpected(what, "a cycle of at least 3 moving corners ((x1 y1 x2 y2) ...)", cycle);
-    for (const NestedList& corner : cycle.elements())
-      ALGEBRA3D_RETURN_IF_ERROR(add_moving_corner(corner, what, moving));
+    for (const NestedList& corner : cycle.elements()) A3D_TRY(add_moving_corner(corner, what, moving));
     moving.start.cycle_ends.push_back(static_cast<std::uint32_t>(moving.start.corners.size()));
   }
   moving.start.face_ends.push_back(static_cast<std::uint32_t>(moving.start.cycle_ends.size()));
@@ -51,10 +49,9 @@ Result<Maybe<RegionUnit>> unit_from_nested(const NestedList& list, std::string_v
   if (!list.is_list() || list.elements().size() != 2 || !list.elements()[1].is_list() ||
       list.elements()[1].elements().empty())
     return unexpected(what, "(interval (face+))", list);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Maybe<TimeInterval> interval, interval_from_nested(list.elements()[0], what));
+  A3D_ASSIGN(const Maybe<TimeInterval> interval, interval_from_nested(list.elements()[0], what));
   MovingPolygons moving;
-  for (const NestedList& face : list.elements()[1].elements())
-    ALGEBRA3D_RETURN_IF_ERROR(add_moving_face(face, what, moving));
+  for (const NestedList& face : list.elements()[1].elements()) A3D_TRY(add_moving_face(face, what, moving));
   moving.end.cycle_ends = moving.start.cycle_ends;
   moving.end.face_ends = moving.start.face_ends;
   if (!interval) return Maybe<RegionUnit>(Undefined{interval.reason()});
@@ -96,7 +93,7 @@ Result<Maybe<RegionUnit>> read_unit(ByteReader& reader, std::string_view what, b
   reader.require(is_in_plane(moving.start.corners) && is_in_plane(moving.end.corners), "corners in the plane");
   if (!reader.ok()) return none;
   if (trusted) return Maybe<RegionUnit>(RegionUnit::trusted(interval, std::move(moving)));
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto unit, RegionUnit::prove(interval, std::move(moving)));
+  A3D_ASSIGN(auto unit, RegionUnit::prove(interval, std::move(moving)));
   if (!unit) return Error{ErrorCode::database_corrupt, "{}: {}", what, unit.reason()};
   return unit;
 }
