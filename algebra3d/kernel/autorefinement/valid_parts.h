@@ -24,8 +24,8 @@ class ValidParts {
                                  const Monitor& monitor = {}, const FaceSet& known = {});
   /// Divides the mesh into fewer parts than `make` where many edges are non-manifold, as where boundaries cross that
   /// are joined in vertices. Faces that alternate around an edge, as those of solids do, stay together; others that
-  /// meet in a non-manifold edge go to different sheets (detail/face_sheets.h). Only entangled faces of each sheet
-  /// become parts of their own. Errors and cost as above.
+  /// meet in a non-manifold edge go to different sheets. Only entangled faces of each sheet become parts of their own.
+  /// Errors and cost as above.
   static Result<ValidParts> in_sheets(const TriangleMesh& mesh, const Monitor& monitor = {});
 
   /// One operand per part, all of group 0. Valid as long as this object.

@@ -1,10 +1,16 @@
 #include "algebra3d/kernel/arrangement/detail/candidates.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 
-#include "algebra3d/kernel/arrangement/detail/facet_slabs.h"
+#include "algebra3d/base/vec3.h"
 #include "algebra3d/kernel/arrangement/detail/id_tree.h"
 #include "algebra3d/kernel/arrangement/detail/task_sizes.h"
+#include "algebra3d/kernel/exact/predicates_filter.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/search/box_hierarchy.h"
 #include "algebra3d/kernel/search/boxes.h"
 #include "algebra3d/kernel/search/node_gaps.h"
 #include "base/propagate.h"
@@ -12,6 +18,113 @@
 
 namespace algebra3d::arrangement {
 namespace {
+
+/// Slabs around a small operand, each between two planes parallel to one of its facets: a discrete orientation polytope
+/// whose directions are those of the facets. Finds faces of a large operand, and nodes of its hierarchy, that miss the
+/// small one. The box along the axes around a rod that lies aslant is hundreds of times as large as the rod; its slabs
+/// are the rod itself.
+///
+/// For one search by one thread. Refers to the large operand. Source: [klosowski1998], with directions by operand.
+class FacetSlabs {
+ public:
+  /// Without slabs unless the first operand is small, the other one large, and some facet of the small one aslant.
+  /// Cost: linear in the small operand.
+  FacetSlabs(const TriangleMesh& small, const BoxHierarchy& of_small, const TriangleMesh& large,
+             const BoxHierarchy& of_large);
+
+  /// True if all faces of a node of the large operand's hierarchy certainly miss the small operand. Rounded arithmetic
+  /// with bounds. Cost: some nanoseconds per slab.
+  bool miss(BoxHierarchy::Node node) const { return !slabs_.empty() && are_beyond(node); }
+  /// True if a face of the large operand certainly misses the small operand; the answer is cached for some time.
+  bool misses(std::uint32_t face) {
+    if (slabs_.empty()) return false;
+    Known& known = known_[face % known_.size()];
+    if (known.face != face) known = {face, is_beyond(face)};
+    return known.does_miss;
+  }
+
+ private:
+  /// In the frame of the large operand's hierarchy. Products of the small operand's points with the normal, of length
+  /// 1, are from `low` to `high`, which are rounded outward by more than the products of others are rounded.
+  struct Slab {
+    Vec3 normal;
+    double low, high;
+  };
+  /// The last face with its remainder, and whether it misses.
+  struct Known {
+    std::uint32_t face = BoxHierarchy::kNoGroup;
+    bool does_miss = false;
+  };
+
+  void add_slab(const Vec3& normal, const std::vector<Vec3>& places, double error);
+  bool are_beyond(BoxHierarchy::Node node) const;
+  bool is_beyond(std::uint32_t face) const;
+
+  const TriangleMesh& mesh_;
+  const BoxHierarchy& hierarchy_;
+  std::vector<Slab> slabs_;
+  std::array<Known, 64> known_;
+};
+
+constexpr std::size_t kMaxFacesOfSmall = 32, kMinFacesOfLarge = 256, kMaxSlabs = 8;
+
+/// Cosine of the angle up to which two directions are taken for one: a slab along either says as much.
+constexpr double kParallel = 1 - 0x1p-20;
+
+bool is_along_an_axis(const Vec3& normal) {
+  return detail::largest(normal) > kParallel;
+}
+
+// Lengths are in units of the frame, in which the large operand extends over 2^20. Corners are rounded to some 2^-52 of
+// the largest coordinate, places and products by little more; another unit of 2^-8 covers underflows.
+FacetSlabs::FacetSlabs(const TriangleMesh& small, const BoxHierarchy& of_small, const TriangleMesh& large,
+                       const BoxHierarchy& of_large)
+    : mesh_(large), hierarchy_(of_large) {
+  constexpr double kFar = 0x1p100;
+  if (small.face_count() > kMaxFacesOfSmall || large.face_count() < kMinFacesOfLarge) return;
+  const Box3 box = unite(of_small.bounds(), of_large.bounds());
+  const double size = std::max(detail::largest(box.min), detail::largest(box.max)) * of_large.frame().scale;
+  if (!(size < kFar)) return;
+  std::vector<Vec3> places;
+  for (const Vec3& point : small.points().approx()) places.push_back(of_large.frame().place_of(point));
+  for (std::uint32_t face = 0; face < small.face_count() && slabs_.size() < kMaxSlabs; ++face) {
+    const auto [a, b, c] = small.triangle(FaceId(face));
+    const Vec3 normal = cross(places[b] - places[a], places[c] - places[a]);
+    const double length = std::sqrt(dot(normal, normal));
+    if (length > 0x1p-400) add_slab((1 / length) * normal, places, 0x1p-46 * size + 0x1p-8);
+  }
+}
+
+void FacetSlabs::add_slab(const Vec3& normal, const std::vector<Vec3>& places, double error) {
+  const auto is_known = [&](const Slab& slab) { return std::abs(dot(slab.normal, normal)) > kParallel; };
+  if (is_along_an_axis(normal) || std::ranges::any_of(slabs_, is_known)) return;
+  double low = Box3::kInfinity, high = -Box3::kInfinity;
+  for (const Vec3& place : places) {
+    const double product = dot(normal, place);
+    low = std::min(low, product);
+    high = std::max(high, product);
+  }
+  slabs_.push_back({normal, low - error, high + error});
+}
+
+bool FacetSlabs::are_beyond(BoxHierarchy::Node node) const {
+  const BoxHierarchy::Place place = hierarchy_.place(node);
+  return std::ranges::any_of(slabs_, [&](const Slab& slab) {
+    const double middle = dot(slab.normal, place.middle), reach = place.reach(slab.normal);
+    return middle - reach > slab.high || middle + reach < slab.low;
+  });
+}
+
+bool FacetSlabs::is_beyond(std::uint32_t face) const {
+  const auto [a, b, c] = mesh_.triangle(FaceId(face));
+  const std::vector<Vec3>& points = mesh_.points().approx();
+  const BoxHierarchy::Frame& frame = hierarchy_.frame();
+  const std::array corners{frame.place_of(points[a]), frame.place_of(points[b]), frame.place_of(points[c])};
+  return std::ranges::any_of(slabs_, [&](const Slab& slab) {
+    const double p = dot(slab.normal, corners[0]), q = dot(slab.normal, corners[1]), r = dot(slab.normal, corners[2]);
+    return std::min(std::min(p, q), r) > slab.high || std::max(std::max(p, q), r) < slab.low;
+  });
+}
 
 class CandidateFinder {
  public:

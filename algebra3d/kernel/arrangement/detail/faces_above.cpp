@@ -5,6 +5,7 @@
 
 #include "algebra3d/kernel/exact/intersection_point.h"
 #include "algebra3d/kernel/exact/vertical_line.h"
+#include "algebra3d/kernel/search/boxes.h"
 
 namespace algebra3d::arrangement {
 namespace {
@@ -17,6 +18,16 @@ ExactPoint point_above(const PointRef& point, const TriangleRef& triangle) {
 }
 
 }  // namespace
+
+const IdTree<InputFaceId>& FaceTree::get() {
+  if (!tree_) {
+    IdTree<InputFaceId>::Boxes boxes;
+    boxes.reserve(operands_.face_count());
+    for (const InputFaceId face : operands_.faces()) boxes.add(box_of_triangle(operands_.corners(face)), face);
+    tree_.emplace(boxes.tree());
+  }
+  return *tree_;
+}
 
 bool is_cell_above_in_front(const TriangleRef& triangle) {
   // The signs of the normal's coordinates, the one that counts most first.

@@ -1,12 +1,27 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "algebra3d/base/box3.h"
-#include "algebra3d/kernel/arrangement/detail/face_tree.h"
+#include "algebra3d/kernel/arrangement/detail/id_tree.h"
+#include "algebra3d/kernel/arrangement/detail/operands.h"
 
 namespace algebra3d::arrangement {
+
+/// A tree of the boxes of all faces of all operands, made when it is first asked for.
+class FaceTree {
+ public:
+  explicit FaceTree(const Operands& operands) : operands_(operands) {}
+
+  /// The tree. Cost of the first call: n log n in all faces.
+  const IdTree<InputFaceId>& get();
+
+ private:
+  const Operands& operands_;
+  std::optional<IdTree<InputFaceId>> tree_;
+};
 
 /// True if the cell above a point of a triangle lies in front of the triangle. Exact.
 /// The cell above a point, also of one that lies on faces, is the cell in the direction (e, e^2, 1) from it, for an e >

@@ -28,7 +28,7 @@ using FacetId = StrongId<struct FacetTag>;
 /// A plane with facets in it (facets.h).
 using PlaneId = StrongId<struct PlaneTag>;
 
-/// A node: a vertex of the arrangement, as opposed to one of a mesh. Nodes are distinct points (node_pool.h).
+/// A node: a vertex of the arrangement, as opposed to one of a mesh. Nodes are distinct points (segment_complex.h).
 using NodeId = StrongId<struct NodeTag>;
 /// A segment of the segment complex (segment_complex.h).
 using SegmentId = StrongId<struct SegmentTag>;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <span>
-#include <utility>
 
 #include "algebra3d/kernel/arrangement/detail/radial_order.h"
 #include "algebra3d/kernel/arrangement/detail/sub_facets.h"

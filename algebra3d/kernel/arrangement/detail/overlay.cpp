@@ -1,20 +1,217 @@
 #include "algebra3d/kernel/arrangement/detail/overlay.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cstdint>
 #include <functional>
+#include <span>
+#include <tuple>
+#include <vector>
 
 #include "algebra3d/kernel/arrangement/detail/bucket_sort.h"
 #include "algebra3d/kernel/arrangement/detail/collinear_cuts.h"
 #include "algebra3d/kernel/arrangement/detail/crossings.h"
-#include "algebra3d/kernel/arrangement/detail/plane_overlay.h"
+#include "algebra3d/kernel/arrangement/detail/id_tree.h"
+#include "algebra3d/kernel/arrangement/detail/numbers_by_bucket.h"
 #include "algebra3d/kernel/arrangement/detail/task_sizes.h"
 #include "algebra3d/kernel/exact/exact_work.h"
+#include "algebra3d/kernel/exact/predicates.h"
 #include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::arrangement {
 namespace {
+
+/// An element of the overlay of one plane: a segment in the plane, or a node at which another facet touches the plane.
+struct PlaneElement {
+  PlaneId plane;
+  SegmentId segment;  ///< none for a node
+  NodeId from, to;    ///< the ends of the segment; for a node both are the node
+  FacetId facet;      ///< the facet of the plane that holds it; none if there are several
+  bool is_boundary;   ///< the segment bounds a facet of this plane
+
+  bool is_node() const { return segment.is_none(); }
+};
+
+/// The elements of all planes, made for one plane at a time.
+class PlaneElements {
+ public:
+  /// Cost: linear in the incidences and touches.
+  PlaneElements(const Facets& facets, const SegmentComplex& complex);
+
+  /// The elements of a plane, each once, however many facets hold it, ascending by segments. Replaces `elements`. Calls
+  /// in parallel are safe. Cost: near-linear.
+  void collect(PlaneId plane, std::vector<PlaneElement>& elements) const;
+
+ private:
+  PlaneElement element(PlaneId plane, std::size_t number) const;
+
+  const SegmentComplex& complex_;
+  NumbersByBucket by_plane_;  // incidences, then touches
+};
+
+/// Two segments that cross in a point inside of both, in a plane.
+struct SegmentCrossing {
+  PlaneId plane;
+  SegmentId first, second;
+};
+
+/// Cuts, collinear pairs and crossings of the segments of some planes, to be added to a SegmentComplex. Crossings have
+/// no nodes yet.
+struct PlaneCuts {
+  std::vector<Cut> cuts;
+  std::vector<CollinearSegments> collinear;
+  std::vector<SegmentCrossing> crossings;
+
+  /// Number of cuts, with the two of each crossing.
+  std::size_t count() const { return cuts.size() + 2 * crossings.size(); }
+};
+
+/// The order of the elements of one plane.
+bool is_less(const PlaneElement& a, const PlaneElement& b) {
+  if (a.segment != b.segment) return a.segment < b.segment;
+  return std::tuple(a.from, a.facet, a.is_boundary) < std::tuple(b.from, b.facet, b.is_boundary);
+}
+
+bool are_one(const PlaneElement& a, const PlaneElement& b) {
+  return a.segment == b.segment && a.from == b.from;
+}
+
+/// The number of an incidence, or of a touch behind all incidences.
+PlaneId plane_of(const Facets& facets, const SegmentComplex& complex, std::size_t number) {
+  const std::size_t count = complex.incidences.size();
+  return facets[number < count ? complex.incidences[number].facet : complex.touches[number - count].facet].plane;
+}
+
+/// A segment or a touched node, among the elements of one plane.
+using ElementId = StrongId<struct ElementTag>;
+using Elements = IdSpan<ElementId, const PlaneElement>;
+
+/// Cuts the segments of one plane at one another.
+class PlaneOverlay {
+ public:
+  PlaneOverlay(const Facets& facets, const SegmentComplex& complex, Elements elements, PlaneCuts& found)
+      : complex_(complex),
+        elements_(elements),
+        plane_(elements[ElementId(0)].plane),
+        projection_(facets.planes[plane_].projection),
+        found_(found) {}
+
+  void run();
+
+ private:
+  /// More elements than this are paired by a tree of their boxes.
+  static constexpr std::size_t kFewElements = 24;
+
+  Box3 box_of(const PlaneElement& element) const;
+  void relate_all_pairs();
+  void relate(const PlaneElement& a, const PlaneElement& b);
+  void relate_node(const PlaneElement& node, const PlaneElement& segment);
+  void relate_segments(const PlaneElement& a, const PlaneElement& b);
+  void cut(const PlaneElement& segment, NodeId node) { cut_if_inside(complex_, segment.segment, node, found_.cuts); }
+  int turn(NodeId a, NodeId b, NodeId c) const {
+    if (a == b || b == c || a == c) return 0;
+    return orient2d(projection_, complex_.nodes[a], complex_.nodes[b], complex_.nodes[c]);
+  }
+
+  const SegmentComplex& complex_;
+  Elements elements_;
+  PlaneId plane_;
+  Projection projection_;
+  PlaneCuts& found_;
+};
+
+Box3 PlaneOverlay::box_of(const PlaneElement& element) const {
+  Box3 box = algebra3d::box_of(complex_.nodes[element.from]);
+  box.extend(algebra3d::box_of(complex_.nodes[element.to]));
+  return box;
+}
+
+void PlaneOverlay::run() {
+  if (elements_.size() < 2) return;
+  if (elements_.size() <= kFewElements) return relate_all_pairs();
+  IdTree<ElementId>::Boxes boxes;
+  boxes.reserve(elements_.size());
+  for (const ElementId e : elements_.ids()) boxes.add(box_of(elements_[e]), e);
+  boxes.tree().for_each_pair([&](ElementId a, ElementId b) {
+    relate(elements_[a], elements_[b]);
+    return true;
+  });
+}
+
+void PlaneOverlay::relate_all_pairs() {
+  std::array<Box3, kFewElements> boxes;
+  for (const ElementId e : elements_.ids()) boxes[e.index()] = box_of(elements_[e]);
+  for (const ElementId a : elements_.ids())
+    for (const ElementId b : IdRange(ElementId(a.index() + 1), ElementId(elements_.size())))
+      if (boxes[a.index()].intersects(boxes[b.index()])) relate(elements_[a], elements_[b]);
+}
+
+void PlaneOverlay::relate(const PlaneElement& a, const PlaneElement& b) {
+  if (a.segment == b.segment) return;  // also two nodes
+  if (a.facet == b.facet && !a.facet.is_none() && (a.is_boundary || b.is_boundary)) return;
+  if (a.is_node()) return relate_node(a, b);
+  if (b.is_node()) return relate_node(b, a);
+  relate_segments(a, b);
+}
+
+void PlaneOverlay::relate_node(const PlaneElement& node, const PlaneElement& segment) {
+  if (turn(segment.from, segment.to, node.from) == 0) cut(segment, node.from);
+}
+
+void PlaneOverlay::relate_segments(const PlaneElement& a, const PlaneElement& b) {
+  const int b_from = turn(a.from, a.to, b.from), b_to = turn(a.from, a.to, b.to);
+  if (b_from == 0 && b_to == 0) return found_.collinear.push_back({a.segment, b.segment});
+  if (b_from * b_to > 0) return;
+  const int a_from = turn(b.from, b.to, a.from), a_to = turn(b.from, b.to, a.to);
+  if (a_from * a_to > 0) return;
+  if (b_from == 0) cut(a, b.from);
+  if (b_to == 0) cut(a, b.to);
+  if (a_from == 0) cut(b, a.from);
+  if (a_to == 0) cut(b, a.to);
+  if (b_from * b_to < 0 && a_from * a_to < 0) found_.crossings.push_back({plane_, a.segment, b.segment});
+}
+
+PlaneElements::PlaneElements(const Facets& facets, const SegmentComplex& complex)
+    : complex_(complex),
+      by_plane_(complex.incidences.size() + complex.touches.size(), facets.planes.size(),
+                [&](std::size_t number) { return plane_of(facets, complex, number).index(); }) {}
+
+PlaneElement PlaneElements::element(PlaneId plane, std::size_t number) const {
+  const std::size_t incidence_count = complex_.incidences.size();
+  if (number >= incidence_count) {
+    const auto& [facet, node] = complex_.touches[number - incidence_count];
+    return {plane, {}, node, node, facet, false};
+  }
+  const SegmentIncidence& incidence = complex_.incidences[number];
+  const Segment& segment = complex_.segments[incidence.segment];
+  return {plane, incidence.segment, segment.from, segment.to, incidence.facet, incidence.sides != FacetSides::both};
+}
+
+void PlaneElements::collect(PlaneId plane, std::vector<PlaneElement>& elements) const {
+  elements.clear();
+  for (const std::uint32_t number : by_plane_.of(plane.index())) elements.push_back(element(plane, number));
+  std::sort(elements.begin(), elements.end(), is_less);
+  std::size_t distinct = 0;
+  for (const PlaneElement& element : elements) {
+    if (distinct == 0 || !are_one(elements[distinct - 1], element)) {
+      elements[distinct++] = element;
+      continue;
+    }
+    PlaneElement& known = elements[distinct - 1];
+    if (known.facet != element.facet) known.facet = FacetId::none();
+    known.is_boundary |= element.is_boundary;
+  }
+  elements.resize(distinct);
+}
+
+/// Adds to `found` how the elements of one plane, at least one, cut each other. Several planes may be done in parallel.
+/// Exact. Cost: n log n in the elements and the pairs whose boxes meet.
+void overlay_plane(const Facets& facets, const SegmentComplex& complex, std::span<const PlaneElement> elements,
+                   PlaneCuts& found) {
+  PlaneOverlay(facets, complex, Elements(elements), found).run();
+}
 
 /// Cuts of garbage with coordinates of all sizes have numbers of thousands of bits, so few of them take long. The exact
 /// arithmetic within this limit takes as long as the greatest number of cuts does with short numbers.

@@ -115,6 +115,18 @@ std::vector<PairContact> contacts_of(PairSpan pairs, const Operands& operands, c
 
 }  // namespace
 
+const IntegerPlane* PlanesOfFaces::find(InputFaceId face) const {
+  if (const IntegerPlane* known = operands_->plane(face); known != nullptr) return known;
+  return computed_of_.empty() ? nullptr : computed_of_[face];
+}
+
+const IntegerPlane& PlanesOfFaces::get(InputFaceId face) {
+  if (const IntegerPlane* plane = find(face); plane != nullptr) return *plane;
+  if (computed_of_.empty()) computed_of_.resize(operands_->face_count(), nullptr);
+  computed_of_[face] = &computed_.emplace_back(IntegerPlane::through(operands_->corners(face)));
+  return *computed_of_[face];
+}
+
 Result<PairContacts> find_pair_contacts(const Operands& operands, const Candidates& candidates,
                                         const Monitor& monitor) {
   const PairSpan pairs = candidates.pairs;

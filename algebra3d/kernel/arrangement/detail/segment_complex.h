@@ -2,14 +2,67 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "algebra3d/kernel/arrangement/detail/facets.h"
-#include "algebra3d/kernel/arrangement/detail/node_pool.h"
-#include "algebra3d/kernel/arrangement/detail/plane_coefficients.h"
+#include "algebra3d/kernel/arrangement/detail/ids.h"
+#include "algebra3d/kernel/exact/plane.h"
+#include "algebra3d/kernel/exact/point_table.h"
 
 namespace algebra3d::arrangement {
+
+/// The exact coefficients of planes, per PlaneId, computed when they are asked for. From stage 4 on all stages take
+/// them from here; stages 2 and 3, which have faces and no PlaneIds yet, use PlanesOfFaces, whose results come along as
+/// Plane::coefficients.
+class PlaneCoefficients {
+ public:
+  PlaneCoefficients() = default;
+  explicit PlaneCoefficients(const Facets& facets);
+
+  /// The coefficients of a plane. `facets` must be those given to the constructor. Cost: a few products of integers at
+  /// the first call for a plane.
+  const IntegerPlane& get(const Facets& facets, PlaneId plane);
+  /// Computes the coefficients of many planes at once, each listed once, in parallel if they are very many; `get` then
+  /// finds them.
+  void compute(const Facets& facets, std::span<const PlaneId> planes);
+  /// Like `get`, but computes unknown coefficients without caching them. For stage 9, where the complex is constant.
+  IntegerPlane find_or_compute(const Facets& facets, PlaneId plane) const;
+
+ private:
+  IdVector<PlaneId, IntegerPlane> known_;  // null: not asked for yet
+};
+
+/// The nodes of an arrangement: distinct points, numbered from 0 in order of first use, so that ids depend on nothing
+/// but the order of the calls.
+class NodePool {
+ public:
+  NodePool() = default;
+  /// With capacity for `expected_count` nodes.
+  explicit NodePool(std::size_t expected_count) : points_(expected_count) {}
+
+  /// The node at the point, which is added if it is new. Cost: constant expected.
+  NodeId intern(const PointRef& point) { return NodeId(points_.intern(point)); }
+
+  /// Frees what finding points takes: no more are added.
+  void finish() { points_.finish(); }
+
+  PointRef operator[](NodeId node) const { return points_[node.index()]; }
+  std::size_t size() const { return points_.size(); }
+  IdRange<NodeId> ids() const { return IdRange<NodeId>(size()); }
+  /// The points by the indices of their nodes.
+  const PointTable& points() const { return points_; }
+
+  /// The exact point half-way between two nodes.
+  ExactPoint middle(NodeId a, NodeId b) const {
+    return ExactPoint(Rational(1, 2) * ((*this)[a].rational() + (*this)[b].rational()));
+  }
+
+ private:
+  PointTable points_;
+};
 
 /// A straight piece between two nodes: an edge of an operand that bounds a facet, or the common part of two facets, or
 /// both. There is only one segment between two nodes, even if several edges and common parts run between them.
@@ -29,6 +82,7 @@ enum class FacetSides : std::uint8_t { both, left, right };
 constexpr bool includes(FacetSides sides, Side side) {
   return sides != (side == Side::left ? FacetSides::right : FacetSides::left);
 }
+
 /// The sides with left and right exchanged, as seen when walking the other way.
 constexpr FacetSides opposite(FacetSides sides) {
   constexpr std::array<FacetSides, 3> kOpposites{FacetSides::both, FacetSides::right, FacetSides::left};

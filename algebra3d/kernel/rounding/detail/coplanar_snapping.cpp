@@ -9,12 +9,112 @@
 
 #include "algebra3d/base/box3.h"
 #include "algebra3d/kernel/arrangement/coplanar_facets.h"
-#include "algebra3d/kernel/rounding/detail/snapped_vertices.h"
+#include "algebra3d/kernel/exact/plane.h"
 #include "algebra3d/kernel/search/boxes.h"
+#include "base/id_vector.h"
 #include "rtree/rtree.h"
 
 namespace algebra3d {
 namespace {
+
+/// The vertices of a mesh while they are moved into planes; each has up to three planes that it must not leave. Exact.
+class SnappedVertices {
+ public:
+  /// The mesh must outlive this. No vertex moves farther than `farthest` from its place there.
+  SnappedVertices(const TriangleMesh& mesh, double farthest)
+      : mesh_(mesh), farthest_(farthest), moving_(mesh.vertex_count()) {}
+
+  /// The place of a vertex now.
+  RationalVec3 place(VertexId vertex) const;
+  /// The nearest point of the plane that also lies in all planes which the vertex must not leave; none if there is
+  /// none, or if it is too far away.
+  std::optional<RationalVec3> place_in(const ExactPlane& plane, VertexId vertex) const;
+  /// Moves a vertex to a point in all its planes.
+  void move(VertexId vertex, RationalVec3 to);
+  /// Adds a plane that the vertex, which lies in it, must not leave.
+  void keep_in(const ExactPlane& plane, VertexId vertex);
+
+  /// The positions of all vertices, with the distances from the old ones.
+  MovedVertices result() const;
+
+ private:
+  struct MovingVertex {
+    RationalVec3 place;
+    std::vector<ExactPlane> planes;
+  };
+
+  MovingVertex& moving(VertexId vertex);
+  std::span<const ExactPlane> kept_planes(VertexId vertex) const;
+
+  const TriangleMesh& mesh_;
+  double farthest_;
+  IdVector<VertexId, std::optional<MovingVertex>> moving_;
+};
+
+/// The direction in which a point gets to a plane without leaving those that it lies in; zero if it cannot.
+RationalVec3 way_to(const ExactPlane& plane, std::span<const ExactPlane> kept) {
+  switch (kept.size()) {
+    case 0:
+      return plane.normal;
+    case 1:
+      return dot(kept[0].normal, kept[0].normal) * plane.normal - dot(kept[0].normal, plane.normal) * kept[0].normal;
+    case 2:
+      return cross(kept[0].normal, kept[1].normal);
+    default:
+      return {};
+  }
+}
+
+/// The length; rounded.
+double length(const RationalVec3& v) {
+  return std::hypot(v.x.nearest_double(), v.y.nearest_double(), v.z.nearest_double());
+}
+
+RationalVec3 SnappedVertices::place(VertexId vertex) const {
+  return moving_[vertex] ? moving_[vertex]->place : mesh_.point(vertex).rational();
+}
+
+SnappedVertices::MovingVertex& SnappedVertices::moving(VertexId vertex) {
+  if (!moving_[vertex]) moving_[vertex] = MovingVertex{place(vertex), {}};
+  return *moving_[vertex];
+}
+
+std::span<const ExactPlane> SnappedVertices::kept_planes(VertexId vertex) const {
+  if (!moving_[vertex]) return {};
+  return moving_[vertex]->planes;
+}
+
+std::optional<RationalVec3> SnappedVertices::place_in(const ExactPlane& plane, VertexId vertex) const {
+  const RationalVec3 from = place(vertex);
+  const Rational height = plane.evaluate(from);
+  if (height.sign() == 0) return from;
+  const RationalVec3 way = way_to(plane, kept_planes(vertex));
+  const Rational climb = dot(way, plane.normal);
+  if (climb.sign() == 0) return std::nullopt;
+  const RationalVec3 to = from - (height / climb) * way;
+  if (!(length(to - mesh_.point(vertex).rational()) <= farthest_)) return std::nullopt;
+  return to;
+}
+
+void SnappedVertices::move(VertexId vertex, RationalVec3 to) {
+  moving(vertex).place = std::move(to);
+}
+
+void SnappedVertices::keep_in(const ExactPlane& plane, VertexId vertex) {
+  MovingVertex& kept = moving(vertex);
+  const bool is_new = dot(way_to(plane, kept.planes), plane.normal).sign() != 0;
+  if (is_new) kept.planes.push_back(plane);
+}
+
+MovedVertices SnappedVertices::result() const {
+  MovedVertices moved;
+  for (const VertexId v : moving_.ids()) {
+    const ExactPoint given = mesh_.points().point(v.index());
+    moved.points.push_back(moving_[v] ? ExactPoint(moving_[v]->place) : given);
+    moved.movements.push_back(moving_[v] ? length(moving_[v]->place - given.rational()) : 0);
+  }
+  return moved;
+}
 
 constexpr double kFarthest = 4;  // in terms of the reach
 

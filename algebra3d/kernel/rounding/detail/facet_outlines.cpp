@@ -1,16 +1,180 @@
 #include "algebra3d/kernel/rounding/detail/facet_outlines.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "algebra3d/base/box3.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
-#include "algebra3d/kernel/rounding/detail/outline_crossings.h"
-#include "algebra3d/kernel/rounding/detail/passed_points.h"
+#include "algebra3d/kernel/search/boxes.h"
+#include "rtree/rtree.h"
 
 namespace algebra3d {
 namespace {
+
+/// Says whether a point is a corner of a facet along a chain.
+class CommonFacets {
+ public:
+  explicit CommonFacets(const FacetOutlines& outlines) {
+    for (const OutlineChain& side : outlines.outline_chains()) {
+      const auto [from, to] = outlines.chains().ends({side.chain, 0});
+      facets_of_points_.emplace_back(from, side.facet);
+      facets_of_points_.emplace_back(to, side.facet);
+      facets_of_chains_.emplace_back(side.chain, side.facet);
+    }
+    std::ranges::sort(facets_of_points_);
+    std::ranges::sort(facets_of_chains_);
+  }
+
+  bool is_any(ChainId chain, PointId point) const {
+    auto place = std::ranges::lower_bound(facets_of_chains_, std::pair(chain, CoplanarFacetId(0)));
+    for (; place != facets_of_chains_.end() && place->first == chain; ++place)
+      if (std::ranges::binary_search(facets_of_points_, std::pair(point, place->second))) return true;
+    return false;
+  }
+
+ private:
+  std::vector<std::pair<PointId, CoplanarFacetId>> facets_of_points_;
+  std::vector<std::pair<ChainId, CoplanarFacetId>> facets_of_chains_;
+};
+
+/// Notes that chains are to be routed through points which they may have passed over when their ends moved: corners of
+/// a facet along the chain that are no farther from it than the chain and the corner together may have moved. Requires
+/// straight chains. If `monitor` is cancelled, some are left out. Cost: n log n.
+void route_through_passed_points(FacetOutlines& outlines, const Monitor& monitor) {
+  const MovedPoints& points = outlines.points();
+  EdgeChains& chains = outlines.chains();
+  IdVector<ChainId, double> movements(chains.ids().size());
+  IdVector<PointId, bool> is_corner(points.points.size());
+  std::vector<rtree::Entry<std::uint32_t>> entries;
+  for (const ChainId chain : chains.ids()) {
+    const auto [from, to] = chains.ends({chain, 0});
+    movements[chain] = std::max(points.movements[from], points.movements[to]);
+    is_corner[from] = is_corner[to] = true;
+    const Box3 box = unite(Box3::of(points.points[from]), Box3::of(points.points[to]));
+    entries.push_back({padded(box, movements[chain]), chain.index()});
+  }
+  const auto tree = rtree::RTree<std::uint32_t>::bulk_load(entries);
+  std::optional<CommonFacets> common;  // hardly ever asked for
+  for (const PointId point : points.points.ids()) {
+    if (!is_corner[point]) continue;
+    if (monitor.is_cancelled()) return;
+    const double movement = points.movements[point];
+    for (const std::uint32_t number : tree.window(padded(Box3::of(points.points[point]), movement))) {
+      const ChainId chain(number);
+      const double reach = movement + movements[chain];
+      if (!(reach > 0 && chains.distance({chain, 0}, point) <= reach)) continue;
+      if (!common) common.emplace(outlines);
+      if (common->is_any(chain, point)) chains.route_through({chain, 0}, point);
+    }
+  }
+}
+
+/// No edge is led farther aside, to avoid a crossing, than by so many times the largest movement of a vertex.
+constexpr double kFarthestDetour = 2;
+
+class CrossingResolver {
+ public:
+  explicit CrossingResolver(FacetOutlines& outlines) : outlines_(outlines), chains_(outlines.chains()) {}
+
+  void run(const std::vector<OutlineLink>& links, const Monitor& monitor);
+  std::vector<CoplanarFacetId> given_up() && { return std::move(given_up_); }
+
+ private:
+  void resolve(CoplanarFacetId facet, ChainLink one, ChainLink other);
+  bool route_through_inner_end(CoplanarFacetId facet, ChainLink link, ChainLink crossing);
+  bool cross(CoplanarFacetId facet, ChainLink one, ChainLink other) const;
+  void route(CoplanarFacetId facet, ChainLink link, PointId point);
+  Box3 box_of_link(const OutlineLink& link) const;
+
+  FacetOutlines& outlines_;
+  EdgeChains& chains_;
+  std::vector<CoplanarFacetId> given_up_;
+};
+
+/// Routes a link through a point, unless that is too far aside.
+void CrossingResolver::route(CoplanarFacetId facet, ChainLink link, PointId point) {
+  const double detour = chains_.detour(link.chain) + chains_.distance(link, point);
+  if (detour <= kFarthestDetour * outlines_.points().largest_movement)
+    chains_.route_through(link, point);
+  else
+    given_up_.push_back(facet);
+}
+
+/// Routes the first link through an end of the other that lies on it. False if there is none.
+bool CrossingResolver::route_through_inner_end(CoplanarFacetId facet, ChainLink link, ChainLink crossing) {
+  const auto [from, to] = chains_.ends(link);
+  const auto lies_inside = [&, from = from, to = to](PointId end) {
+    return end != from && end != to &&
+           outlines_.orientation(outlines_.facets().projection(facet), from, to, end) == 0 &&
+           std::isfinite(chains_.distance(link, end));
+  };
+  const auto [a, b] = chains_.ends(crossing);
+  if (!lies_inside(a) && !lies_inside(b)) return false;
+  route(facet, link, lies_inside(a) ? a : b);
+  return true;
+}
+
+/// True if the ends of each link lie on different sides of the other one.
+bool CrossingResolver::cross(CoplanarFacetId facet, ChainLink one, ChainLink other) const {
+  const Projection plane = outlines_.facets().projection(facet);
+  const auto separates = [&](const std::pair<PointId, PointId>& line, const std::pair<PointId, PointId>& ends) {
+    return outlines_.orientation(plane, line.first, line.second, ends.first) *
+               outlines_.orientation(plane, line.first, line.second, ends.second) <
+           0;
+  };
+  return separates(chains_.ends(one), chains_.ends(other)) && separates(chains_.ends(other), chains_.ends(one));
+}
+
+/// Where two links cross, one is routed through that end of the other which is nearest to it.
+void CrossingResolver::resolve(CoplanarFacetId facet, ChainLink one, ChainLink other) {
+  if (route_through_inner_end(facet, one, other) || route_through_inner_end(facet, other, one)) return;
+  if (!cross(facet, one, other)) return;
+  const auto [p, q] = chains_.ends(one);
+  const auto [r, s] = chains_.ends(other);
+  const std::array<std::pair<ChainLink, PointId>, 4> ways{{{one, r}, {one, s}, {other, p}, {other, q}}};
+  const auto distance = [&](const auto& way) { return chains_.distance(way.first, way.second); };
+  const auto& [link, point] = std::ranges::min(ways, {}, distance);
+  route(facet, link, point);
+}
+
+/// With the facet's number in place of the coordinate that the projection forgets, so that only links of one facet
+/// meet.
+Box3 CrossingResolver::box_of_link(const OutlineLink& link) const {
+  const Projection plane = outlines_.facets().projection(link.facet);
+  const std::size_t across = 3 - first_axis(plane) - second_axis(plane);
+  const auto [from, to] = chains_.ends(link.link);
+  const PointTable& table = outlines_.points().table;
+  Box3 box = unite(box_of(table[from.index()]), box_of(table[to.index()]));
+  box.min[across] = box.max[across] = link.facet.index();
+  return box;
+}
+
+void CrossingResolver::run(const std::vector<OutlineLink>& links, const Monitor& monitor) {
+  std::vector<rtree::Entry<std::uint32_t>> entries;
+  entries.reserve(links.size());
+  for (std::uint32_t i = 0; i < links.size(); ++i) entries.push_back({box_of_link(links[i]), i});
+  rtree::for_each_pair(rtree::RTree<std::uint32_t>::bulk_load(entries), [&](std::uint32_t i, std::uint32_t j) {
+    if (monitor.is_cancelled()) return;
+    const ChainLink &a = links[i].link, &b = links[j].link;
+    const bool is_same_link = a.chain == b.chain && a.index == b.index;
+    if (links[i].facet == links[j].facet && !is_same_link) resolve(links[i].facet, a, b);
+  });
+}
+
+/// For every two links of one outline that cross or touch: notes that one of them is to be routed through the nearest
+/// end of the other. Returns the facets of which a link would have to lead too far aside: their outlines are to be
+/// given up. If `monitor` is cancelled, some are left out. Cost: n log n in the links.
+std::vector<CoplanarFacetId> resolve_crossings(FacetOutlines& outlines, const std::vector<OutlineLink>& links,
+                                               const Monitor& monitor) {
+  CrossingResolver resolver(outlines);
+  resolver.run(links, monitor);
+  return std::move(resolver).given_up();
+}
 
 /// Edges that still cross after so many rounds are left to those who divide the mesh at itself.
 constexpr int kMaxRounds = 4;

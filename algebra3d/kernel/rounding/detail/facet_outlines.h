@@ -38,9 +38,9 @@ struct FacetOutline {
 
 /// The outlines of the coplanar facets of a mesh of which vertices have moved: an outline is made of chains, a chain of
 /// links (edge_chains.h). Edges that lie upon each other now are one chain. Chains lead through every point that their
-/// edge may have passed over, for all facets along it (passed_points.h). Where two links of one outline still cross,
-/// one of them is led through the nearest end of the other, in a few rounds (outline_crossings.h). Source: the hot
-/// pixels of [hobby1999], here about segments in space.
+/// edge may have passed over, for all facets along it. Where two links of one outline still cross, one of them is led
+/// through the nearest end of the other, in a few rounds. Source: the hot pixels of [hobby1999], here about segments in
+/// space.
 class FacetOutlines {
  public:
   /// The mesh must outlive this. If `monitor` is cancelled, the outlines mean nothing. Cost: n log n.

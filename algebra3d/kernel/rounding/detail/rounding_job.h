@@ -63,7 +63,7 @@ Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVe
 
 /// The rounding of a mesh while methods make candidates: the given mesh, and the nearest candidate that was proved so
 /// far. The differences between solids and surfaces are in the classes that derive from this (solid_rounding.h,
-/// surface_rounding.h).
+/// rounded_surface.cpp).
 class RoundingJob {
  public:
   RoundingJob(const RoundingJob&) = delete;

@@ -1,17 +1,20 @@
 #include "algebra3d/kernel/rounding/detail/rounding_rungs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "algebra3d/kernel/distance/covering_bound.h"
+#include "algebra3d/kernel/distance/distance_bound.h"
+#include "algebra3d/kernel/exact/point_table.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/edge_balance.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/rounding/detail/cell_cover.h"
 #include "algebra3d/kernel/rounding/detail/coplanar_snapping.h"
 #include "algebra3d/kernel/rounding/detail/feature_snapping.h"
@@ -19,12 +22,60 @@
 #include "algebra3d/kernel/rounding/detail/rounded_vertices.h"
 #include "algebra3d/kernel/rounding/detail/snap_rounding.h"
 #include "algebra3d/kernel/rounding/detail/solid_part.h"
-#include "algebra3d/kernel/rounding/detail/turn_distance.h"
+#include "algebra3d/kernel/search/box_hierarchy.h"
 #include "algebra3d/kernel/validity/validity.h"
 #include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
+
+/// How many pieces a bound by pieces of triangles may take, a microsecond or two each.
+constexpr std::size_t kMaxPieces = 1'000'000;
+
+/// The corners of a face by the numbers of their places, ascending; kNone for places that are not in the table.
+std::array<std::uint32_t, 3> places_of(const TriangleMesh& mesh, FaceId face, const PointTable& places) {
+  std::array<std::uint32_t, 3> result{};
+  std::ranges::transform(mesh.corners(face), result.begin(), [&](const PointRef& p) { return places.find(p); });
+  std::ranges::sort(result);
+  return result;
+}
+
+/// The faces of a mesh that have not the corners of one of another mesh.
+std::vector<FaceId> faces_that_differ(const TriangleMesh& mesh, const TriangleMesh& other) {
+  PointTable places(other.vertex_count());
+  for (std::size_t v = 0; v < other.vertex_count(); ++v) places.intern(other.points()[v]);
+  std::vector<std::array<std::uint32_t, 3>> known;
+  known.reserve(other.face_count());
+  for (const FaceId face : faces(other)) known.push_back(places_of(other, face, places));
+  std::ranges::sort(known);
+  std::vector<FaceId> result;
+  for (const FaceId face : faces(mesh))
+    if (!std::ranges::binary_search(known, places_of(mesh, face, places))) result.push_back(face);
+  return result;
+}
+
+/// Replaces the distance of a candidate of several turns, which is a sum over the turns, by a bound measured against
+/// `first`, the candidate before the first turn: faces that both have are at distance 0. `small`: distances up to that
+/// need no better bound. `farthest`: the largest distance of one turn. Errors: interrupted. Cost: linear, and that of
+/// bounded_distance and covering_bound for the other faces.
+Status tighten_distance(RoundingCandidate& candidate, const RoundingCandidate& first, double small, double farthest,
+                        const std::atomic<bool>* cancel) {
+  double distance = candidate.movement.distance - first.movement.distance;
+  if (distance <= small) return {};
+  const BoxHierarchy hierarchy(first.mesh);
+  const DistanceOperand from_first{&first.mesh, &hierarchy};
+  const TriangleMesh changed = submesh(candidate.mesh, faces_that_differ(candidate.mesh, first.mesh));
+  if (distance > farthest) {
+    A3D_ASSIGN(distance, bounded_distance(changed, distance, from_first, std::max(small, farthest), cancel));
+  }
+  if (distance > small) {  // near needles that bound, and that of one turn, may be far too large
+    A3D_ASSIGN(const std::optional<double> covering,
+               covering_bound(changed, from_first, small / 4, kMaxPieces, cancel));
+    distance = std::min(distance, covering.value_or(distance));
+  }
+  candidate.movement.distance = first.movement.distance + distance;
+  return {};
+}
 
 /// More crowded vertices are not made coplanar: that takes rationals, whose digits multiply where many facets are near.
 constexpr std::ptrdiff_t kMaxCrowded = 1000;
@@ -118,6 +169,19 @@ void take(RoundingCandidate& candidate, FeatureSnappedMesh joined) {
   if (joined.reach > 0) candidate.method = std::max(candidate.method, RoundingMethod::features_joined);
 }
 
+/// Joins features of the mesh whose facets were made coplanar within a reach in coordinate units.
+Result<bool> join_moved(RoundingJob& job, const MovedVertices& moved, double reach, double largest_reach) {
+  A3D_ASSIGN(SnappedMesh snapped, snap_round(job.mesh(), moved, job.cancel()));
+  const double farthest = std::ranges::max(moved.movements);
+  RoundingCandidate coplanar{std::move(snapped.mesh), Movement(rounded_up(farthest + snapped.largest_detour)), reach,
+                             RoundingMethod::facets_made_coplanar};
+  const std::size_t max_pairs = kCoplanarPairs * job.mesh().face_count() + kLeastCoplanarPairs;
+  A3D_ASSIGN(std::optional<TriangleMesh> divided, job.divided(coplanar.mesh, max_pairs));
+  A3D_ASSIGN(const bool is_divided, round_divided(job, std::move(divided), coplanar, job.grid()));
+  return is_divided ? join_features(job, std::move(coplanar), job.grid(), {largest_reach, largest_reach})
+                    : Result<bool>(false);
+}
+
 }  // namespace
 
 Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate) {
@@ -173,23 +237,6 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
   }
   return false;
 }
-
-namespace {
-
-/// Joins features of the mesh whose facets were made coplanar within a reach in coordinate units.
-Result<bool> join_moved(RoundingJob& job, const MovedVertices& moved, double reach, double largest_reach) {
-  A3D_ASSIGN(SnappedMesh snapped, snap_round(job.mesh(), moved, job.cancel()));
-  const double farthest = std::ranges::max(moved.movements);
-  RoundingCandidate coplanar{std::move(snapped.mesh), Movement(rounded_up(farthest + snapped.largest_detour)), reach,
-                             RoundingMethod::facets_made_coplanar};
-  const std::size_t max_pairs = kCoplanarPairs * job.mesh().face_count() + kLeastCoplanarPairs;
-  A3D_ASSIGN(std::optional<TriangleMesh> divided, job.divided(coplanar.mesh, max_pairs));
-  A3D_ASSIGN(const bool is_divided, round_divided(job, std::move(divided), coplanar, job.grid()));
-  return is_divided ? join_features(job, std::move(coplanar), job.grid(), {largest_reach, largest_reach})
-                    : Result<bool>(false);
-}
-
-}  // namespace
 
 Result<std::vector<bool>> crowded_vertices(const RoundingJob& job, const TriangleMesh& snapped) {
   A3D_ASSIGN(const std::vector<Entanglement> entanglements, disentangle(snapped, job.cancel()));
