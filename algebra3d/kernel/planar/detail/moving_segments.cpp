@@ -2,10 +2,32 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
+#include <cmath>
+#include <utility>
 
 namespace algebra3d {
 namespace {
+
+/// A linear function of time: `start` at s = 0, `start + change` at s = 1.
+struct Linear {
+  Rational start, change;
+};
+
+Linear operator-(const Linear& p, const Linear& q) {
+  return {p.start - q.start, p.change - q.change};
+}
+
+Quadratic operator*(const Linear& p, const Linear& q) {
+  return {p.change * q.change, p.start * q.change + p.change * q.start, p.start * q.start};
+}
+
+bool is_within_unit(const Surd& s) {
+  return s.sign() > 0 && Surd{s.whole - 1, s.factor, s.radicand}.sign() < 0;
+}
+
+void append_if_within_unit(Surd root, std::vector<Surd>& roots) {
+  if (is_within_unit(root)) roots.push_back(std::move(root));
+}
 
 struct MovingVector {
   Linear x, y;
@@ -15,15 +37,19 @@ Linear moving_coordinate(const MovingPoint& point, std::size_t axis) {
   const Rational start = point.start.coordinate(axis);
   return {start, point.end.coordinate(axis) - start};
 }
+
 MovingVector moving_position(const MovingPoint& point) {
   return {moving_coordinate(point, 0), moving_coordinate(point, 1)};
 }
+
 MovingVector operator-(const MovingVector& a, const MovingVector& b) {
   return {a.x - b.x, a.y - b.y};
 }
+
 Quadratic cross(const MovingVector& a, const MovingVector& b) {
   return a.x * b.y - a.y * b.x;
 }
+
 Quadratic dot(const MovingVector& a, const MovingVector& b) {
   return a.x * b.x + a.y * b.y;
 }
@@ -99,6 +125,54 @@ bool is_forbidden(SegmentIntersection intersection, bool may_touch) {
 }
 
 }  // namespace
+
+int Surd::sign() const {
+  const int of_whole = whole.sign();
+  const int of_root = radicand.sign() == 0 ? 0 : factor.sign();
+  if (of_root == 0 || of_whole == of_root) return of_whole;
+  if (of_whole == 0) return of_root;
+  // Of different signs: the larger square decides.
+  const auto order = whole * whole <=> factor * factor * radicand;
+  return order > 0 ? of_whole : order < 0 ? of_root : 0;
+}
+
+double Surd::approx() const {
+  return whole.nearest_double() + factor.nearest_double() * std::sqrt(radicand.nearest_double());
+}
+
+Surd Quadratic::at(const Surd& s) const {
+  if (s.factor.sign() == 0 || s.radicand.sign() == 0) return {(a * s.whole + b) * s.whole + c};
+  return {a * (s.whole * s.whole + s.factor * s.factor * s.radicand) + b * s.whole + c,
+          (2 * a * s.whole + b) * s.factor, s.radicand};
+}
+
+int Quadratic::sign_at(const Moment& moment) const {
+  const int sign = at(moment.s).sign();
+  if (sign != 0 || !moment.is_right_after) return sign;
+  const int slope = Quadratic{0, 2 * a, b}.at(moment.s).sign();
+  return slope != 0 ? slope : a.sign();
+}
+
+void Quadratic::append_roots(std::vector<Surd>& roots) const {
+  if (a.sign() == 0) {
+    if (b.sign() != 0) append_if_within_unit({-c / b}, roots);
+    return;
+  }
+  const Rational discriminant = b * b - 4 * a * c;
+  if (discriminant.sign() < 0) return;
+  const Rational half = 1 / (2 * a);
+  if (discriminant.sign() == 0) return append_if_within_unit({-b * half}, roots);
+  append_if_within_unit({-b * half, half, discriminant}, roots);
+  append_if_within_unit({-b * half, -half, discriminant}, roots);
+}
+
+Quadratic operator+(const Quadratic& p, const Quadratic& q) {
+  return {p.a + q.a, p.b + q.b, p.c + q.c};
+}
+
+Quadratic operator-(const Quadratic& p, const Quadratic& q) {
+  return {p.a - q.a, p.b - q.b, p.c - q.c};
+}
 
 std::optional<Moment> vanishing(const MovingSegment& segment) {
   const MovingVector vector = moving_position(segment.to) - moving_position(segment.from);

@@ -2,21 +2,153 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <numbers>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/box3.h"
+#include "algebra3d/kernel/exact/predicates.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/topology.h"
-#include "algebra3d/kernel/repair/detail/cover_test.h"
-#include "algebra3d/kernel/repair/detail/hole_loops.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "algebra3d/kernel/repair/scaled_triangles.h"
 #include "algebra3d/kernel/search/boxes.h"
+#include "algebra3d/kernel/soup/loop_triangulation.h"
+#include "base/id_vector.h"
 #include "base/propagate.h"
+#include "base/strong_id.h"
+#include "rtree/rtree.h"
 
 namespace algebra3d {
 namespace {
+
+/// A HoleLoop.
+using HoleId = StrongId<struct HoleTag>;
+
+/// A simple closed boundary loop with the data for triangulating a cover. In the direction in which new triangles run
+/// along it.
+struct HoleLoop {
+  std::vector<VertexId> vertices;
+  Loop loop;        ///< the same corners as points, and per edge the corner of the triangle beyond it
+  FaceId triangle;  ///< any triangle at the loop: shows the connected component
+
+  /// The box around the loop.
+  Box3 box() const;
+  /// The diagonal of its box, in coordinate units.
+  double diameter() const;
+};
+
+using HalfedgePath = std::vector<HalfedgeId>;
+
+/// The parts of a loop between visits of the same vertex, each a loop by itself.
+std::vector<HalfedgePath> simple_loops(const TriangleMesh& mesh, const HalfedgePath& loop) {
+  std::vector<HalfedgePath> result;
+  HalfedgePath path;
+  std::unordered_map<VertexId, std::size_t> places;  // in the path, of the origins
+  for (const HalfedgeId h : loop) {
+    places[mesh.origin(h)] = path.size();
+    path.push_back(h);
+    const auto known = places.find(mesh.target(h));
+    if (known == places.end()) continue;
+    const auto start = path.begin() + static_cast<std::ptrdiff_t>(known->second);
+    for (auto g = start; g != path.end(); ++g) places.erase(mesh.origin(*g));
+    result.emplace_back(start, path.end());
+    path.erase(start, path.end());
+  }
+  return result;
+}
+
+/// New triangles run against the boundary.
+HoleLoop hole_of(const TriangleMesh& mesh, const HalfedgePath& boundary) {
+  HoleLoop hole;
+  hole.triangle = TriangleMesh::face(boundary[0]);
+  for (std::size_t i = boundary.size(); i-- > 0;) {
+    const VertexId from = mesh.target(boundary[i]);
+    hole.vertices.push_back(from);
+    hole.loop.corners.push_back(mesh.point(from).approx);
+    hole.loop.beyond.push_back(mesh.point(mesh.origin(TriangleMesh::prev(boundary[i]))).approx);
+  }
+  return hole;
+}
+
+Box3 HoleLoop::box() const {
+  Box3 box;
+  for (const Vec3& corner : loop.corners) box.extend(corner);
+  return box;
+}
+
+double HoleLoop::diameter() const {
+  const Box3 around = box();
+  return length(around.max - around.min);
+}
+
+/// The simple boundary loops of a mesh; loops that visit a vertex more than once are cut there. Cost: linear.
+IdVector<HoleId, HoleLoop> hole_loops(const TriangleMesh& mesh) {
+  IdVector<HoleId, HoleLoop> result;
+  for (const BoundaryLoop& boundary : boundary_loops(mesh))
+    for (const HalfedgePath& loop : simple_loops(mesh, boundary.halfedges))
+      if (loop.size() >= 3) result.push_back(hole_of(mesh, loop));
+  return result;
+}
+
+/// Tests whether triangles that close a hole would cut the surface around it.
+class CoverTest {
+ public:
+  /// Collects the triangles near the holes. The soup must outlive this; triangles added later are ignored.
+  CoverTest(const IndexedSoup& soup, const IdVector<HoleId, HoleLoop>& holes);
+
+  /// True if a triangle of the cover is degenerate, or meets a triangle of the soup in more than common corners and
+  /// edges. At most 10,000 triangles are looked at, and 100 more per triangle of the cover; others count as not cut.
+  bool cuts_surface(const std::vector<TriangleMesh::Triangle>& cover) const;
+
+ private:
+  bool cuts(const TriangleMesh::Triangle& triangle, FaceId other) const;
+
+  const IndexedSoup& soup_;
+  rtree::RTree<std::uint32_t> tree_;
+};
+
+TriangleRef corners_of(const IndexedSoup& soup, const TriangleMesh::Triangle& t) {
+  return {soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]};
+}
+
+CoverTest::CoverTest(const IndexedSoup& soup, const IdVector<HoleId, HoleLoop>& holes) : soup_(soup) {
+  std::vector<rtree::Entry<std::uint32_t>> hole_boxes, boxes;
+  for (const HoleLoop& hole : holes) hole_boxes.push_back({hole.box(), 0});
+  const auto hole_tree = rtree::RTree<std::uint32_t>::bulk_load(hole_boxes);
+  const auto mesh = soup.mesh();
+  for (const FaceId face : faces(*mesh)) {
+    const Box3 box = box_of_triangle(mesh->corners(face));
+    auto near = hole_tree.window(box);
+    if (near.next()) boxes.push_back({box, face.index()});
+  }
+  tree_ = rtree::RTree<std::uint32_t>::bulk_load(boxes);
+}
+
+bool CoverTest::cuts(const TriangleMesh::Triangle& triangle, FaceId other) const {
+  const TriangleMesh::Triangle& corners = soup_.triangles[other];
+  const auto is_common = [&](std::uint32_t corner) { return std::ranges::find(corners, corner) != corners.end(); };
+  const auto common = std::ranges::count_if(triangle, is_common);
+  const Contact contact = intersect_triangles(corners_of(soup_, triangle), corners_of(soup_, corners));
+  if (common == 0) return contact != Contact::none;
+  return common == 1 ? contact > Contact::point : contact > Contact::segment;
+}
+
+bool CoverTest::cuts_surface(const std::vector<TriangleMesh::Triangle>& cover) const {
+  std::size_t looks_left = 10'000 + 100 * cover.size();
+  for (const TriangleMesh::Triangle& triangle : cover) {
+    const TriangleRef corners = corners_of(soup_, triangle);
+    if (collinear(corners[0], corners[1], corners[2])) return true;
+    for (const std::uint32_t other : tree_.window(box_of_triangle(corners))) {
+      if (looks_left-- == 0) return false;
+      if (cuts(triangle, FaceId(other))) return true;
+    }
+  }
+  return false;
+}
 
 /// A bound of the distance between a point of the triangle and the nearest of its corners.
 double reach_of(const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -7,13 +7,21 @@
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/kernel/autorefinement/valid_parts.h"
+#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "algebra3d/kernel/repair/detail/known_triangles.h"
-#include "algebra3d/kernel/repair/detail/lost_parts.h"
 #include "algebra3d/kernel/repair/detail/repair_amounts.h"
 #include "algebra3d/kernel/repair/detail/repaired_solid.h"
 #include "algebra3d/kernel/repair/detail/soup_repair.h"
+#include "algebra3d/kernel/repair/repair_report.h"
+#include "base/id_vector.h"
 
 namespace algebra3d {
+
+/// Lost patches: manifold patches of a mesh none of whose corners is a corner of the solid that was made of it.
+struct LostPatches {
+  bool is_any = false;
+  IdVector<FaceId, bool> is_in_closed_one;  ///< per face: whether it is in a lost patch without a boundary
+};
 
 /// One repair of given triangles, by one strategy (repair_strategy.h); `repaired_solid` makes some of them and chooses.
 /// The steps before triangles are divided are those of SoupRepair; division and measurement are here. Order of calls:

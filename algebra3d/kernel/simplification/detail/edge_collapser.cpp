@@ -1,6 +1,5 @@
 #include "algebra3d/kernel/simplification/detail/edge_collapser.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>

@@ -1,12 +1,37 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "algebra3d/kernel/exact/predicates_filter.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
-#include "algebra3d/kernel/validity/detail/facing_regions.h"
+#include "base/id_vector.h"
 
 namespace algebra3d {
+
+using RegionId = StrongId<struct RegionTag>;
+
+/// One of the six directions along the axes.
+struct AxisDirection {
+  Projection projection = Projection::xy;  ///< along the axis
+  bool is_negative = false;
+};
+
+/// Connected faces that all show their front in one direction.
+struct FacingRegion {
+  std::optional<AxisDirection> direction;  ///< none: a single face that may be degenerate
+  FaceId first;                            ///< the lowest face
+  std::uint32_t face_count = 1;
+};
+
+/// The faces of a mesh divided into regions that are connected across manifold edges and face one direction; seen along
+/// it, every triangle turns counter-clockwise. Exact. A face for which no direction can be determined from its doubles
+/// is a region by itself.
+struct FacingRegions {
+  IdVector<FaceId, RegionId> of_face;
+  IdVector<RegionId, FacingRegion> regions;  ///< in order of their lowest faces
+};
 
 /// Regions of a mesh that are proved to be height fields: seen along an axis, no two of their triangles overlap. So two
 /// faces of one field share nothing, one point, or a whole common edge; none is degenerate, no two have the same
