@@ -1,4 +1,5 @@
 // convexHull, boundingSphere, minimalBox, boundingCylinder: of points, boxes, surfaces and solids.
+
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -12,21 +13,43 @@
 #include "algebra3d/kernel/convex/enclosing_ball.h"
 #include "algebra3d/kernel/convex/minimal_box.h"
 #include "algebra3d/operators/descriptions/all.h"
-#include "algebra3d/operators/descriptions/detail/point_arrays.h"
 #include "algebra3d/operators/descriptions/detail/sample_values.h"
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/box_corners.h"
 #include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
 
+PointArray spanning_points(const Points3d& set) {
+  PointArray points;
+  points.reserve(set.points().size());
+  for (const ExactPoint& point : set.points()) points.push_back(point);
+  return points;
+}
+
+PointArray spanning_points(const Surface3d& surface) {
+  return used_points(surface.mesh());
+}
+
+PointArray spanning_points(const Volume3d& solid) {
+  return used_points(solid.mesh());
+}
+
+PointArray spanning_points(const Box3& box) {
+  std::vector<Vec3> corners;
+  for (unsigned i = 0; i < 8; ++i) corners.push_back(corner_of(box, i));
+  return PointArray(std::move(corners));
+}
+
 /// Undefined beyond the range of doubles.
 std::optional<double> cell(double number) {
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
+
 std::optional<double> cell(const Rational& number) {
   return cell(number.nearest_double());
 }
@@ -91,6 +114,7 @@ std::vector<Overload> overloads_of_sets() {
   return {Maker::template make<Points3d>("points"), Maker::template make<Box3>("box"),
           Maker::template make<Surface3d>("surface"), Maker::template make<Volume3d>("solid")};
 }
+
 struct HullMaker {
   template <typename T>
   static Overload make(const char* name) {

@@ -2,17 +2,132 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
+#include "algebra3d/base/box3.h"
 #include "algebra3d/values/display/detail/cell_numbers.h"
-#include "algebra3d/values/display/detail/cluster_grid.h"
 #include "algebra3d/values/display/detail/task_size.h"
 #include "base/interruption_scope.h"
+#include "base/large_allocator.h"
 #include "base/propagate.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
 namespace {
+
+/// The number of a cell: 21 bits for each axis.
+using CellKey = std::uint64_t;
+
+/// A grid of cubes over a box.
+class ClusterGrid {
+ public:
+  static constexpr double kMostCells = 2097151;  // along an axis
+
+  /// `cells` of them, perhaps a fraction, along the longest side of the box; from 1 to kMostCells.
+  ClusterGrid(const Box3& box, double cells);
+
+  CellKey cell(const Vec3& point) const {
+    CellKey key = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      key = key << 21U | static_cast<CellKey>((point[axis] - origin_[axis]) * scale_);
+    return key;
+  }
+  Box3 box_of(CellKey key) const;
+
+ private:
+  Vec3 origin_;
+  double scale_ = 0, size_ = 0;
+};
+
+/// The cells of all points in the finest grid that keeps at most `max_triangles` with corners in three cells, up to
+/// some percent. Errors: interrupted. Cost: some passes over the triangles.
+struct CellsOfPoints {
+  ClusterGrid grid;
+  LargeVector<CellKey> cells;  // per point
+};
+
+void find_cells(const ClusterGrid& grid, std::span<const Vec3> points, LargeVector<CellKey>& cells) {
+  parallel_for(points.size(), detail::kElementsPerTask, [&](std::size_t i) { cells[i] = grid.cell(points[i]); });
+}
+
+/// Triangles with corners in three cells.
+std::size_t count_kept(std::span<const IndexTriangle> triangles, const LargeVector<CellKey>& cells) {
+  std::vector<std::size_t> counts((triangles.size() + detail::kElementsPerTask - 1) / detail::kElementsPerTask);
+  parallel_for(counts.size(), 1, [&](std::size_t task) {
+    std::size_t count = 0;
+    for (const auto& [a, b, c] :
+         triangles.subspan(task * detail::kElementsPerTask)
+             .first(std::min(detail::kElementsPerTask, triangles.size() - task * detail::kElementsPerTask))) {
+      const CellKey p = cells[a], q = cells[b], r = cells[c];
+      count += static_cast<std::size_t>(p != q) & static_cast<std::size_t>(q != r) & static_cast<std::size_t>(r != p);
+    }
+    counts[task] = count;
+  });
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+/// Searches the number of cells along the longest side between one that keeps few enough triangles and one that keeps
+/// too many. The number of triangles grows with the square of that of the cells on a surface.
+class GridSearch {
+ public:
+  explicit GridSearch(std::size_t max_triangles) : target_(static_cast<double>(max_triangles)) {
+    next_ = std::clamp(std::sqrt(target_ / 6), few_, ClusterGrid::kMostCells);
+  }
+
+  double next() const { return next_; }
+  double found() const { return few_; }
+  bool is_done() const {
+    constexpr double kCloseEnough = 0.93;
+    return few_count_ >= kCloseEnough * target_ || many_ - few_ < 0.01 * few_ || few_ >= ClusterGrid::kMostCells;
+  }
+  void learn(std::size_t count) {
+    const auto kept = static_cast<double>(count);
+    (kept <= target_ ? few_ : many_) = next_;
+    if (kept <= target_) few_count_ = kept;
+    // Somewhat below the target, so that the guess is not just above it.
+    const double guess = next_ * std::sqrt(0.97 * target_ / std::max(kept, 1.0));
+    const double low = few_ + 0.02 * (many_ - few_), high = many_ - 0.02 * (many_ - few_);
+    next_ = std::isinf(many_) ? std::min(std::clamp(guess, 1.1 * few_, 16 * few_), ClusterGrid::kMostCells)
+                              : std::clamp(guess, low, high);
+  }
+
+ private:
+  double target_;
+  double few_ = 1, few_count_ = 0, many_ = Box3::kInfinity;
+  double next_ = 1;
+};
+
+ClusterGrid::ClusterGrid(const Box3& box, double cells) : origin_(box.min) {
+  const Vec3 extent = box.max - box.min;
+  const double largest = std::max({extent.x, extent.y, extent.z});
+  // The last point is in the last cell, whatever is rounded.
+  scale_ = largest > 0 ? cells * (1 - 0x1p-40) / largest : 0;
+  size_ = largest / cells;
+}
+
+Box3 ClusterGrid::box_of(CellKey key) const {
+  constexpr CellKey kLast = (CellKey{1} << 21U) - 1;
+  const Vec3 place{static_cast<double>(key >> 42U), static_cast<double>(key >> 21U & kLast),
+                   static_cast<double>(key & kLast)};
+  return {origin_ + size_ * place, origin_ + size_ * (place + Vec3{1, 1, 1})};
+}
+
+Result<CellsOfPoints> choose_cells(const TrianglesView& fine, std::size_t max_triangles, const Monitor& monitor) {
+  const Box3 box = Box3::around(fine.points);
+  LargeVector<CellKey> cells(fine.points.size());
+  GridSearch search(max_triangles);
+  double last = 0;
+  while (!search.is_done()) {
+    A3D_TRY(monitor.check());
+    last = search.next();
+    find_cells(ClusterGrid(box, last), fine.points, cells);
+    search.learn(count_kept(fine.triangles, cells));
+  }
+  ClusterGrid grid(box, search.found());
+  if (last != search.found()) find_cells(grid, fine.points, cells);
+  return CellsOfPoints{grid, std::move(cells)};
+}
 
 /// The plane of a triangle, weighted by its area.
 ClusterSums plane_sums(const Vec3& p, const Vec3& q, const Vec3& r) {
@@ -29,10 +144,10 @@ ClusterSums plane_sums(const Vec3& p, const Vec3& q, const Vec3& r) {
 /// The numbers of the clusters, per point; those of points without triangles are kNone.
 struct Clusters {
   std::vector<std::uint32_t> of_point;
-  std::vector<detail::CellKey> cells;  // per cluster
+  std::vector<CellKey> cells;  // per cluster
 };
 
-Clusters number_clusters(const TrianglesView& fine, const LargeVector<detail::CellKey>& cells, std::size_t expected) {
+Clusters number_clusters(const TrianglesView& fine, const LargeVector<CellKey>& cells, std::size_t expected) {
   std::vector<bool> is_used(fine.points.size());
   for (const IndexTriangle& triangle : fine.triangles)
     for (const std::uint32_t corner : triangle) is_used[corner] = true;
@@ -179,7 +294,7 @@ double ClusteredTriangles::deviation() const {
 }
 
 Result<ClusteredTriangles> clustered(const TrianglesView& fine, std::size_t max_triangles, const Monitor& monitor) {
-  A3D_ASSIGN(const detail::CellsOfPoints chosen, detail::choose_cells(fine, max_triangles, monitor));
+  A3D_ASSIGN(const CellsOfPoints chosen, choose_cells(fine, max_triangles, monitor));
   Clusters clusters = number_clusters(fine, chosen.cells, max_triangles / 2);
   A3D_TRY(monitor.check());
   ClusteredTriangles coarse;

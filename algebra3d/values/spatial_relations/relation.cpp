@@ -1,29 +1,137 @@
 #include "algebra3d/values/spatial_relations/relation.h"
 
+#include <algorithm>
 #include <array>
+#include <compare>
 #include <concepts>
 #include <utility>
+#include <vector>
 
+#include "algebra3d/base/box3.h"
+#include "algebra3d/kernel/exact/predicates.h"
 #include "algebra3d/values/spatial_relations/box_meshes.h"
-#include "algebra3d/values/spatial_relations/detail/box_relation.h"
 #include "algebra3d/values/spatial_relations/detail/findings.h"
 #include "algebra3d/values/spatial_relations/detail/mesh_relation.h"
-#include "algebra3d/values/spatial_relations/detail/point_relation.h"
+#include "algebra3d/values/spatial_relations/detail/mesh_set.h"
 #include "algebra3d/values/spatial_relations/detail/segment_relation.h"
 #include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
 
+/// The box is not a point. Cost: linear.
+void relate_points(const PointSet& points, const Box3& box, Role role, Findings& findings);
+/// Cost: that of locating each point.
+void relate_points(const PointSet& points, const MeshSet& mesh, Role role, Findings& findings, const Monitor& monitor);
+
+/// Adds a point of the set that has the role, by where it is relative to the other set.
+void add_point(const ExactPoint& point, Placement placement, Role role, Findings& findings) {
+  if (placement == Placement::outside) return findings.add_leaving(role);
+  if (findings.wants_witness()) findings.add_witness({point, {}, {}});
+  if (placement == Placement::inside) return findings.add_common_interior(0);
+  findings.add_common(0);
+}
+
+Placement place_in_box(PointRef point, const Box3& box) {
+  Placement result = Placement::inside;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto to_min = compare(axis, point, PointRef(box.min)), to_max = compare(axis, point, PointRef(box.max));
+    if (std::is_lt(to_min) || std::is_gt(to_max)) return Placement::outside;
+    const bool is_flat = box.min[axis] == box.max[axis];
+    if (!is_flat && (std::is_eq(to_min) || std::is_eq(to_max))) result = Placement::boundary;
+  }
+  return result;
+}
+
+// Relations of points with other sets. `role` is that of the points; nothing is empty.
+void relate_points(const PointSet& points, const PointSet& others, Findings& findings) {
+  auto a = points.points.begin(), b = others.points.begin();
+  while (a != points.points.end() && b != others.points.end() && !findings.is_complete()) {
+    const auto order = *a <=> *b;
+    if (std::is_eq(order)) add_point(*a, Placement::inside, Role::first, findings);
+    if (std::is_lt(order)) findings.add_leaving(Role::first);
+    if (std::is_gt(order)) findings.add_leaving(Role::second);
+    if (std::is_lteq(order)) ++a;
+    if (std::is_gteq(order)) ++b;
+  }
+  if (findings.is_complete()) return;
+  if (a != points.points.end()) findings.add_leaving(Role::first);
+  if (b != others.points.end()) findings.add_leaving(Role::second);
+}
+
+void relate_points(const PointSet& points, const Box3& box, Role role, Findings& findings) {
+  findings.add_leaving(other(role));
+  for (const ExactPoint& point : points.points) {
+    if (findings.is_complete()) return;
+    add_point(point, place_in_box(point, box), role, findings);
+  }
+}
+
+void relate_points(const PointSet& points, const MeshSet& mesh, Role role, Findings& findings, const Monitor& monitor) {
+  findings.add_leaving(other(role));
+  std::size_t step = 0;
+  for (const ExactPoint& point : points.points) {
+    if (findings.is_complete() || (++step % 4096 == 0 && monitor.is_cancelled())) return;
+    add_point(point, mesh.place(point), role, findings);
+  }
+}
+
+bool is_flat(const Box3& box, std::size_t axis) {
+  return box.min[axis] == box.max[axis];
+}
+
+/// True if the insides of the intervals meet; a single point is its own inside.
+bool do_insides_meet(const Box3& a, const Box3& b, std::size_t axis) {
+  if (is_flat(a, axis) && is_flat(b, axis)) return a.min[axis] == b.min[axis];
+  return std::max(a.min[axis], b.min[axis]) < std::min(a.max[axis], b.max[axis]) ||
+         (is_flat(a, axis) && b.min[axis] < a.min[axis] && a.min[axis] < b.max[axis]) ||
+         (is_flat(b, axis) && a.min[axis] < b.min[axis] && b.min[axis] < a.max[axis]);
+}
+
+/// The parts of the boundary of a box: two for each axis along which it has an extent.
+std::vector<Box3> sides_of(const Box3& box) {
+  std::vector<Box3> result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (is_flat(box, axis)) continue;
+    for (const double bound : {box.min[axis], box.max[axis]}) {
+      Box3& side = result.emplace_back(box);
+      side.min[axis] = side.max[axis] = bound;
+    }
+  }
+  return result;
+}
+
+/// The relation of two boxes, axis by axis.
+void relate_boxes(const Box3& first, const Box3& second, Findings& findings) {
+  if (!second.contains(first)) findings.add_leaving(Role::first);
+  if (!first.contains(second)) findings.add_leaving(Role::second);
+  const Box3 common = intersect(first, second);
+  if (common.is_empty()) return;
+  const bool do_interiors_meet =
+      do_insides_meet(first, second, 0) && do_insides_meet(first, second, 1) && do_insides_meet(first, second, 2);
+  if (do_interiors_meet)
+    findings.add_common_interior(dimension_of(common));
+  else
+    findings.add_common(dimension_of(common));
+  if (findings.wants_witness()) findings.add_witness({ExactPoint(common.min), {}, {}});
+  if (!findings.wants_boundaries()) return;
+  for (const Box3& a : sides_of(first))
+    for (const Box3& b : sides_of(second))
+      if (a.intersects(b)) findings.add_common_boundary(dimension_of(intersect(a, b)));
+}
+
 bool is_empty(const PointSet& set) {
   return set.points.empty();
 }
+
 bool is_empty(const Box3& box) {
   return box.is_empty();
 }
+
 bool is_empty(const Surface3d& surface) {
   return surface.mesh().is_empty();
 }
+
 bool is_empty(const Volume3d& solid) {
   return solid.mesh().is_empty();
 }
@@ -31,6 +139,7 @@ bool is_empty(const Volume3d& solid) {
 MeshSet mesh_set(const Surface3d& surface) {
   return {&surface.geometry(), false};
 }
+
 MeshSet mesh_set(const Volume3d& solid) {
   return {&solid.geometry(), true};
 }
