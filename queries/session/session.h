@@ -10,17 +10,34 @@
 
 #include "algebra3d/operators/registry/registry.h"
 #include "base/context.h"
+#include "base/diagnostics.h"
 #include "base/work_memory.h"
 #include "queries/language/command.h"
 #include "queries/language/session_parameters.h"
 #include "queries/language/syntax_tree.h"
 #include "queries/language/typed_tree.h"
-#include "queries/session/detail/own_result.h"
 #include "queries/session/detail/unusable.h"
 #include "queries/store/store.h"
 #include "queries/store/store_options.h"
+#include "queries/streams/datum.h"
 
 namespace queries {
+
+/// The final result of a statement: the value of a query, or the new value of an object. In the language a file that
+/// cannot be read or written yields undefined or FALSE; if that is the final result, the statement has failed without
+/// an error.
+class OwnResult {
+ public:
+  /// To be constructed before the expression is evaluated; the context outlives it.
+  explicit OwnResult(const algebra3d::Context& context);
+  /// The failure that the value shows: "undefined" or "FALSE"; empty if there is none.
+  std::string_view failure(const Datum& value) const;
+
+ private:
+  const algebra3d::Diagnostics& diagnostics_;
+  std::uint64_t unreadable_before_;
+  std::uint64_t unwritten_before_;
+};
 
 class SavedText;  // detail/saved_text.h
 

@@ -1,17 +1,57 @@
 // Running, listing and cancelling statements.
+
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "algebra3d/base/error.h"
 #include "queries/language/command_reader.h"
 #include "queries/server/detail/api.h"
-#include "queries/server/detail/event_stream.h"
+#include "queries/server/detail/http.h"
 #include "queries/server/detail/result_json.h"
-#include "queries/server/detail/utf16.h"
 
 namespace queries {
 namespace {
+
+/// The number of UTF-16 code units of a UTF-8 text: the unit of positions in JavaScript.
+std::size_t utf16_units(std::string_view text) {
+  std::size_t units = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0U) != 0x80) units += byte >= 0xF0 ? 2 : 1;
+  }
+  return units;
+}
+
+/// The byte at a line and column, both from 1; columns count bytes, without a byte order mark at the beginning.
+std::size_t byte_offset(std::string_view text, const algebra3d::SourcePlace& place) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  std::size_t begin = place.line == 1 && text.starts_with(kMark) ? kMark.size() : 0;
+  for (int line = 1; line < place.line; ++line) begin = text.find('\n', begin) + 1;
+  return begin + static_cast<std::size_t>(place.column) - 1;
+}
+
+/// Writes server-sent events. Source: WHATWG HTML, section 9.2.
+class EventStream {
+ public:
+  explicit EventStream(const SendPiece& send) : send_(send) {}
+  /// Sends an event. False if the client is gone.
+  bool send(std::string_view event, std::string json) {
+    std::ranges::replace(json, '\n', ' ');  // a line end would end the data, and is white space in JSON
+    is_open_ = is_open_ && send_(fmt::format("event: {}\ndata: {}\n\n", event, json));
+    return is_open_;
+  }
+  bool is_open() const { return is_open_; }
+
+ private:
+  const SendPiece& send_;
+  bool is_open_ = true;
+};
 
 // How often a request that waits for its statement looks after the client and the time limit.
 constexpr std::chrono::milliseconds kLook(100);

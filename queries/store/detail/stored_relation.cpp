@@ -1,12 +1,63 @@
 #include "queries/store/detail/stored_relation.h"
 
+#include <optional>
+
 #include "base/propagate.h"
 #include "queries/store/detail/chunks.h"
 #include "queries/store/detail/relation_scan.h"
-#include "queries/store/detail/relation_selection.h"
 #include "queries/store/detail/stored_tree.h"
+#include "queries/streams/datum.h"
 
 namespace queries {
+namespace {
+
+/// A stream of the tuples of a stored relation with given ids, as they were at the first `next`, like a RelationScan
+/// that knows which tuples to read. Errors: database_corrupt for an id without a row.
+class RelationSelection final : public TupleStream {
+ public:
+  /// `ids` is ascending.
+  RelationSelection(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout,
+                    std::vector<TupleId> ids);
+  Result<TuplePtr> next() override;
+
+ private:
+  std::shared_ptr<Database> database_;
+  std::shared_ptr<const RelationLayout> layout_;
+  std::uint64_t statement_;
+  std::vector<TupleId> ids_;
+  std::size_t position_ = 0;
+  ChangeTime time_ = 0;
+  std::optional<RowReader> reader_;  // from the first tuple on
+};
+
+RelationSelection::RelationSelection(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout,
+                                     std::vector<TupleId> ids)
+    : database_(std::move(database)),
+      layout_(std::move(layout)),
+      statement_(database_->statement()),
+      ids_(std::move(ids)) {}
+
+Result<TuplePtr> RelationSelection::next() {
+  A3D_TRY(database_->check_statement(statement_));
+  if (!reader_) {
+    time_ = database_->changes().now();
+    reader_.emplace(database_, layout_, time_);
+  }
+  if (database_->changes().is_gone(layout_->table_number(), time_))
+    return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted while it was read",
+                 layout_->relation()};
+  if (position_ == ids_.size()) return TuplePtr();
+  const TupleId id = ids_[position_++];
+  A3D_ASSIGN(SqliteConnection * source, database_->source_of(*layout_, id, time_));
+  A3D_ASSIGN(SqliteStatement statement, source->use(layout_->fetch_sql()));
+  statement.bind(1, id);
+  A3D_ASSIGN(const bool has_row, statement.step());
+  if (!has_row) return Database::missing(*layout_, id);
+  A3D_TRY(reader_->take(statement));
+  return reader_->tuple();
+}
+
+}  // namespace
 
 // The relation may have been replaced or removed since the statement asked for it.
 Result<const CatalogueEntry*> StoredRelation::entry() const {

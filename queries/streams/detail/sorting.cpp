@@ -1,16 +1,142 @@
 #include "queries/streams/detail/sorting.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <span>
+#include <utility>
 
 #include "base/propagate.h"
 #include "base/work_memory.h"
-#include "queries/streams/detail/run_merge.h"
-#include "queries/streams/detail/sort_order.h"
+#include "queries/streams/detail/keyed_tuple.h"
+#include "queries/streams/detail/tuple_file.h"
 
 namespace queries {
 namespace {
+
+/// A sort order by several keys, prepared for many comparisons.
+class SortOrder {
+ public:
+  explicit SortOrder(const std::vector<SortKey>& keys);
+
+  Result<KeyedTuple> keyed(TuplePtr tuple) const { return KeyedTuple::make(std::move(tuple), attributes_); }
+  /// A prefix of the first key as a number: if it is less, the tuple comes first.
+  std::uint64_t prefix(const KeyedTuple& tuple) const {
+    if (attributes_.empty()) return 0;
+    const std::uint64_t result = order_prefix(tuple.key(attributes_, 0));
+    return is_descending_.front() ? ~result : result;
+  }
+  /// Compares two tuples with equal prefixes by all keys.
+  std::strong_ordering compare_further(const KeyedTuple& a, const KeyedTuple& b) const;
+
+ private:
+  std::vector<std::size_t> attributes_;
+  std::vector<bool> is_descending_;
+};
+
+SortOrder::SortOrder(const std::vector<SortKey>& keys) {
+  for (const SortKey& key : keys) {
+    attributes_.push_back(key.attribute);
+    is_descending_.push_back(key.is_descending);
+  }
+}
+
+std::strong_ordering SortOrder::compare_further(const KeyedTuple& a, const KeyedTuple& b) const {
+  const bool first_is_done = !attributes_.empty() && a.key(attributes_, 0).type().is_whole_in_prefix();
+  for (std::size_t i = first_is_done ? 1 : 0; i < attributes_.size(); ++i) {
+    const auto order = algebra3d::compare(a.key(attributes_, i), b.key(attributes_, i));
+    if (order != 0) return is_descending_[i] ? 0 <=> order : order;
+  }
+  return std::strong_ordering::equal;
+}
+
+/// A sorted part of a file of tuples.
+struct SortedRun {
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
+};
+
+/// Merges several sorted runs to one sorted stream; among equal tuples those of the earlier run come first.
+/// Interruptible. Memory: a buffer and a tuple for each run.
+class RunMerge final : public TupleStream {
+ public:
+  RunMerge(const std::shared_ptr<TupleFile>& file, std::span<const SortedRun> runs, SortOrder order,
+           const algebra3d::Context& context);
+  Result<TuplePtr> next() override;
+
+ private:
+  /// A run with its next tuple.
+  struct Head {
+    std::shared_ptr<TupleFile::Scan> scan;
+    std::size_t number = 0;
+    KeyedTuple tuple;
+    std::uint64_t prefix = 0;
+  };
+
+  Status start();
+  Result<bool> advance(Head& head) const;
+  bool is_after(const Head& a, const Head& b) const;
+
+  SortOrder order_;
+  const algebra3d::Context& context_;
+  std::vector<Head> heads_;  // a heap after the first `next`: the least one first
+  bool has_begun_ = false;
+  std::uint32_t steps_ = 0;
+};
+
+RunMerge::RunMerge(const std::shared_ptr<TupleFile>& file, std::span<const SortedRun> runs, SortOrder order,
+                   const algebra3d::Context& context)
+    : order_(std::move(order)), context_(context) {
+  for (const SortedRun& run : runs) {
+    Head& head = heads_.emplace_back();
+    head.scan = file->scan(run.begin, run.end);
+    head.number = heads_.size();
+  }
+}
+
+bool RunMerge::is_after(const Head& a, const Head& b) const {
+  if (a.prefix != b.prefix) return a.prefix > b.prefix;
+  const auto order = order_.compare_further(a.tuple, b.tuple);
+  return order != 0 ? order > 0 : a.number > b.number;
+}
+
+/// False at the end of the run.
+Result<bool> RunMerge::advance(Head& head) const {
+  A3D_ASSIGN(TuplePtr tuple, head.scan->next());
+  if (tuple == nullptr) return false;
+  A3D_ASSIGN(head.tuple, order_.keyed(std::move(tuple)));
+  head.prefix = order_.prefix(head.tuple);
+  return true;
+}
+
+Status RunMerge::start() {
+  std::vector<Head> filled;
+  for (Head& head : heads_) {
+    A3D_ASSIGN(const bool has_tuple, advance(head));
+    if (has_tuple) filled.push_back(std::move(head));
+  }
+  heads_ = std::move(filled);
+  std::ranges::make_heap(heads_, [this](const Head& a, const Head& b) { return is_after(a, b); });
+  return {};
+}
+
+Result<TuplePtr> RunMerge::next() {
+  if (!std::exchange(has_begun_, true)) A3D_TRY(start());
+  if (heads_.empty()) return TuplePtr();
+  if (++steps_ % 1024 == 0) A3D_TRY(context_.check_cancelled());
+  const auto after = [this](const Head& a, const Head& b) { return is_after(a, b); };
+  std::ranges::pop_heap(heads_, after);
+  Head& least = heads_.back();
+  TuplePtr result = std::move(least.tuple.tuple());
+  A3D_ASSIGN(const bool has_tuple, advance(least));
+  if (has_tuple)
+    std::ranges::push_heap(heads_, after);
+  else
+    heads_.pop_back();
+  return result;
+}
 
 /// Where a tuple stands among those that are kept, with the beginning of its first key.
 struct Position {

@@ -13,21 +13,26 @@
 // Nothing is rounded on the way, since coordinates may be fractions; bounds of a rect3 may not. An operator that rounds
 // numbers itself rounds them differently in another place: where a file's numbers show that, the case says
 // `#variation`.
+
 #include "queries/test_runner/detail/variation.h"
 
 #include <algorithm>
+#include <fstream>
 
+#include "algebra3d/base/error.h"
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/types/expression_list.h"
 #include "base/propagate.h"
 #include "queries/language/expression_parser.h"
+#include "queries/language/scanner.h"
 #include "queries/language/token.h"
-#include "queries/test_runner/detail/restored_source.h"
+#include "queries/test_runner/detail/text_of_file.h"
 
 namespace queries {
-namespace {
 
 using algebra3d::Context;
+using algebra3d::Error;
+using algebra3d::ErrorCode;
 using algebra3d::FrameUse;
 using algebra3d::Operator;
 using algebra3d::Outcome;
@@ -35,6 +40,55 @@ using algebra3d::Overload;
 using algebra3d::Registry;
 using algebra3d::Result;
 using algebra3d::Value;
+
+namespace {
+
+/// The parts of the command `restore [database] NAME from FILE`.
+struct RestoredSource {
+  std::string command;  ///< `restore database NAME from`
+  std::string file;     ///< as written, without quotes
+};
+namespace fs = std::filesystem;
+
+std::string reading(const RestoredSource& source, const fs::path& file) {
+  return fmt::format("{} <text>{}</text--->", source.command, file.string());
+}
+
+bool is_below(const fs::path& file, const fs::path& folder) {
+  const fs::path relative = file.lexically_normal().lexically_relative(folder.lexically_normal());
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+/// Parses the command; nothing for any other command.
+std::optional<RestoredSource> restored_source(std::string_view command) {
+  Scanner scanner(command);
+  if (!scanner.take().is("restore")) return std::nullopt;
+  if (scanner.peek().is("database")) scanner.take();
+  scanner.take();
+  const Token from = scanner.take();
+  if (!from.is("from")) return std::nullopt;
+  const Token file = scanner.take();
+  if (file.kind != Token::Kind::word && file.kind != Token::Kind::text) return std::nullopt;
+  return RestoredSource{std::string(command.substr(0, from.end)), file.text};
+}
+
+/// The command with a copy of the file in which all constants are moved. A file in the scratch folder, which was saved
+/// moved by this run, and a file that is not a nested list are not copied. Errors: io_error if the copy cannot be
+/// written.
+algebra3d::Result<std::string> with_moved_source(const RestoredSource& source, const Motion& motion,
+                                                 const TestFolders& folders) {
+  const fs::path file = folders.file / source.file;
+  if (is_below(file, folders.scratch)) return reading(source, file);
+  const auto content = read_text(file, nullptr);
+  const auto saved = content ? NestedList::parse(*content) : algebra3d::Result<NestedList>(NestedList());
+  if (!content || !saved) return reading(source, file);
+  const fs::path copy = folders.scratch / ("moved-" + file.filename().string());
+  std::ofstream written(copy, std::ios::binary);
+  written << motion.image_of_constants(*saved).print() << '\n';
+  written.close();
+  if (!written) return Error{ErrorCode::io_error, "cannot write '{}'", copy.string()};
+  return reading(source, copy);
+}
 
 struct NamedKind {
   VariationKind kind;

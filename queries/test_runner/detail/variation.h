@@ -1,15 +1,21 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "algebra3d/operators/registry/registry.h"
 #include "queries/test_runner/detail/motion.h"
-#include "queries/test_runner/detail/test_folders.h"
 
 namespace queries {
+
+/// The folders of a run of a test file.
+struct TestFolders {
+  std::filesystem::path file;     ///< folder of the test file
+  std::filesystem::path scratch;  ///< initially empty; for databases and files that commands write
+};
 
 enum class VariationKind : std::uint8_t {
   offset,    ///< geometry lies far from the origin

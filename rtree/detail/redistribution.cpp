@@ -1,7 +1,6 @@
-#include "rtree/detail/split.h"
+#include "rtree/detail/redistribution.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 
 #include "rtree/detail/box_size.h"
