@@ -248,11 +248,6 @@ Result<std::vector<Value>> loaded_values(const std::optional<Value>& value) {
   return std::vector<Value>{std::move(loaded)};
 }
 
-Result<Value> call_on(const Function& function, const TuplePtr& tuple) {
-  const Datum argument{tuple};
-  return function.call_for_value({&argument, 1});
-}
-
 bool is_true(const Value& value) {
   return value.is_defined() && value.get<bool>();
 }

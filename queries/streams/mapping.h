@@ -129,8 +129,6 @@ bool are_comparable(const TypeExpr& a, const TypeExpr& b);
 Value id_value(TupleId id);
 /// The tuple id in a defined value of type tid or int; 0 if it is not an id.
 TupleId id_of(const Value& value);
-/// Calls a function on one tuple; its result is a value.
-Result<Value> call_on(const Function& function, const TuplePtr& tuple);
 /// True for a defined TRUE.
 bool is_true(const Value& value);
 /// Applies the functions of a `functions` place to `argument` and appends the results to `attributes`.

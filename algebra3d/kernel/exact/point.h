@@ -68,7 +68,6 @@ class ExactPoint {
   RationalVec3 rational() const { return ref().rational(); }
   PointRef ref() const { return {approx_, exact_.get()}; }
   /// The shared exact coordinates; null for doubles. Leaves the rounded point.
-  SharedCoordinates take_exact() && { return std::move(exact_); }
   operator PointRef() const { return ref(); }  // NOLINT(google-explicit-constructor)
 
   /// Lexicographic by exact coordinates; equality and hash agree with it.

@@ -51,10 +51,6 @@ inline int orient2d(Projection plane, const PointRef& a, const PointRef& b, cons
   return detail::orient2d_of_rationals(plane, a, b, c);
 }
 
-/// The sides of the plane of `base` on which the corners of `triangle` lie: three orient3d with shared work. `base`
-/// must not be degenerate.
-std::array<int, 3> sides_of_plane(const TriangleRef& base, const TriangleRef& triangle);
-
 /// Compare one exact coordinate (axis 0, 1, 2), or all lexicographically.
 std::strong_ordering compare(std::size_t axis, PointRef a, PointRef b);
 std::strong_ordering compare(PointRef a, PointRef b);
@@ -117,8 +113,5 @@ bool overlap_beyond_shared_edge(PointRef e0, PointRef e1, PointRef s, PointRef t
 /// right-handed about e1 - e0. Requires e0 != e1 and no point on the line. Exact. For a fixed edge and origin a strict
 /// weak order, for sorting the faces at an edge by their third corners.
 std::weak_ordering compare_around_edge(PointRef e0, PointRef e1, PointRef origin, PointRef b, PointRef c);
-/// True if the half-plane of a, turning as above, passes that of c strictly before it reaches that of b. If a and b
-/// span the same half-plane, it makes a whole turn. Same requirements.
-bool in_counterclockwise_order(PointRef e0, PointRef e1, PointRef a, PointRef b, PointRef c);
 
 }  // namespace algebra3d

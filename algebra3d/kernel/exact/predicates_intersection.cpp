@@ -199,12 +199,6 @@ int half_turn(const PointRef& e0, const PointRef& e1, const PointRef& origin, co
 
 }  // namespace
 
-std::array<int, 3> sides_of_plane(const TriangleRef& base, const TriangleRef& triangle) {
-  Signs sides = filtered_sides(base, triangle);
-  decide_sides(base, triangle, sides);
-  return sides;
-}
-
 Contact intersect_segments(PointRef a, PointRef b, PointRef c, PointRef d) {
   if (orient3d(a, b, c, d) != 0) return Contact::none;
   const bool c_on_line = collinear(a, b, c);
@@ -301,11 +295,6 @@ std::weak_ordering compare_around_edge(PointRef e0, PointRef e1, PointRef origin
   if (turn_b != turn_c) return turn_b <=> turn_c;
   if (turn_b == 0 || turn_b == 2) return std::weak_ordering::equivalent;
   return 0 <=> orient3d(e0, e1, b, c);
-}
-
-bool in_counterclockwise_order(PointRef e0, PointRef e1, PointRef a, PointRef b, PointRef c) {
-  if (half_turn(e0, e1, a, c) == 0) return false;
-  return half_turn(e0, e1, a, b) == 0 || std::is_lt(compare_around_edge(e0, e1, a, c, b));
 }
 
 }  // namespace algebra3d

@@ -54,12 +54,6 @@ class CornerCursor {
 };
 
 template <typename Layout>
-struct IncomingCursor : CornerCursor<Layout> {
-  using CornerCursor<Layout>::CornerCursor;
-  HalfedgeId get() const { return this->mesh().prev(CornerCursor<Layout>::get()); }
-};
-
-template <typename Layout>
 struct FaceCursor : CornerCursor<Layout> {
   using value_type = FaceId;
   using CornerCursor<Layout>::CornerCursor;
@@ -201,11 +195,6 @@ std::pair<std::size_t, std::size_t> halfedge_bounds(const HalfedgeMesh<Layout>& 
 template <typename Layout>
 auto outgoing_halfedges(const HalfedgeMesh<Layout>& mesh, VertexId v) {
   return circulators::around<circulators::CornerCursor<Layout>>(mesh, v);
-}
-/// Half-edges that end in `v`, one per corner at `v`: the predecessors of `outgoing_halfedges`.
-template <typename Layout>
-auto incoming_halfedges(const HalfedgeMesh<Layout>& mesh, VertexId v) {
-  return circulators::around<circulators::IncomingCursor<Layout>>(mesh, v);
 }
 /// Faces with a corner at `v`; a face that repeats a corner appears once per corner at `v`.
 template <typename Layout>

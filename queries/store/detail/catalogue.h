@@ -46,7 +46,6 @@ class Catalogue {
   const std::vector<std::string>& damage() const { return damage_; }
   /// Drops the catalogue from memory, after a rollback or when another process has written.
   void forget();
-  bool is_loaded() const { return is_loaded_; }
   /// The version of the file.
   std::int64_t version() const { return version_; }
   /// Upgrades the tables of an older file to this version, and writes the catalogue again. Call within a transaction.

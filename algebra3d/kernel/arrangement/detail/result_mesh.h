@@ -26,7 +26,6 @@ class TakenVertices {
 
   /// The vertex of the result. Demands a corner of a face that is taken over.
   VertexId operator[](InputVertexId vertex) const { return numbers_[vertex]; }
-  std::size_t settled_count() const { return settled_count_; }
   /// The vertices at nodes; invalid at nodes that are not corners.
   const IdVector<NodeId, VertexId>& at_nodes() const { return at_nodes_; }
   /// The points of all of them, with room for those of the other nodes.
