@@ -8,10 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/kernel/rounding/detail/met_cells.h"
 #include "algebra3d/kernel/rounding/detail/rounded_vertices.h"
 #include "algebra3d/kernel/rounding/detail/rounding_ladder.h"
-#include "algebra3d/kernel/rounding/detail/rounding_rungs.h"
 #include "algebra3d/kernel/rounding/detail/solid_part.h"
 #include "algebra3d/kernel/rounding/detail/solid_rounding.h"
 #include "base/propagate.h"
@@ -19,26 +17,15 @@
 namespace algebra3d {
 namespace {
 
-/// The last rung, a cover of cubes; undefined where the type has no numbers beyond the solid.
-Result<RoundedSolid> covered(SolidRounding& job) {
-  A3D_TRY(job.begin("covering with cubes"));
-  A3D_ASSIGN(const std::optional<RoundingCandidate> cover,
-             cover_of_cubes(job.mesh(), job.grid(), cell_budget(job.mesh()), job.cancel()));
-  if (!cover) return RoundedSolid{std::nullopt, out_of_range_text(job.size(), job.grid())};
-  A3D_ASSIGN(const bool is_valid, job.accept(*cover));
-  if (!is_valid) return Error(ErrorCode::internal, "a cover of cubes is not valid");
-  return job.result();
-}
-
 /// The rounded solid: of a part of it, or else of the whole.
 Result<RoundedSolid> climbed(const TriangleMesh& solid, const SolidPart& part, const CoordinateGrid& grid,
                              const Monitor& monitor) {
   SolidRounding job(solid, part, grid, monitor);
   if (!job.vertices().are_finite) return RoundedSolid{std::nullopt, out_of_range_text(job.size(), grid)};
-  A3D_ASSIGN(const bool is_found, part.is_whole() ? round_whole(job) : round_part(job));
+  A3D_ASSIGN(const bool is_found, climb_ladder(job));
   if (is_found) return job.result();
   if (!part.is_whole()) return climbed(solid, SolidPart(solid), grid, monitor);
-  return covered(job);
+  return RoundedSolid{std::nullopt, out_of_range_text(job.size(), job.grid())};
 }
 
 }  // namespace

@@ -41,28 +41,14 @@ std::string shells_text(const RoundedSolid& rounded);
 /// Parts thinner than the grid vanish. Only faces near vertices that move are changed and proved; if that fails, or if
 /// these are more than half of all faces, the whole solid is rounded.
 ///
-/// The methods below are tried in order, and the first proved result is taken. If that comes from 3, 4 or 5 and moves
-/// by more than 64 spacings, 6 is tried, too, and the nearer result is taken.
-///  0. The vertices move, and the faces stay as they are. Condition: no two vertices come to one place, and none comes
-///     to lie inside an edge or face; on a grid of multiples none.
-///  1. Snap rounding (snap_rounding.h).
-///  2. The mesh is divided at its crossings, the cells with a positive winding number are kept, and their new corners
-///     rounded, a few times. Condition: a grid of multiples.
-///  3. Features of crossing triangles that are nearly one are joined (feature_snapping.h), within up to 32 spacings,
-///     or up to 2^20 where few crossings are left, in turns with the selection of cells as in 2. Condition: each turn
-///     leaves no more than some half of the crossings.
-///  4. Facets that nearly lie upon each other are made coplanar (coplanar_snapping.h), then 3.
-///  5. 3 and 4 with reaches of up to 2^20 spacings.
-///  6. Prisms are added over the faces of crowded shells, with corners on lattices of 2^4 to 2^18 spacings, then 3
-///     (thickening.h). Comes before 5 if most vertices are corners of triangles that cross, and before the wide reaches
-///     of 4.
-///  7. 1 and 3 on grids of multiples of up to 2^20 spacings.
-///  8. 6 on coarser lattices. Condition: a thousand cells fit into the solid.
-///  9. The cubes of a lattice that meet the solid replace it (cell_cover.h). This cannot fail.
+/// A ladder of methods is tried in order, and the first proved result is taken (the table in
+/// detail/rounding_ladder.cpp; in words `rounding_rungs`). If features were joined or facets made coplanar and that
+/// moves by more than 64 spacings, faces are thickened, too, and the nearer result is taken. The last rung, the cubes
+/// that meet the solid, cannot fail.
 ///
 /// A simpler form of each result is proved first: without corners of facets with moved corners that lie on the surface
 /// or on an edge of it within two spacings (vertex_removal.h); on a grid of multiples only if the grid is fine for the
-/// solid. There is no result only if a coordinate is out of range. The result is empty only where 1 to 4 leave nothing
+/// solid. There is no result only if a coordinate is out of range. The result is empty only where nothing is left
 /// within a reach of two spacings, and no cell of the grid is found within the solid. The monitor may end the call with
 /// the error interrupted, and receives the methods that are tried. Exactness: rounded; validity is exact.
 /// Deterministic. Errors: interrupted, limit_exceeded. Cost: for nearly all solids a scan, and snap rounding and a

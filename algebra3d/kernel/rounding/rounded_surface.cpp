@@ -29,7 +29,8 @@ class SurfaceRounding : public RoundingJob {
   using RoundingJob::divided;
   /// An empty candidate is refused if a wider reach than the first one was needed.
   Result<bool> prove(const RoundingCandidate& candidate) override;
-  Result<bool> accept_moved() override;
+  Result<std::optional<double>> prove_moved_vertices() override;
+  Result<bool> accept_cover() override;
 
   /// The last accepted candidate; nothing is known of the vertices that moved.
   RoundedSurface&& result() { return std::move(result_); }
@@ -49,10 +50,20 @@ Result<std::optional<TriangleMesh>> SurfaceRounding::divided(const TriangleMesh&
   return std::optional(*std::move(pieces));
 }
 
-Result<bool> SurfaceRounding::accept_moved() {
-  if (!are_apart(vertices())) return false;
+Result<std::optional<double>> SurfaceRounding::prove_moved_vertices() {
+  if (!are_apart(vertices())) return std::optional<double>();
   A3D_ASSIGN(const bool is_valid, prove(with_its_faces(mesh(), vertices())));
-  return is_valid && result_.contact_vertices == 0;
+  return is_valid && result_.contact_vertices == 0 ? std::optional(result_.largest_movement) : std::nullopt;
+}
+
+Result<bool> SurfaceRounding::accept_cover() {
+  A3D_ASSIGN(const std::optional<MetCells> met, finest_met_cells(mesh(), grid(), cell_budget(mesh()), cancel()));
+  if (!met) return false;
+  A3D_ASSIGN(TriangleMesh squares, square_cover(mesh(), *met, cancel()));
+  A3D_ASSIGN(const bool is_valid,
+             accept({std::move(squares), Movement(met->lattice.diagonal()), 0, RoundingMethod::faces_of_cubes}));
+  if (!is_valid) return Error(ErrorCode::internal, "faces of cubes are not a valid surface");
+  return true;
 }
 
 Result<bool> SurfaceRounding::prove(const RoundingCandidate& candidate) {
@@ -66,19 +77,6 @@ Result<bool> SurfaceRounding::prove(const RoundingCandidate& candidate) {
   return true;
 }
 
-/// Puts faces of cubes in place of the surface; false if the type has no numbers beyond it.
-Result<bool> cover(SurfaceRounding& job) {
-  A3D_TRY(job.begin("covering with faces of cubes"));
-  A3D_ASSIGN(const std::optional<MetCells> met,
-             finest_met_cells(job.mesh(), job.grid(), cell_budget(job.mesh()), job.cancel()));
-  if (!met) return false;
-  A3D_ASSIGN(TriangleMesh squares, square_cover(job.mesh(), *met, job.cancel()));
-  A3D_ASSIGN(const bool is_valid,
-             job.accept({std::move(squares), Movement(met->lattice.diagonal()), 0, RoundingMethod::faces_of_cubes}));
-  if (!is_valid) return Error(ErrorCode::internal, "faces of cubes are not a valid surface");
-  return true;
-}
-
 }  // namespace
 
 Result<RoundedSurface> rounded_surface(const TriangleMesh& surface, const CoordinateGrid& grid,
@@ -86,10 +84,7 @@ Result<RoundedSurface> rounded_surface(const TriangleMesh& surface, const Coordi
   SurfaceRounding job(surface, grid, monitor);
   if (!job.vertices().are_finite) return RoundedSurface{std::nullopt, out_of_range_text(job.size(), grid)};
   if (job.vertices().moved == 0) return RoundedSurface{surface};
-  A3D_ASSIGN(bool is_found, round_whole(job));
-  if (!is_found) {
-    A3D_ASSIGN(is_found, cover(job));
-  }
+  A3D_ASSIGN(const bool is_found, climb_ladder(job));
   if (!is_found) return RoundedSurface{std::nullopt, out_of_range_text(job.size(), grid)};
   RoundedSurface rounded = job.result();
   rounded.moved_vertices = job.vertices().moved;

@@ -18,8 +18,6 @@ const char* name_of(RoundingMethod method) {
       return "facets made coplanar";
     case RoundingMethod::faces_thickened:
       return "faces thickened and features joined";
-    case RoundingMethod::coarser_grid:
-      return "rounded to a coarser grid";
     case RoundingMethod::cover_of_cubes:
       return "cover of cubes";
     case RoundingMethod::faces_of_cubes:

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace algebra3d {
 
@@ -13,12 +16,22 @@ enum class RoundingMethod : std::uint8_t {
   features_joined,       ///< features of crossing triangles that are nearly one joined
   facets_made_coplanar,  ///< facets that nearly lie upon each other made coplanar, then features joined
   faces_thickened,       ///< prisms over the faces added, with corners on a coarser grid
-  coarser_grid,          ///< all of this on a grid up to 2^20 times as coarse
   cover_of_cubes,        ///< cubes that meet the solid in place of it; cannot fail
   faces_of_cubes,        ///< squares between cubes in place of a surface; cannot fail
 };
 
 /// The method in words, as in notes: "features joined".
 const char* name_of(RoundingMethod method);
+
+/// A row of the table of methods that rounding tries in turn, for pages and help.
+struct RungInWords {
+  std::string_view name;       ///< the method
+  std::string_view condition;  ///< under which it is tried; may be empty
+  std::string reach;  ///< within which features are joined, or how wide the cells of its lattice are; may be empty
+  std::string_view promise;  ///< how far it may move the boundary
+};
+
+/// The ladder, in order.
+std::vector<RungInWords> rounding_rungs();
 
 }  // namespace algebra3d

@@ -39,10 +39,7 @@ std::string rounding_note(const Rounded& rounded, std::size_t vertex_count) {
   std::string text =
       fmt::format("{} of {} vertices moved, and the remaining boundary by at most {}; method: {}",
                   rounded.moved_vertices, vertex_count, real_text(rounded.largest_movement), name_of(rounded.method));
-  if (rounded.method == RoundingMethod::coarser_grid)
-    text += fmt::format(", where features up to {} apart became one", real_text(rounded.reach));
-  else if (rounded.reach > 0)
-    text += fmt::format(" that were up to {} apart", real_text(rounded.reach));
+  if (rounded.reach > 0) text += fmt::format(" that were up to {} apart", real_text(rounded.reach));
   if (rounded.contact_vertices > 0)
     text += fmt::format(
         "; {} inside edges or faces of others",
@@ -118,6 +115,27 @@ Result<Maybe<Volume3d>> rotated_and_rounded(Context& context, const Volume3d& so
   return rounded_to(context, *exact, CoordinateGrid::doubles(), kRotateRounded);
 }
 
+/// The ladder of methods, a line each.
+std::string methods_text() {
+  std::string text =
+      "These methods are tried in order, and the first that gives a valid result is taken. If joined features or "
+      "coplanar facets move by more than 64 spacings of the numbers, faces are thickened, too, and the nearer result "
+      "is "
+      "taken. Each line has the method, its condition, within which reach it joins features or how wide the cells of "
+      "its "
+      "lattice are, and how far the boundary moves at most.\n";
+  std::size_t number = 0;
+  for (const RungInWords& rung : rounding_rungs()) {
+    text += fmt::format("\n  {}. {}", ++number, rung.name);
+    if (!rung.condition.empty()) text += fmt::format(" ({})", rung.condition);
+    if (!rung.reach.empty()) text += ", " + rung.reach;
+    text += fmt::format(": {}", rung.promise);
+  }
+  return text +
+         "\n\n  Thickened faces and later methods are needed only where shells a few spacings thick are combined with "
+         "copies of themselves again and again.";
+}
+
 }  // namespace
 
 void register_rounding(Registry& registry) {
@@ -132,15 +150,9 @@ void register_rounding(Registry& registry) {
           "of moved vertices, the largest distance by which the boundary moved, the method, and the number of "
           "vertices that lie inside edges or faces of others. The distance is one-sided: no point of the result is "
           "farther from the given boundary. Parts that vanished are not counted; hausdorffDistance measures both "
-          "sides.\n\n  "
-          "These methods are tried in order, and the first that gives a valid result is taken: vertices moved; "
-          "edges led round vertices; crossing triangles divided (only with a grid width); features joined, that is, "
-          "vertices and edges of crossing triangles that are nearly one; facets made coplanar; faces of a solid "
-          "thickened by prisms on a coarser grid; rounded to a coarser grid; cover of cubes (faces of cubes for a "
-          "surface), which cannot fail. If joined features or coplanar facets move by more than 64 spacings of the "
-          "numbers, thickened faces are tried, too, and the nearer result is taken. Thickened faces and later "
-          "methods are needed only where shells a few spacings thick are combined with copies of themselves again "
-          "and again.\n\n  "
+          "sides.\n\n  " +
+          methods_text() +
+          "\n\n  "
           "Walls and fins thinner than the grid vanish, and slots narrower than it close, however long they are. A "
           "solid vanishes altogether only if no cube of the grid is found within it; a slanted one may be up to 3.5 "
           "times as thick as the grid and contain none. Thickened faces and later methods promise no distance: of "

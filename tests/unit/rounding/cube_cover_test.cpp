@@ -97,22 +97,6 @@ TEST(CubeCover, can_be_interrupted) {
             ErrorCode::interrupted);
 }
 
-TEST(CoarserGrids, round_close_spheres) {
-  const TriangleMesh sphere = geodesic_sphere(4);
-  const AffineMap turn = *AffineMap::rotation(RationalVec3(Vec3{0, 0, 0}), RationalVec3(Vec3{1, 2, 3}), 1e-4);
-  const TriangleMesh solid = SetOperations().subtract(
-      sphere, mapped(sphere, [&](const Vec3& p) { return turn.apply_rounded(ExactPoint(p)); }));
-  const SolidPart whole(solid);
-  SolidRounding job(solid, whole, CoordinateGrid::doubles(), nullptr);
-  const auto is_found = round_to_coarser_grids(job);
-  ASSERT_TRUE(is_found.ok() && *is_found);
-  const RoundedSolid rounded = job.result();
-  EXPECT_EQ(rounded.method, RoundingMethod::coarser_grid);
-  EXPECT_EQ(prove_volume(*rounded.mesh)->text(), "");
-  EXPECT_LE(rounded.largest_movement, 0x1p22 * job.spacing());
-  expect_near(*rounded.mesh, solid, rounded.largest_movement);
-}
-
 TEST(SquareCover, of_random_surfaces_is_valid_and_near) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -60,6 +60,12 @@ Result<bool> RoundingJob::accept(const RoundingCandidate& candidate) {
   return is_valid;
 }
 
+Result<bool> RoundingJob::accept_moved() {
+  A3D_ASSIGN(const std::optional<double> distance, prove_moved_vertices());
+  if (distance) accepted_distance_ = *distance;
+  return distance.has_value();
+}
+
 /// The limit: if a rounding has folded the mesh, all pairs may touch; that is hopeless.
 Result<std::optional<TriangleMesh>> RoundingJob::divided(const TriangleMesh& mesh) const {
   return divided(mesh, 100 * mesh.face_count() + 100'000);

@@ -99,11 +99,16 @@ class RoundingJob {
   double accepted_distance() const { return accepted_distance_; }
   /// Proves the mesh with its vertices moved and its faces as they were, as `accept` does. False also if two vertices
   /// coincide, or if a vertex lies inside an edge or face.
-  virtual Result<bool> accept_moved() = 0;
+  Result<bool> accept_moved();
+  /// Replaces the mesh by the cubes that it meets, or by their faces: always valid. False if the grid has no numbers
+  /// beyond the mesh.
+  virtual Result<bool> accept_cover() = 0;
 
  protected:
   /// Proves the candidate; true if it is valid, and the result from now on.
   virtual Result<bool> prove(const RoundingCandidate& candidate) = 0;
+  /// As above for `accept_moved`: the largest distance of the result, if it is valid.
+  virtual Result<std::optional<double>> prove_moved_vertices() = 0;
   /// The mesh must outlive this. `size`: the largest coordinate of what is given, of which the mesh may be a part.
   RoundingJob(const TriangleMesh& mesh, double size, const CoordinateGrid& grid, const Monitor& monitor);
 

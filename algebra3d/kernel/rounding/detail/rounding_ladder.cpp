@@ -1,8 +1,14 @@
 #include "algebra3d/kernel/rounding/detail/rounding_ladder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "algebra3d/kernel/rounding/detail/rounding_rungs.h"
 #include "algebra3d/kernel/rounding/detail/thickening.h"
@@ -11,91 +17,199 @@
 namespace algebra3d {
 namespace {
 
-/// Within which reach, in spacings of the grid, features are joined, and facets made coplanar: how far before other
-/// ways are tried, and at last.
-constexpr double kModestReach = 32;
-constexpr double kLargestReach = 0x1p20;
 /// A result no farther away, in spacings, is not looked for any nearer.
 constexpr double kNearEnough = 64;
-/// Most features are joined within a small reach, so that the rest needs a wide one in few places only.
-constexpr JoiningReach kGrowingReach = {8, kLargestReach};
-constexpr JoiningReach kWideReach = {kLargestReach, kLargestReach};
-/// On which lattices faces are thickened: before coarser grids, and at last.
-constexpr ThickeningSteps kNearThickening = {4, 18, 2};
-constexpr ThickeningSteps kFarThickening = {20, 60, 4};
 
-/// The faces are kept if no vertices come together. Where they do, snap rounding is next; but on a grid of multiples,
-/// which may be coarse, edges led round vertices may close a gap as wide as a triangle.
-Result<bool> move_vertices(RoundingJob& job) {
-  A3D_TRY(job.begin("moving vertices"));
-  A3D_ASSIGN(const bool are_faces_kept, job.accept_moved());
-  if (are_faces_kept || job.grid().is_floating()) return are_faces_kept;
+/// A job on its way up, with what several rungs need: each is made when it is first asked for.
+class Climb {
+ public:
+  explicit Climb(RoundingJob& rounding) : job(rounding) {}
+
+  /// The snap rounded mesh.
+  Result<const RoundingCandidate*> snapped() {
+    if (!snapped_) {
+      A3D_ASSIGN(snapped_, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
+    }
+    return &*snapped_;
+  }
+  /// The vertices of which a triangle crosses others after snap rounding.
+  Result<const std::vector<bool>*> crowded() {
+    if (!crowded_) {
+      A3D_ASSIGN(const RoundingCandidate* candidate, snapped());
+      A3D_ASSIGN(crowded_, crowded_vertices(job, candidate->mesh));
+    }
+    return &*crowded_;
+  }
+  /// True if most vertices are crowded: wide reaches make more of their triangles cross than they join.
+  Result<bool> is_crowded() {
+    A3D_ASSIGN(const std::vector<bool>* vertices, crowded());
+    return 2 * std::ranges::count(*vertices, true) > std::ssize(*vertices);
+  }
+
+  RoundingJob& job;
+
+ private:
+  std::optional<RoundingCandidate> snapped_;
+  std::optional<std::vector<bool>> crowded_;
+};
+
+/// From and to: how near to each other features are that a rung joins, or how wide the cells of its lattice, in
+/// spacings.
+struct Reach {
+  double first = 0, last = 0;
+};
+
+Result<bool> always(Climb& /*climb*/) {
+  return true;
+}
+Result<bool> of_multiples(Climb& climb) {
+  return !climb.job.grid().is_floating();
+}
+Result<bool> of_part(Climb& climb) {
+  return !climb.job.is_whole() && climb.job.grid().is_floating();
+}
+Result<bool> of_whole(Climb& climb) {
+  return climb.job.is_whole();
+}
+Result<bool> of_whole_multiples(Climb& climb) {
+  return climb.job.is_whole() && !climb.job.grid().is_floating();
+}
+Result<bool> of_sparse(Climb& climb) {
+  if (!climb.job.is_whole()) return false;
+  A3D_ASSIGN(const bool is_crowded, climb.is_crowded());
+  return !is_crowded;
+}
+Result<bool> of_crowded(Climb& climb) {
+  return climb.job.is_whole() ? climb.is_crowded() : Result<bool>(false);
+}
+Result<bool> of_whole_solid(Climb& climb) {
+  return climb.job.is_whole() && climb.job.is_solid();
+}
+
+Result<bool> keep_faces(Climb& climb, Reach /*reach*/) {
+  A3D_TRY(climb.job.begin("moving vertices"));
+  return climb.job.accept_moved();
+}
+
+/// On a grid of multiples, which may be coarse, edges led round vertices may close a gap as wide as a triangle.
+Result<bool> move_vertices(Climb& climb, Reach /*reach*/) {
+  RoundingJob& job = climb.job;
   A3D_ASSIGN(const RoundingCandidate moved, with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
   return job.accept(moved);
 }
 
-/// True if a candidate was accepted, and no nearer one needs to be looked for.
-bool is_near_enough(const RoundingJob& job) {
-  return job.accepted_distance() <= kNearEnough * job.spacing();
+Result<bool> lead_edges(Climb& climb, Reach /*reach*/) {
+  A3D_TRY(climb.job.begin("leading edges round vertices"));
+  A3D_ASSIGN(const RoundingCandidate* snapped, climb.snapped());
+  return climb.job.accept(*snapped);
 }
 
-/// Only solids have faces that can be thickened.
-Result<bool> thicken(RoundingJob& job, const std::vector<bool>& crowded, const ThickeningSteps& steps) {
-  return job.is_solid() ? thicken_faces(job, crowded, steps) : Result<bool>(false);
+Result<bool> divide(Climb& climb, Reach /*reach*/) {
+  RoundingJob& job = climb.job;
+  A3D_ASSIGN(const RoundingCandidate moved, with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
+  return divide_at_crossings(job, moved);
 }
 
-/// The rungs above snap rounding and dividing. Where most vertices are crowded, joining within wide reaches makes more
-/// triangles cross than before; where few are, it may be nearer than thickened faces, and has fewer triangles.
-Result<bool> join_or_thicken(RoundingJob& job, const RoundingCandidate& snapped) {
-  A3D_ASSIGN(bool is_found, join_features(job, snapped, job.grid(), kGrowingReach));
-  if (is_near_enough(job)) return true;
-  A3D_ASSIGN(const std::vector<bool> crowded, crowded_vertices(job, snapped.mesh));
-  if (!is_found) {
-    A3D_ASSIGN(is_found, join_coplanar(job, crowded, kFirstReach, kModestReach));
-  }
-  const bool is_crowded = 2 * std::ranges::count(crowded, true) > std::ssize(crowded);
-  if (!is_found && !is_crowded) {
-    A3D_ASSIGN(is_found, join_features(job, snapped, job.grid(), kWideReach));
-  }
-  if (is_near_enough(job)) return true;
-  A3D_ASSIGN(const bool is_thickened, thicken(job, crowded, kNearThickening));
-  if (is_found || is_thickened) return true;
-  if (is_crowded) {
-    A3D_ASSIGN(is_found, join_features(job, snapped, job.grid(), kWideReach));
-  }
-  if (!is_found) {
-    A3D_ASSIGN(is_found, join_coplanar(job, crowded, 4 * kModestReach, kLargestReach));
-  }
-  if (!is_found) {
-    A3D_ASSIGN(is_found, round_to_coarser_grids(job));
-  }
-  return is_found ? Result<bool>(true) : thicken(job, crowded, kFarThickening);
+Result<bool> join(Climb& climb, Reach reach) {
+  A3D_ASSIGN(const RoundingCandidate* snapped, climb.snapped());
+  return join_features(climb.job, *snapped, {reach.first, reach.last});
+}
+
+Result<bool> make_coplanar(Climb& climb, Reach reach) {
+  A3D_ASSIGN(const std::vector<bool>* crowded, climb.crowded());
+  return join_coplanar(climb.job, *crowded, reach.first, reach.last);
+}
+
+/// The wider the lattices, the larger are the steps from one to the next.
+Result<bool> thicken(Climb& climb, Reach reach) {
+  A3D_ASSIGN(const std::vector<bool>* crowded, climb.crowded());
+  const int first = std::ilogb(reach.first), last = std::ilogb(reach.last);
+  return thicken_faces(climb.job, *crowded, {first, last, first < 20 ? 2 : 4});
+}
+
+Result<bool> cover(Climb& climb, Reach /*reach*/) {
+  A3D_TRY(climb.job.begin(climb.job.is_solid() ? "covering with cubes" : "covering with faces of cubes"));
+  return climb.job.accept_cover();
+}
+
+/// A rung of the ladder.
+struct Rung {
+  std::string_view name;
+  Result<bool> (*is_for)(Climb&);
+  std::string_view condition;  ///< of `is_for`, in words
+  Reach reach;
+  Result<bool> (*attempt)(Climb&, Reach);
+  std::string_view promise;
+  /// Tried also where a candidate was accepted that is not near enough: the nearer one is taken.
+  bool may_better = false;
+};
+
+constexpr std::string_view kJoined = "features joined";
+constexpr std::string_view kCoplanar = "facets made coplanar, features joined";
+constexpr std::string_view kThickened = "faces thickened, features joined";
+
+constexpr std::string_view kApart = "if no two meet and none comes to lie inside an edge or face";
+constexpr std::string_view kMultiples = "with a grid width";
+constexpr std::string_view kPart = "of a part of a solid, to doubles or floats";
+constexpr std::string_view kFewCrowded = "if at most 1,000 vertices are corners of triangles that cross";
+constexpr std::string_view kSparse = "if at most half of the vertices are";
+constexpr std::string_view kCrowded = "if more than half of the vertices are";
+
+constexpr std::string_view kHalf = "half a spacing in each coordinate";
+constexpr std::string_view kSome = "some spacings";
+constexpr std::string_view kMostlyNear = "no limit, mostly 64 spacings";
+constexpr std::string_view kNoLimit = "no limit";
+constexpr std::string_view kCells = "64 cells of the lattice";
+
+// Where most vertices are crowded, joining within wide reaches makes more triangles cross than before; where few are,
+// it may be nearer than thickened faces, and has fewer triangles. Most features are joined within a small reach, so
+// that the rest needs a wide one in few places only.
+constexpr Rung kLadder[] = {
+    {"vertices moved", always, kApart, {}, keep_faces, kHalf},
+    {"vertices moved, those at one place joined", of_multiples, kMultiples, {}, move_vertices, kHalf},
+    {"edges led round vertices", always, "", {}, lead_edges, kSome},
+    {"divided where triangles crossed", of_whole_multiples, kMultiples, {}, divide, kSome},
+    {kJoined, of_part, kPart, {32, 32}, join, kMostlyNear},
+    {kJoined, of_whole, "", {8, 0x1p20}, join, kMostlyNear},
+    {kCoplanar, of_whole, kFewCrowded, {2, 32}, make_coplanar, kMostlyNear},
+    {kJoined, of_sparse, kSparse, {0x1p20, 0x1p20}, join, kNoLimit},
+    {kThickened, of_whole_solid, "of solids", {0x1p4, 0x1p18}, thicken, kMostlyNear, true},
+    {kJoined, of_crowded, kCrowded, {0x1p20, 0x1p20}, join, kNoLimit},
+    {kCoplanar, of_whole, kFewCrowded, {128, 0x1p20}, make_coplanar, kNoLimit},
+    {kThickened, of_whole_solid, "of solids", {0x1p20, 0x1p60}, thicken, kCells},
+    {"cover of cubes, for a surface their faces", of_whole, "cannot fail", {}, cover, "the diagonal of a cube"},
+};
+
+/// A reach in words: "", "32 spacings", "8 to 2^20 spacings".
+std::string words(const Reach& reach) {
+  const auto number = [](double spacings) {
+    return spacings < 1000 ? fmt::format("{}", spacings) : fmt::format("2^{}", std::ilogb(spacings));
+  };
+  if (reach.last == 0) return "";
+  if (reach.first == reach.last) return number(reach.last) + " spacings";
+  return fmt::format("{} to {} spacings", number(reach.first), number(reach.last));
 }
 
 }  // namespace
 
-Result<bool> round_part(RoundingJob& job) {
-  A3D_ASSIGN(const bool is_moved, move_vertices(job));
-  if (is_moved) return true;
-  A3D_TRY(job.begin("leading edges round vertices"));
-  A3D_ASSIGN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
-  A3D_ASSIGN(const bool is_found, job.accept(snapped));
-  return is_found || !job.grid().is_floating() ? Result<bool>(is_found)
-                                               : join_features(job, snapped, job.grid(), {kModestReach, kModestReach});
+Result<bool> climb_ladder(RoundingJob& job) {
+  Climb climb(job);
+  bool is_found = false;
+  for (const Rung& rung : kLadder) {
+    if (is_found && !rung.may_better) continue;
+    A3D_ASSIGN(const bool is_for_job, rung.is_for(climb));
+    if (!is_for_job) continue;
+    A3D_ASSIGN(const bool is_accepted, rung.attempt(climb, rung.reach));
+    is_found = is_found || is_accepted;
+    if (is_found && job.accepted_distance() <= kNearEnough * job.spacing()) break;
+  }
+  return is_found;
 }
 
-// Where the grid may be coarse for the solid, dividing comes before joining; else it would only take time.
-Result<bool> round_whole(RoundingJob& job) {
-  A3D_ASSIGN(bool is_found, move_vertices(job));
-  if (is_found) return true;
-  A3D_TRY(job.begin("leading edges round vertices"));
-  A3D_ASSIGN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
-  A3D_ASSIGN(is_found, job.accept(snapped));
-  if (!is_found && !job.grid().is_floating()) {
-    A3D_ASSIGN(const RoundingCandidate moved, with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
-    A3D_ASSIGN(is_found, divide_at_crossings(job, moved));
-  }
-  return is_found ? Result<bool>(true) : join_or_thicken(job, snapped);
+std::vector<RungInWords> rounding_rungs() {
+  std::vector<RungInWords> result;
+  for (const Rung& rung : kLadder) result.push_back({rung.name, rung.condition, words(rung.reach), rung.promise});
+  return result;
 }
 
 }  // namespace algebra3d

@@ -5,12 +5,9 @@
 
 namespace algebra3d {
 
-// The ladder of methods (docs/set-operations.md, "Rounding of solids") without the cover of cubes. Errors: interrupted,
-// limit_exceeded.
-
-/// Climbs the rungs that a part of a solid is enough for, until the job accepts a candidate; false if it accepts none.
-Result<bool> round_part(RoundingJob& job);
-/// Climbs all rungs with the whole mesh.
-Result<bool> round_whole(RoundingJob& job);
+/// Climbs the ladder of rounding (the table in rounding_ladder.cpp, in words `rounding_rungs`), until the job accepts a
+/// candidate that no further rung may better. False if it accepts none: a part of a solid needs rungs for which the
+/// whole must be given, or the grid has no numbers beyond the mesh. Errors: interrupted, limit_exceeded.
+Result<bool> climb_ladder(RoundingJob& job);
 
 }  // namespace algebra3d

@@ -100,12 +100,6 @@ constexpr std::size_t kToleratedCrossings = 20;
 /// So many crossings that do not become fewer are given a wider reach; with more, needles would pile up.
 constexpr std::size_t kFewCrossingsLeft = 100;
 
-/// How much coarser the grids get from one to the next, and the coarsest one, as powers of two; and the reach there, in
-/// spacings of the coarser grid.
-constexpr int kGridStep = 4;
-constexpr int kCoarsestGrid = 20;
-constexpr double kReachOnCoarserGrids = 4;
-
 /// The work of joining features in all turns of a rung, beside that for each triangle; and of a turn for each triangle,
 /// which is searched for crossings and divided.
 constexpr std::size_t kLeastWork = 8000;
@@ -146,19 +140,18 @@ Result<RoundingCandidate> snap_rounded_near_moved(TriangleMesh mesh, const Coord
 }
 
 /// Rounds the new corners of a mesh that was divided at its crossings. False if no division was made.
-Result<bool> round_divided(const RoundingJob& job, std::optional<TriangleMesh> divided, RoundingCandidate& candidate,
-                           const CoordinateGrid& grid) {
+Result<bool> round_divided(const RoundingJob& job, std::optional<TriangleMesh> divided, RoundingCandidate& candidate) {
   if (!divided) return false;
-  A3D_ASSIGN(RoundingCandidate snapped, snap_rounded_near_moved(*std::move(divided), grid, job.cancel()));
+  A3D_ASSIGN(RoundingCandidate snapped, snap_rounded_near_moved(*std::move(divided), job.grid(), job.cancel()));
   candidate.mesh = std::move(snapped.mesh);
   candidate.movement = candidate.movement + snapped.movement;
   return true;
 }
 
 /// Divides the candidate at its crossings, and rounds the new corners. False if that is too much.
-Result<bool> divide(const RoundingJob& job, RoundingCandidate& candidate, const CoordinateGrid& grid) {
+Result<bool> divide(const RoundingJob& job, RoundingCandidate& candidate) {
   A3D_ASSIGN(std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
-  return round_divided(job, std::move(divided), candidate, grid);
+  return round_divided(job, std::move(divided), candidate);
 }
 
 /// Puts the joined mesh in place of the candidate's.
@@ -177,9 +170,8 @@ Result<bool> join_moved(RoundingJob& job, const MovedVertices& moved, double rea
                              RoundingMethod::facets_made_coplanar};
   const std::size_t max_pairs = kCoplanarPairs * job.mesh().face_count() + kLeastCoplanarPairs;
   A3D_ASSIGN(std::optional<TriangleMesh> divided, job.divided(coplanar.mesh, max_pairs));
-  A3D_ASSIGN(const bool is_divided, round_divided(job, std::move(divided), coplanar, job.grid()));
-  return is_divided ? join_features(job, std::move(coplanar), job.grid(), {largest_reach, largest_reach})
-                    : Result<bool>(false);
+  A3D_ASSIGN(const bool is_divided, round_divided(job, std::move(divided), coplanar));
+  return is_divided ? join_features(job, std::move(coplanar), {largest_reach, largest_reach}) : Result<bool>(false);
 }
 
 }  // namespace
@@ -199,9 +191,8 @@ Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate) 
   return false;
 }
 
-Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const CoordinateGrid& grid,
-                           const JoiningReach& reaches) {
-  const double spacing = std::max(grid.spacing_up_to(job.size()), job.spacing());
+Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const JoiningReach& reaches) {
+  const double spacing = job.spacing();
   const RoundingCandidate first = candidate;
   std::size_t most_crossings = SIZE_MAX;
   double reach = reaches.first;
@@ -209,9 +200,9 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
   JoiningWork work(job.mesh(), reaches.most_work);
   for (int turn = 0; turn < kMaxTurns; ++turn) {
     A3D_TRY(job.begin(fmt::format("joining features, turn {}", turn + 1)));
-    A3D_ASSIGN(
-        FeatureSnappedMesh joined,
-        snap_features(candidate.mesh, grid, spacing, {reach, most_crossings, work.left()}, job.cancel(), job.folded()));
+    A3D_ASSIGN(FeatureSnappedMesh joined,
+               snap_features(candidate.mesh, job.grid(), spacing, {reach, most_crossings, work.left()}, job.cancel(),
+                             job.folded()));
     work.add(joined.work + kWorkOfTurn * candidate.mesh.face_count());
     if (!joined.mesh) {
       if (work.left() == 0 || reach >= reaches.last || joined.crossings_before > kFewCrossingsLeft) return false;
@@ -232,7 +223,7 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
     if (!job.is_whole() || grows || work.left() == 0) return false;
     most_crossings = crossings_before / 2 + kToleratedCrossings;
     if (reaches.must_fall) most_crossings = std::min(most_crossings, std::max<std::size_t>(crossings_before, 1) - 1);
-    A3D_ASSIGN(const bool is_divided, divide(job, candidate, grid));
+    A3D_ASSIGN(const bool is_divided, divide(job, candidate));
     if (!is_divided) return false;
   }
   return false;
@@ -267,26 +258,6 @@ Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, d
     reach *= kReachGrowth;
   }
   return is_found;
-}
-
-Result<bool> round_to_coarser_grids(RoundingJob& job) {
-  for (int exponent = kGridStep; exponent <= kCoarsestGrid; exponent += kGridStep) {
-    const double spacing = std::ldexp(job.spacing(), exponent);
-    A3D_TRY(job.begin(fmt::format("moving vertices to a grid that is 2^{} times coarser", exponent)));
-    const CoordinateGrid coarser = CoordinateGrid::multiples(spacing);
-    const RoundedVertices vertices = rounded_vertices(job.mesh(), coarser);
-    if (!vertices.are_finite) return false;
-    A3D_ASSIGN(RoundingCandidate candidate, snap_rounded(job.mesh(), vertices, job.cancel()));
-    candidate.reach = spacing;
-    candidate.method = RoundingMethod::coarser_grid;
-    A3D_ASSIGN(bool is_accepted, job.accept(candidate));
-    if (!is_accepted) {
-      A3D_ASSIGN(is_accepted,
-                 join_features(job, std::move(candidate), coarser, {kReachOnCoarserGrids, kReachOnCoarserGrids}));
-    }
-    if (is_accepted) return true;
-  }
-  return false;
 }
 
 Result<std::optional<RoundingCandidate>> cover_of_cubes(const TriangleMesh& solid, const CoordinateGrid& grid,

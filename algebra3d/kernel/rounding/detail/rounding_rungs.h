@@ -30,9 +30,8 @@ struct JoiningReach {
 };
 
 /// Joins features that are nearly one, and divides at crossings, in turns, as long as no more than some half of the
-/// crossings are left. `grid`: that of the candidate, the job's or a coarser one.
-Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const CoordinateGrid& grid,
-                           const JoiningReach& reach);
+/// crossings are left.
+Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const JoiningReach& reach);
 
 /// Which vertices of the mesh are corners of triangles that cross others after snap rounding.
 Result<std::vector<bool>> crowded_vertices(const RoundingJob& job, const TriangleMesh& snapped);
@@ -43,9 +42,6 @@ Result<std::vector<bool>> crowded_vertices(const RoundingJob& job, const Triangl
 /// first reach is tried.
 Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, double first_reach,
                            double largest_reach);
-
-/// Rounds to grids that are up to 2^20 times as coarse, and joins features there within small reaches.
-Result<bool> round_to_coarser_grids(RoundingJob& job);
 
 /// The cubes of a lattice that meet a solid, in place of it (cell_cover.h): as fine as a number of cubes at its
 /// boundary allows, and no finer than the grid. Never empty, valid by construction, and contains the solid. None if the

@@ -10,6 +10,8 @@
 #include "algebra3d/kernel/autorefinement/winding_selection.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/rounding/detail/met_cells.h"
+#include "algebra3d/kernel/rounding/detail/rounding_rungs.h"
 #include "algebra3d/kernel/rounding/detail/simpler_form.h"
 #include "algebra3d/kernel/rounding/detail/triangle_stars.h"
 #include "algebra3d/kernel/rounding/detail/vanishing.h"
@@ -130,20 +132,29 @@ Result<bool> SolidRounding::prove(const RoundingCandidate& candidate) {
   return accept_as_it_is(candidate);
 }
 
-Result<bool> SolidRounding::accept_moved() {
+Result<std::optional<double>> SolidRounding::prove_moved_vertices() {
   RoundedVertices all = rounded_vertices(solid_, grid());
-  if (!are_apart(all)) return false;
+  if (!are_apart(all)) return std::optional<double>();
   const double movement = rounded_up(all.largest_movement);
   const RoundingCandidate moved_part = with_its_faces(mesh(), vertices());
   A3D_ASSIGN(const std::optional<RoundingCandidate> simpler, simplified(moved_part));
   if (simpler) {
     A3D_ASSIGN(const bool is_valid, accept_as_it_is(*simpler));
-    return is_valid && result_.contact_vertices == 0;
+    return is_valid && result_.contact_vertices == 0 ? std::optional(result_.largest_movement) : std::nullopt;
   }
   TriangleMesh moved(solid_, std::move(all.points));
   A3D_ASSIGN(const ProofWithContacts proof, prove_moved(solid_, moved, all.movements, movement, cancel()));
-  if (!proof.is_valid || proof.contact_vertices > 0) return false;
+  if (!proof.is_valid || proof.contact_vertices > 0) return std::optional<double>();
   result_ = {std::move(moved), "", 0, movement, RoundingMethod::vertices_moved};
+  return std::optional(movement);
+}
+
+Result<bool> SolidRounding::accept_cover() {
+  A3D_ASSIGN(const std::optional<RoundingCandidate> cover,
+             cover_of_cubes(mesh(), grid(), cell_budget(mesh()), cancel()));
+  if (!cover) return false;
+  A3D_ASSIGN(const bool is_valid, accept(*cover));
+  if (!is_valid) return Error(ErrorCode::internal, "a cover of cubes is not valid");
   return true;
 }
 

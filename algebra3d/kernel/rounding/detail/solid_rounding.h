@@ -28,7 +28,8 @@ class SolidRounding : public RoundingJob {
   /// the first one was needed, or if a cell of the grid is found within the solid.
   Result<bool> prove(const RoundingCandidate& candidate) override;
   /// If the part can be simplified, only its simplified form is tried.
-  Result<bool> accept_moved() override;
+  Result<std::optional<double>> prove_moved_vertices() override;
+  Result<bool> accept_cover() override;
 
   /// The last accepted candidate, put in place of the part; nothing is known of the vertices that moved.
   RoundedSolid&& result() { return std::move(result_); }

@@ -150,7 +150,7 @@ Result<bool> thicken_faces(RoundingJob& job, const std::vector<bool>& crowded, c
     A3D_ASSIGN(bool is_accepted, job.accept(*candidate));
     if (!is_accepted) {
       A3D_ASSIGN(is_accepted,
-                 join_features(job, *std::move(candidate), job.grid(),
+                 join_features(job, *std::move(candidate),
                                {kFirstJoiningReach, std::max(kFirstJoiningReach, kLastJoiningReach * cells), true}));
     }
     if (is_accepted) return true;
