@@ -16,8 +16,10 @@
 
 #include "algebra3d/kernel/rounding/rounded_solid.h"
 #include "algebra3d/kernel/search/boxes.h"
-#include "algebra3d/library/detail/operator_call.h"
 #include "algebra3d/library/shape_access.h"
+#include "algebra3d/values/constructions/shape_makers.h"
+#include "base/context.h"
+#include "base/diagnostics.h"
 
 namespace bench {
 namespace {
@@ -27,7 +29,6 @@ using algebra3d::Monitor;
 using algebra3d::RoundedSolid;
 using algebra3d::Solid;
 using algebra3d::TriangleMesh;
-using algebra3d::Value;
 using algebra3d::Vec3;
 using algebra3d::detail::ShapeAccess;
 
@@ -97,11 +98,12 @@ Made first_solid(Chance& chance) {
   if (kind < 3)
     return {Solid::sphere({0, 0, 0}, 1, corners).value(),
             fmt::format("createSphere(makePoint3D(0, 0, 0), 1, {})", corners)};
+  algebra3d::Diagnostics diagnostics;
+  algebra3d::Context context{.diagnostics = diagnostics};
   const auto cylinder =
-      algebra3d::detail::call<algebra3d::Volume3d>("cylinder", "createCylinder",
-                                                   {algebra3d::detail::point_value({0, 0, 0}), Value::of<double>(1),
-                                                    Value::of<double>(1), Value::of<std::int64_t>(corners)});
-  return {ShapeAccess::outer(cylinder).value(), fmt::format("createCylinder(makePoint3D(0, 0, 0), 1, 1, {})", corners)};
+      algebra3d::upright_prism(context, algebra3d::Point3d{algebra3d::ExactPoint(Vec3{0, 0, 0})}, 1, 1, corners);
+  return {ShapeAccess::outer(cylinder.value().value()),
+          fmt::format("createCylinder(makePoint3D(0, 0, 0), 1, 1, {})", corners)};
 }
 
 /// The solid V turned or moved by very little.
