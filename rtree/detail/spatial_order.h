@@ -1,13 +1,17 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/hilbert.h"
+#include "base/radix_sort.h"
 #include "base/scheduler.h"
-#include "rtree/detail/radix_sort.h"
+#include "rtree/detail/storage.h"
 
 namespace rtree {
 
@@ -15,6 +19,12 @@ namespace rtree {
 inline constexpr std::uint32_t kCellBits = 10;
 /// Number of cells on an axis.
 inline constexpr std::uint32_t kCellsOnAxis = 1U << kCellBits;
+
+/// An entry during bulk loading: where it lies on the curve, and its index in the input.
+struct Place {
+  std::uint32_t code;  ///< of 3 * kCellBits bits
+  std::uint32_t index;
+};
 
 /// A grid of cubes over a region, with kCellsOnAxis of them on its longest axis.
 class CellGrid {
@@ -75,7 +85,9 @@ class SpatialSorter {
   // Adds the cells with too many places to `crowded`.
   void sort(Span span, Spans& crowded) {
     const std::size_t count = span.second - span.first;
-    radix_sort(places_.subspan(span.first, count), std::span<Place>(buffer_).subspan(span.first, count));
+    algebra3d::radix_sort<3 * kCellBits>(places_.subspan(span.first, count),
+                                         std::span<Place>(buffer_).subspan(span.first, count),
+                                         [](const Place& place) { return place.code; });
     for (std::size_t i = span.first; i + kFanOut < span.second;) {
       // Sorted codes: a cell is crowded if the place that is a node further has the same.
       if (places_[i].code != places_[i + kFanOut].code) {

@@ -1,6 +1,7 @@
 #include "algebra3d/kernel/soup/spatial_order.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <compare>
 #include <functional>
@@ -10,22 +11,12 @@
 #include "algebra3d/kernel/halfedge/mesh_triangles.h"
 #include "algebra3d/kernel/halfedge/relinked.h"
 #include "base/large_allocator.h"
+#include "base/morton.h"
+#include "base/radix_sort.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
 namespace {
-
-constexpr unsigned kBitsPerAxis = 21;
-
-/// `value`, of kBitsPerAxis bits, with two zeros before each bit.
-std::uint64_t spread(std::uint64_t value) {
-  value = (value | value << 32U) & 0x001F00000000FFFFU;
-  value = (value | value << 16U) & 0x001F0000FF0000FFU;
-  value = (value | value << 8U) & 0x100F00F00F00F00FU;
-  value = (value | value << 4U) & 0x10C30C30C30C30C3U;
-  value = (value | value << 2U) & 0x1249249249249249U;
-  return value;
-}
 
 /// The Morton code of a face's centre. All numbers are scaled down first, so that nothing overflows.
 class CentreCode {
@@ -36,20 +27,20 @@ class CentreCode {
     origin_ = 0.25 * box.min;
     const Vec3 extent = 0.25 * box.max - origin_;
     const double largest = std::max({extent.x, extent.y, extent.z});
-    if (largest > 0) scale_ = static_cast<double>((1U << kBitsPerAxis) - 1) / largest;
+    if (largest > 0) scale_ = static_cast<double>((1U << kMortonBits) - 1) / largest;
   }
 
   /// The code of a face, from the sum of its corners, each scaled by 1/4.
   std::uint64_t operator()(const Vec3& sum, double corner_count) const {
-    std::uint64_t code = 0;
+    std::array<std::uint32_t, 3> cell{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double centre = sum[axis] / corner_count;
       // A subnormal extent can make the scale infinite, and the product NaN: then all faces are in one place.
       const double place = (centre - origin_[axis]) * scale_;
-      const bool is_inside = place >= 0 && place < static_cast<double>(1U << kBitsPerAxis);
-      code |= spread(is_inside ? static_cast<std::uint64_t>(place) : 0) << axis;
+      const bool is_inside = place >= 0 && place < static_cast<double>(1U << kMortonBits);
+      cell[axis] = is_inside ? static_cast<std::uint32_t>(place) : 0;
     }
-    return code;
+    return morton_code(cell[0], cell[1], cell[2]);
   }
 
  private:
@@ -64,30 +55,21 @@ struct CodedFace {
   friend auto operator<=>(const CodedFace&, const CodedFace&) = default;
 };
 
-constexpr unsigned kDigitBits = 11;
-constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 constexpr unsigned kSortedBits = 33;  // of the codes, by digits: the highest; the rest concerns few faces
+constexpr unsigned kShift = 3 * kMortonBits - kSortedBits;
 
 /// Sorts runs of equal highest bits.
 void sort_runs(LargeVector<CodedFace>& coded) {
-  constexpr unsigned kShift = 3 * kBitsPerAxis - kSortedBits;
   for (std::size_t first = 0, last = 0; first < coded.size(); first = last) {
     while (last < coded.size() && coded[last].code >> kShift == coded[first].code >> kShift) ++last;
     if (last - first > 1) std::ranges::sort(std::span(coded).subspan(first, last - first));
   }
 }
 
-/// Sorts by code, then by face: by digits from the lowest of the highest bits, then what these leave open.
-void radix_sort(LargeVector<CodedFace>& coded) {
-  LargeVector<CodedFace> sorted(coded.size());
-  for (unsigned shift = 3 * kBitsPerAxis - kSortedBits; shift < 3 * kBitsPerAxis; shift += kDigitBits) {
-    const auto digit = [shift](const CodedFace& f) { return (f.code >> shift) & (kDigits - 1); };
-    std::vector<std::size_t> places(kDigits + 1);
-    for (const CodedFace& f : coded) ++places[digit(f) + 1];
-    for (std::size_t d = 0; d < kDigits; ++d) places[d + 1] += places[d];
-    for (const CodedFace& f : coded) sorted[places[digit(f)]++] = f;
-    std::swap(coded, sorted);
-  }
+/// Sorts by code, then by face: by digits of the highest bits, then what these leave open.
+void sort_coded(LargeVector<CodedFace>& coded) {
+  LargeVector<CodedFace> buffer(coded.size());
+  radix_sort<kSortedBits>(std::span(coded), std::span(buffer), [](const CodedFace& f) { return f.code >> kShift; });
   sort_runs(coded);
 }
 
@@ -120,7 +102,7 @@ std::vector<std::uint32_t> order_by_code(std::size_t face_count, const CodeOf& c
   parallel_for(face_count, kFacesPerTask, [&](std::size_t f) {
     coded[f] = {code_of(f), static_cast<std::uint32_t>(f)};
   });
-  if (!merge_sort_few(coded)) radix_sort(coded);
+  if (!merge_sort_few(coded)) sort_coded(coded);
   std::vector<std::uint32_t> order;
   resize_large(order, face_count);
   std::ranges::transform(coded, order.begin(), &CodedFace::face);

@@ -1,6 +1,7 @@
 #include "algebra3d/values/display/triangle_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -11,21 +12,20 @@
 
 #include "algebra3d/kernel/soup/spatial_order.h"
 #include "algebra3d/values/display/detail/task_size.h"
+#include "base/morton.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
 namespace {
 
-constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
-
 /// Old and new numbers of positions.
 struct Renumbering {
   std::vector<std::uint32_t> new_of_old, old_of_new;
 
-  explicit Renumbering(std::size_t count) : new_of_old(count, kUnused) { old_of_new.reserve(count); }
+  explicit Renumbering(std::size_t count) : new_of_old(count, kNone) { old_of_new.reserve(count); }
 
   void use(std::uint32_t position) {
-    if (new_of_old[position] != kUnused) return;
+    if (new_of_old[position] != kNone) return;
     new_of_old[position] = static_cast<std::uint32_t>(old_of_new.size());
     old_of_new.push_back(position);
   }
@@ -87,24 +87,16 @@ class CoarseCode {
   }
 
   std::uint32_t operator()(const IndexTriangle& triangle) const {
-    std::uint32_t code = 0;
+    std::array<std::uint32_t, 3> cell{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       double sum = 0;
       for (const std::uint32_t corner : triangle) sum += shape_.positions[corner][axis];
-      const double place = std::clamp((sum / 3 + half_[axis]) * scale_, 0.0, kCells - 1);
-      code |= spread(static_cast<std::uint32_t>(place)) << axis;
+      cell[axis] = static_cast<std::uint32_t>(std::clamp((sum / 3 + half_[axis]) * scale_, 0.0, kCells - 1));
     }
-    return code;
+    return static_cast<std::uint32_t>(morton_code(cell[0], cell[1], cell[2]));
   }
 
  private:
-  /// Eight bits, with two zeros between them.
-  static std::uint32_t spread(std::uint32_t value) {
-    value = (value | value << 8U) & 0x00F00FU;
-    value = (value | value << 4U) & 0x0C30C3U;
-    return (value | value << 2U) & 0x249249U;
-  }
-
   static constexpr double kCells = 256;
 
   const DrawnShape& shape_;

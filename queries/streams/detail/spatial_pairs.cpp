@@ -1,11 +1,13 @@
 #include "queries/streams/detail/spatial_pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
 
 #include "algebra3d/operators/descriptions/set_of_value.h"
+#include "base/morton.h"
 #include "base/propagate.h"
 #include "base/scheduler.h"
 
@@ -21,15 +23,6 @@ namespace {
 std::size_t loaded_bytes(const Value& value) {
   constexpr std::size_t kOfElement = 128, kOfValue = 1024;
   return value.is_deferred() ? kOfElement * value.header().size + kOfValue : sizeof(LoadedSet);
-}
-
-/// The bits of a number of 21 bits, with two zeros between them.
-std::uint64_t spread(std::uint64_t bits) {
-  bits = (bits | bits << 32) & 0x001F00000000FFFF;
-  bits = (bits | bits << 16) & 0x001F0000FF0000FF;
-  bits = (bits | bits << 8) & 0x100F00F00F00F00F;
-  bits = (bits | bits << 4) & 0x10C30C30C30C30C3;
-  return (bits | bits << 2) & 0x1249249249249249;
 }
 
 Vec3 middle(const Box3& box) {
@@ -51,15 +44,15 @@ bool is_much_smaller(const Value& small, const Value& large) {
   return small.is_deferred() && small.header().size <= large.header().size / kRatio;
 }
 
-std::uint64_t morton_code(const Vec3& point, const Box3& frame) {
-  constexpr double kCells = 0x1p21;
-  std::uint64_t code = 0;
+std::uint64_t code_in(const Box3& frame, const Vec3& point) {
+  constexpr double kCells = 1U << algebra3d::kMortonBits;
+  std::array<std::uint32_t, 3> cell{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double size = frame.max[axis] / 2 - frame.min[axis] / 2;
     const double position = size > 0 ? (point[axis] / 2 - frame.min[axis] / 2) / size : 0;
-    code |= spread(static_cast<std::uint64_t>(std::clamp(position * kCells, 0.0, kCells - 1))) << axis;
+    cell[axis] = static_cast<std::uint32_t>(std::clamp(position * kCells, 0.0, kCells - 1));
   }
-  return code;
+  return algebra3d::morton_code(cell[0], cell[1], cell[2]);
 }
 
 Result<LoadedSet> loaded_set(const Value& value, const Monitor& monitor) {
@@ -74,7 +67,7 @@ std::vector<std::uint32_t> morton_order(std::span<const Box3> boxes) {
   Box3 frame;
   for (const Box3& box : boxes) frame.extend(middle(box));
   std::vector<std::pair<std::uint64_t, std::uint32_t>> codes(boxes.size());
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) codes[i] = {morton_code(middle(boxes[i]), frame), i};
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) codes[i] = {code_in(frame, middle(boxes[i])), i};
   std::ranges::sort(codes);
   std::vector<std::uint32_t> order(boxes.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = codes[i].second;

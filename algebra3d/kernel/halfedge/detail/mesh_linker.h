@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -11,34 +10,24 @@
 #include "algebra3d/kernel/halfedge/detail/nonmanifold_tables.h"
 #include "algebra3d/kernel/halfedge/halfedge_mesh.h"
 #include "base/interruption_scope.h"
+#include "base/radix_sort.h"
 #include "base/scheduler.h"
 
 namespace algebra3d {
 
 namespace mesh_linker {
 
-/// Sorts by the upper halves, digit by digit; entries with equal ones keep their order. Linear, so that the hub of a
-/// large fan costs no more than other vertices.
-inline void radix_sort(std::span<std::uint64_t> entries) {
-  constexpr unsigned kDigitBits = 11;
-  constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
-  std::uint64_t used_bits = 0;
-  for (const std::uint64_t entry : entries) used_bits |= entry >> 32;
-  std::vector<std::uint64_t> sorted(entries.size());
-  for (unsigned shift = 0; used_bits >> shift != 0; shift += kDigitBits) {
-    const auto digit = [&](std::uint64_t entry) { return (entry >> (32 + shift)) & (kDigits - 1); };
-    std::array<std::uint32_t, kDigits + 1> starts{};
-    for (const std::uint64_t entry : entries) ++starts[digit(entry) + 1];
-    for (std::size_t d = 0; d < kDigits; ++d) starts[d + 1] += starts[d];
-    for (const std::uint64_t entry : entries) sorted[starts[digit(entry)]++] = entry;
-    std::ranges::copy(sorted, entries.begin());
-  }
+/// Sorts by the upper halves; entries with equal ones keep their order. Linear, so that the hub of a large fan costs no
+/// more than other vertices.
+inline void sort_hub(std::span<std::uint64_t> entries) {
+  std::vector<std::uint64_t> buffer(entries.size());
+  radix_sort<32>(entries, std::span(buffer), [](std::uint64_t entry) { return entry >> 32U; });
 }
 
 /// Sorts entries of which those with equal upper halves are in order.
 inline void sort_entries(std::span<std::uint64_t> entries) {
   // Buckets have six entries on average: insertion sort. A hub of a large fan has any number.
-  if (entries.size() > 2048) return radix_sort(entries);
+  if (entries.size() > 2048) return sort_hub(entries);
   if (entries.size() > 32) {
     std::ranges::sort(entries);
     return;
