@@ -8,6 +8,8 @@
 #include <iterator>
 #include <ranges>
 
+#include "base/indices.h"
+
 namespace algebra3d {
 
 /// The index of an object of one kind; invalid by default. Ids of different kinds are different types without
@@ -27,13 +29,12 @@ class StrongId {
 
   constexpr std::uint32_t index() const { return index_; }
   constexpr bool is_none() const { return index_ == kNone; }
+  constexpr bool is_valid() const { return index_ != kNone; }
 
   /// Order by index; the invalid id is last.
   friend constexpr auto operator<=>(StrongId, StrongId) = default;  // NOLINT(modernize-use-nullptr)
 
  private:
-  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
-
   std::uint32_t index_ = kNone;
 };
 

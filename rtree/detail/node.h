@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "base/indices.h"
 #include "rtree/detail/key_frame.h"
 
 namespace rtree {
@@ -18,7 +19,7 @@ inline constexpr std::size_t kMinFill = 6;
 inline constexpr std::size_t kMaxLevels = 16;
 
 using NodeIndex = std::uint32_t;
-inline constexpr NodeIndex kNoNode = UINT32_MAX;
+inline constexpr NodeIndex kNoNode = algebra3d::kNone;
 
 /// One bit per slot; bit 0 is slot 0.
 using SlotMask = std::uint32_t;

@@ -8,7 +8,7 @@
 namespace algebra3d {
 
 /// An edge-connected component of the faces of a mesh: a shell or an open patch. Numbered in order of the first faces.
-using EdgeComponentId = Handle<struct EdgeComponentKind>;
+using EdgeComponentId = StrongId<struct EdgeComponentKind>;
 
 /// The edge-connected components of a mesh, in a form that is small where there is only one.
 class EdgeComponents {

@@ -10,7 +10,7 @@
 namespace algebra3d {
 
 /// An undirected edge of a mesh: manifold, boundary or non-manifold. Numbered in order of the first half-edges.
-using EdgeId = Handle<struct EdgeKind>;
+using EdgeId = StrongId<struct EdgeKind>;
 
 /// The first half-edge along the edge of `h`, itself perhaps.
 template <typename Layout>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra3d/kernel/exact/integer_plane.h"
+#include "base/indices.h"
 
 namespace algebra3d {
 
@@ -14,17 +15,15 @@ namespace algebra3d {
 /// has fewer digits than its corners. Memory: none while no plane is known.
 class FacePlanes {
  public:
-  static constexpr std::uint32_t kUnknown = 0xFFFFFFFF;
-
   /// The plane of a face; null if it is unknown.
   const IntegerPlane* find(std::size_t face) const {
     const std::uint32_t plane = number(face);
-    return plane == kUnknown ? nullptr : &planes_[plane];
+    return plane == kNone ? nullptr : &planes_[plane];
   }
   /// The number of the plane of a face. Faces with the same number lie in one plane and have the same orientation.
   std::uint32_t number(std::size_t face) const {
     const std::size_t place = face - first_face_;
-    return place < of_faces_.size() ? of_faces_[place] : kUnknown;
+    return place < of_faces_.size() ? of_faces_[place] : kNone;
   }
   const IntegerPlane& operator[](std::uint32_t number) const { return planes_[number]; }
   /// Number of planes.
@@ -41,11 +40,11 @@ class FacePlanes {
   std::span<std::uint32_t> numbers(std::size_t first, std::size_t count) {
     if (of_faces_.empty()) first_face_ = first;
     if (first < first_face_) {
-      of_faces_.insert(of_faces_.begin(), first_face_ - first, kUnknown);
+      of_faces_.insert(of_faces_.begin(), first_face_ - first, kNone);
       first_face_ = first;
     }
     const std::size_t place = first - first_face_;
-    if (of_faces_.size() < place + count) of_faces_.resize(place + count, kUnknown);
+    if (of_faces_.size() < place + count) of_faces_.resize(place + count, kNone);
     return std::span(of_faces_).subspan(place, count);
   }
   std::size_t heap_bytes() const {

@@ -9,6 +9,7 @@
 #include "algebra3d/kernel/exact/point.h"
 #include "algebra3d/kernel/halfedge/face_layout.h"
 #include "algebra3d/kernel/halfedge/handle.h"
+#include "base/indices.h"
 #include "base/large_allocator.h"
 
 namespace algebra3d {
@@ -105,7 +106,7 @@ class HalfedgeMesh : public Layout {
   friend struct MeshAuditor<Layout>;
   friend struct MeshTester;  // tests damage meshes through it, to see that `audit` finds it
   static constexpr std::uint32_t kNoOpposite = 0x80000000;  // set: no opposite; the low bits number a non-manifold edge
-  static constexpr std::uint32_t kBoundary = 0xFFFFFFFF;
+  static constexpr std::uint32_t kBoundary = kNone;
 
   PointArray points_;
   LargeVector<std::uint32_t> origins_;                    // per half-edge

@@ -18,7 +18,7 @@ FacePlanes image_planes(const AffineMap& map, const TriangleMesh& mesh) {
   for (std::uint32_t number = 0; number < planes.size(); ++number)
     images.add(IntegerPlane::of(map.apply(planes[number].exact())));
   for (std::size_t face = 0; face < mesh.face_count() && planes.size() > 0; ++face)
-    if (planes.number(face) != FacePlanes::kUnknown) images.set(face, planes.number(face));
+    if (planes.number(face) != kNone) images.set(face, planes.number(face));
   return images;
 }
 

@@ -18,11 +18,9 @@ class PolygonMesh : public HalfedgeMesh<PolygonLayout> {
   /// Every index must be below points.size(), and there must be as many as the layout has half-edges (asserted). Unused
   /// points are kept as isolated vertices. Cost: linear expected (sorting per vertex), no recursion.
   PolygonMesh(PointArray points, PolygonLayout layout, LargeVector<std::uint32_t> corners);
-  /// In `opposites`: the half-edge is on the boundary.
-  static constexpr std::uint32_t kNoOpposite = HalfedgeId::kInvalidIndex;
-  /// Makes a manifold mesh whose links are known: per half-edge its opposite or kNoOpposite, and per vertex the
-  /// half-edge `outgoing`: at the boundary the one without opposite, elsewhere the lowest that leaves the vertex. They
-  /// are taken as they are; `audit` checks them. Cost: constant.
+  /// Makes a manifold mesh whose links are known: per half-edge its opposite or kNone, and per vertex the half-edge
+  /// `outgoing`: at the boundary the one without opposite, elsewhere the lowest that leaves the vertex. They are taken
+  /// as they are; `audit` checks them. Cost: constant.
   PolygonMesh(PointArray points, PolygonLayout layout, LargeVector<std::uint32_t> corners,
               LargeVector<std::uint32_t> opposites, LargeVector<HalfedgeId> outgoing);
 

@@ -14,7 +14,7 @@ class Relinking {
       : before_(before),
         triangles_(triangles),
         was_(std::move(was)),
-        now_(before.face_count(), kNewFace),
+        now_(before.face_count(), kNone),
         was_open_(before.vertex_count()),
         is_open_(vertex_count) {
     assert(was_.size() == triangles_.size());
@@ -33,7 +33,7 @@ class Relinking {
   LargeVector<std::uint32_t> opposites() const {
     LargeVector<std::uint32_t> result(3 * triangles_.size(), TriangleMesh::kUnlinked);
     for (std::uint32_t f = 0; f < triangles_.size(); ++f)
-      if (was_[f] != kNewFace) take_opposites(f, std::span(result).subspan(3 * std::size_t{f}, 3));
+      if (was_[f] != kNone) take_opposites(f, std::span(result).subspan(3 * std::size_t{f}, 3));
     return result;
   }
 
@@ -53,10 +53,10 @@ class Relinking {
 /// A face that is there twice is new the second time.
 void Relinking::number_faces() {
   for (std::uint32_t f = 0; f < was_.size(); ++f) {
-    if (was_[f] == kNewFace) continue;
+    if (was_[f] == kNone) continue;
     std::uint32_t& now = now_[was_[f]];
-    if (now != kNewFace)
-      was_[f] = kNewFace;
+    if (now != kNone)
+      was_[f] = kNone;
     else
       now = f;
   }
@@ -64,11 +64,11 @@ void Relinking::number_faces() {
 
 void Relinking::find_open_vertices() {
   for (std::uint32_t f = 0; f < now_.size(); ++f)
-    if (now_[f] == kNewFace)
+    if (now_[f] == kNone)
       for (const std::uint32_t corner : before_.triangle(FaceId(f))) was_open_[corner] = true;
   for (const VertexId vertex : before_.nonmanifold_vertices()) was_open_[vertex.index()] = true;
   for (std::uint32_t f = 0; f < was_.size(); ++f)
-    if (was_[f] == kNewFace)
+    if (was_[f] == kNone)
       for (const std::uint32_t corner : triangles_[f]) is_open_[corner] = true;
 }
 

@@ -69,7 +69,7 @@ TriangleMesh FaceReplacing::run(const std::vector<bool>& is_removed) {
     poll_interruption_at(f);
     const auto [a, b, c] = added_.triangle(FaceId(f));
     triangles.push_back({added_vertex(a), added_vertex(b), added_vertex(c)});
-    was.push_back(kNewFace);
+    was.push_back(kNone);
   }
   return relinked(mesh_, std::move(was), std::move(points_), triangles);
 }

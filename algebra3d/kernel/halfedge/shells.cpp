@@ -11,16 +11,14 @@
 namespace algebra3d {
 namespace {
 
-constexpr std::uint32_t kNoShell = 0xFFFFFFFF;
-
 /// The shell of each face, and how many there are.
 template <typename Layout>
 FaceComponents shells_of(const HalfedgeMesh<Layout>& mesh) {
-  FaceComponents shells{std::vector<std::uint32_t>(mesh.face_count(), kNoShell), 0};
+  FaceComponents shells{std::vector<std::uint32_t>(mesh.face_count(), kNone), 0};
   std::vector<FaceId> pending;
   for (const FaceId seed : faces(mesh)) {
     poll_interruption_at(seed.index());
-    if (shells.of_face[seed.index()] != kNoShell) continue;
+    if (shells.of_face[seed.index()] != kNone) continue;
     const auto number = static_cast<std::uint32_t>(shells.count++);
     shells.of_face[seed.index()] = number;
     pending.push_back(seed);
@@ -29,7 +27,7 @@ FaceComponents shells_of(const HalfedgeMesh<Layout>& mesh) {
       pending.pop_back();
       for (const HalfedgeId h : halfedges_of(mesh, f)) {
         const HalfedgeId opposite = mesh.opposite(h);
-        if (!opposite.is_valid() || shells.of_face[mesh.face(opposite).index()] != kNoShell) continue;
+        if (!opposite.is_valid() || shells.of_face[mesh.face(opposite).index()] != kNone) continue;
         shells.of_face[mesh.face(opposite).index()] = number;
         pending.push_back(mesh.face(opposite));
       }

@@ -79,8 +79,6 @@ HalfedgeId next_on_boundary(const HalfedgeMesh<Layout>& mesh, HalfedgeId h) {
   return mesh.is_boundary(leaving) ? leaving : HalfedgeId();
 }
 
-constexpr std::uint32_t kUnset = 0xFFFFFFFF;
-
 }  // namespace
 
 std::vector<std::vector<FaceId>> FaceComponents::faces() const {
@@ -91,14 +89,14 @@ std::vector<std::vector<FaceId>> FaceComponents::faces() const {
 
 template <typename Layout>
 FaceComponents connected_components(const HalfedgeMesh<Layout>& mesh) {
-  FaceComponents components{std::vector<std::uint32_t>(mesh.face_count(), kUnset), 0};
+  FaceComponents components{std::vector<std::uint32_t>(mesh.face_count(), kNone), 0};
   std::vector<FaceId> pending;
   for (const FaceId seed : faces(mesh)) {
     poll_interruption_at(seed.index());
-    if (components.of_face[seed.index()] != kUnset) continue;
+    if (components.of_face[seed.index()] != kNone) continue;
     const auto number = static_cast<std::uint32_t>(components.count++);
     const auto enter = [&](FaceId f) {
-      if (components.of_face[f.index()] != kUnset) return;
+      if (components.of_face[f.index()] != kNone) return;
       components.of_face[f.index()] = number;
       pending.push_back(f);
     };
@@ -269,20 +267,19 @@ TriangleMesh flipped(const TriangleMesh& mesh) {
 }
 
 SubmeshMaker::SubmeshMaker(const TriangleMesh& mesh)
-    : mesh_(mesh), vertices_(mesh.vertex_count(), kUnset), planes_(mesh.planes().size(), kUnset) {}
+    : mesh_(mesh), vertices_(mesh.vertex_count(), kNone), planes_(mesh.planes().size(), kNone) {}
 
 FacePlanes SubmeshMaker::planes_of(std::span<const FaceId> faces) {
   const FacePlanes& planes = mesh_.planes();
   FacePlanes result;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const std::uint32_t number = planes.number(faces[i].index());
-    if (number == FacePlanes::kUnknown) continue;
-    if (planes_[number] == kUnset) planes_[number] = result.add(planes[number]);
+    if (number == kNone) continue;
+    if (planes_[number] == kNone) planes_[number] = result.add(planes[number]);
     result.set(i, planes_[number]);
   }
   for (const FaceId face : faces)
-    if (const std::uint32_t number = planes.number(face.index()); number != FacePlanes::kUnknown)
-      planes_[number] = kUnset;
+    if (const std::uint32_t number = planes.number(face.index()); number != kNone) planes_[number] = kNone;
   return result;
 }
 
@@ -294,7 +291,7 @@ TriangleMesh SubmeshMaker::make(std::span<const FaceId> faces) {
     poll_interruption_at(f.index());
     TriangleMesh::Triangle triangle = mesh_.triangle(f);
     for (std::uint32_t& corner : triangle) {
-      if (vertices_[corner] == kUnset) {
+      if (vertices_[corner] == kNone) {
         vertices_[corner] = static_cast<std::uint32_t>(points.size());
         points.push_back(mesh_.points()[corner]);
       }
@@ -303,7 +300,7 @@ TriangleMesh SubmeshMaker::make(std::span<const FaceId> faces) {
     triangles.push_back(triangle);
   }
   for (const FaceId f : faces)
-    for (const std::uint32_t corner : mesh_.triangle(f)) vertices_[corner] = kUnset;
+    for (const std::uint32_t corner : mesh_.triangle(f)) vertices_[corner] = kNone;
   // Taking over links costs a look at all faces.
   if (faces.size() < mesh_.face_count() / 4) return {std::move(points), triangles, planes_of(faces)};
   std::vector<std::uint32_t> was(faces.size());

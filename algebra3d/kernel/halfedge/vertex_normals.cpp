@@ -57,7 +57,6 @@ class RunsByBlock {
   }
 
  private:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   struct Found {
     std::uint32_t block;
     FaceRun run;

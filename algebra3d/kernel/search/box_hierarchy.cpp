@@ -346,7 +346,7 @@ void BoxHierarchy::set_groups(std::span<const std::uint32_t> leaf_groups) {
     std::vector<std::uint32_t>& groups = levels_[height].groups;
     groups.clear();
     for (std::size_t i = 0; i < below.size(); i += 2)
-      groups.push_back(i + 1 == below.size() || below[i] == below[i + 1] ? below[i] : kNoGroup);
+      groups.push_back(i + 1 == below.size() || below[i] == below[i + 1] ? below[i] : kNone);
   }
 }
 

@@ -17,6 +17,7 @@
 #include "algebra3d/base/box3.h"
 #include "algebra3d/kernel/halfedge/face_order.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
+#include "base/indices.h"
 #include "base/large_allocator.h"
 
 namespace algebra3d {
@@ -33,7 +34,6 @@ class NodeSlabs;
 class BoxHierarchy {
  public:
   static constexpr std::size_t kLeafSize = 8;
-  static constexpr std::uint32_t kNoGroup = 0xFFFFFFFF;
 
   /// Builds the hierarchy over `faces` of `mesh`. Boxes are enlarged by `margin` on each side, so that boxes of faces
   /// up to two margins apart meet. Cost: linear (radix sort).
@@ -88,7 +88,7 @@ class BoxHierarchy {
   /// Like `slabs`, but null until the reported search steps exceed the cost of building them.
   const NodeSlabs* slabs_after(std::size_t steps, const TriangleMesh& mesh) const;
 
-  /// Assigns each leaf a group or kNoGroup. A node whose leaves are all in one group is in that group; `for_each_pair`
+  /// Assigns each leaf a group or kNone. A node whose leaves are all in one group is in that group; `for_each_pair`
   /// skips pairs within a group without enumerating them.
   void set_groups(std::span<const std::uint32_t> leaf_groups);
 
@@ -242,7 +242,7 @@ class BoxHierarchy {
             CrossLevel& below, LastOpened& last) const;
   /// A leaf of another hierarchy, and the boxes of its faces, in the frame of this one.
   struct ChangedLeaf {
-    std::uint32_t index = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t index = kNone;
     Box box{};
     std::array<Box, kLeafSize> face_boxes{};
   };
@@ -283,7 +283,7 @@ class BoxHierarchy {
   LargeVector<PlacedFace> completed(const FaceOrder& known, const Placed& placed) const;
   void build_levels();
   static bool is_one_group(const Level& level, std::uint32_t a, std::uint32_t b) {
-    return !level.groups.empty() && level.groups[a] != kNoGroup && level.groups[a] == level.groups[b];
+    return !level.groups.empty() && level.groups[a] != kNone && level.groups[a] == level.groups[b];
   }
   void push_children(NodePair pair, std::vector<NodePair>& stack) const;
   /// Pushes the children of an inner node, the one with the lower box last.

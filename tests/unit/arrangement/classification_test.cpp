@@ -189,7 +189,7 @@ TEST(SpaceEdgeSet, has_its_edges_and_no_others) {
   for (const SpaceEdge& other : {edge(0, 2), edge(1, 3), edge(1, 2)}) EXPECT_FALSE(set.contains(other));
   EXPECT_FALSE(SpaceEdgeSet().contains(edge(0, 1)));
   for (std::uint32_t i = 0; i < edges.size(); ++i) EXPECT_EQ(set.position(edges[i]), i);
-  EXPECT_EQ(set.position(edge(0, 2)), SpaceEdgeSet::kNowhere);
+  EXPECT_EQ(set.position(edge(0, 2)), kNone);
 }
 
 TEST(UncutEdges, are_found_by_the_space_edges_along_them) {

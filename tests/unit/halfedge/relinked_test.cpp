@@ -35,10 +35,10 @@ Edited edited(const Triangles& triangles, std::uint32_t vertex_count, std::mt199
   };
   for (std::uint32_t f = 0; f < triangles.size(); ++f) {
     if (one_in(calm)) continue;
-    if (one_in(calm)) add({triangles[f][0], triangles[f][2], triangles[f][1]}, kNewFace);
-    if (one_in(calm)) add({triangles[f][0], triangles[f][1], number_below(random, vertex_count)}, kNewFace);
+    if (one_in(calm)) add({triangles[f][0], triangles[f][2], triangles[f][1]}, kNone);
+    if (one_in(calm)) add({triangles[f][0], triangles[f][1], number_below(random, vertex_count)}, kNone);
     if (one_in(calm)) add(triangles[f], f);
-    add(triangles[f], one_in(calm) ? kNewFace : f);
+    add(triangles[f], one_in(calm) ? kNone : f);
   }
   for (std::size_t i = result.was.size(); one_in(2) && i-- > 1;) {
     const std::size_t other = number_below(random, static_cast<std::uint32_t>(i) + 1);
@@ -94,9 +94,9 @@ TEST(Relinked, all_or_nothing_may_be_left) {
   std::vector<std::uint32_t> same(torus.size());
   for (std::uint32_t f = 0; f < same.size(); ++f) same[f] = f;
   expect_same_mesh(relinked(mesh, same, mesh.points(), torus), mesh);
-  expect_same_mesh(relinked(mesh, std::vector<std::uint32_t>(torus.size(), kNewFace), mesh.points(), torus), mesh);
+  expect_same_mesh(relinked(mesh, std::vector<std::uint32_t>(torus.size(), kNone), mesh.points(), torus), mesh);
   EXPECT_TRUE(relinked(mesh, {}, mesh.points(), {}).is_empty());
-  expect_same_mesh(relinked({}, std::vector<std::uint32_t>(torus.size(), kNewFace), mesh.points(), torus), mesh);
+  expect_same_mesh(relinked({}, std::vector<std::uint32_t>(torus.size(), kNone), mesh.points(), torus), mesh);
 }
 
 }  // namespace

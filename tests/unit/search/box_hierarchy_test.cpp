@@ -137,13 +137,13 @@ TEST(box_hierarchy, leaves_out_pairs_within_a_group_and_no_others) {
   const std::set<Pair> all = pairs_of(hierarchy);
   std::vector<std::uint32_t> groups(hierarchy.leaf_count()), group_of_face(mesh.face_count());
   for (std::uint32_t leaf = 0; leaf < groups.size(); ++leaf) {
-    groups[leaf] = leaf < 20 ? 1 : leaf % 3 == 0 ? 2 : BoxHierarchy::kNoGroup;
+    groups[leaf] = leaf < 20 ? 1 : leaf % 3 == 0 ? 2 : kNone;
     for (const std::uint32_t face : hierarchy.leaf_faces(leaf)) group_of_face[face] = groups[leaf];
   }
   hierarchy.set_groups(groups);
   std::set<Pair> expected;
   for (const auto& [f, g] : all)
-    if (group_of_face[f] != group_of_face[g] || group_of_face[f] == BoxHierarchy::kNoGroup) expected.insert({f, g});
+    if (group_of_face[f] != group_of_face[g] || group_of_face[f] == kNone) expected.insert({f, g});
   EXPECT_EQ(pairs_of(hierarchy), expected);
 }
 

@@ -52,7 +52,7 @@ class FacetSlabs {
   };
   /// The last face with its remainder, and whether it misses.
   struct Known {
-    std::uint32_t face = BoxHierarchy::kNoGroup;
+    std::uint32_t face = kNone;
     bool does_miss = false;
   };
 

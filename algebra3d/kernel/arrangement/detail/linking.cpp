@@ -157,7 +157,6 @@ std::uint32_t Linker::count_operands(IdRange<SubEdgeId> edge) {
 }
 
 void Linker::find_seeds() {
-  constexpr std::uint32_t kNone = 0xFFFFFFFF;
   std::vector<SeedPlace>& seeds = result_.seeds;
   IdVector<FrontWindingId, std::uint32_t> seed_of_set(result_.ids.count(), kNone);
   std::size_t best_count = 0;  // sets with a seed at which all operands are

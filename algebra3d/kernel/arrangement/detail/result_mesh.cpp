@@ -185,13 +185,13 @@ void ResultPlanes::take(const TakenRun& run) {
   const FacePlanes& known = subdivision_.operands.mesh(run.operand).planes();
   if (known.size() == 0) return;
   NewNumbers& new_numbers = numbers_[run.operand][run.is_flipped ? 1 : 0];
-  if (new_numbers.empty()) new_numbers.resize(known.size(), FacePlanes::kUnknown);
+  if (new_numbers.empty()) new_numbers.resize(known.size(), kNone);
   const std::span<std::uint32_t> taken = planes_.numbers(run.new_first.index(), run.count);
   for (std::size_t i = 0; i < run.count; ++i) {
     const std::uint32_t given = known.number(run.first.index() + i);
-    if (given == FacePlanes::kUnknown) continue;
+    if (given == kNone) continue;
     std::uint32_t& number = new_numbers[given];
-    if (number == FacePlanes::kUnknown) number = planes_.add(run.is_flipped ? known[given].flipped() : known[given]);
+    if (number == kNone) number = planes_.add(run.is_flipped ? known[given].flipped() : known[given]);
     taken[i] = number;
   }
 }

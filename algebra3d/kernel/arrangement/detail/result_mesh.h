@@ -65,7 +65,7 @@ class ResultPlanes {
   FacePlanes take_planes() { return std::move(planes_); }
 
  private:
-  /// The numbers that the planes of an operand have in the result, kUnknown for those not yet taken; empty before the
+  /// The numbers that the planes of an operand have in the result, kNone for those not yet taken; empty before the
   /// first one is.
   using NewNumbers = std::vector<std::uint32_t>;
 

@@ -70,8 +70,6 @@ class ChainFinder {
   std::size_t count() const { return count_; }
 
  private:
-  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
-
   void collect_sides(std::span<const std::uint32_t> in_plane);
   Status join_around(std::span<OutgoingSubEdge> around, Projection projection);
   void number_chains(std::span<const std::uint32_t> in_plane);

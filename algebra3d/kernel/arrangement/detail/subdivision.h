@@ -26,19 +26,17 @@ struct UncutEdge {
 class SpaceEdgeSet {
  public:
   SpaceEdgeSet() = default;
-  static constexpr std::uint32_t kNowhere = 0xFFFFFFFF;
-
   /// `edges`: each once. Cost: linear in these and in the nodes.
   SpaceEdgeSet(std::span<const SpaceEdge> edges, std::size_t node_count);
 
-  bool contains(const SpaceEdge& edge) const { return position(edge) != kNowhere; }
-  /// The position of the edge in the list; kNowhere if it is not a member. Cost: that of the members with the same
+  bool contains(const SpaceEdge& edge) const { return position(edge) != kNone; }
+  /// The position of the edge in the list; kNone if it is not a member. Cost: that of the members with the same
   /// first node.
   std::uint32_t position(const SpaceEdge& edge) const {
-    if (ends_.empty()) return kNowhere;
+    if (ends_.empty()) return kNone;
     for (std::uint32_t i = begins_[edge.u.index()]; i < begins_[edge.u.index() + std::size_t{1}]; ++i)
       if (ends_[i].v == edge.v) return ends_[i].position;
-    return kNowhere;
+    return kNone;
   }
 
  private:
@@ -62,7 +60,7 @@ struct UncutEdges {
   /// The uncut edge along which a space edge lies; null if there is none.
   const UncutEdge* find(const SpaceEdge& edge) const {
     const std::uint32_t position = space_edges.position(edge);
-    return position == SpaceEdgeSet::kNowhere ? nullptr : &edges[edge_at[position]];
+    return position == kNone ? nullptr : &edges[edge_at[position]];
   }
   std::span<const NodeId> nodes_along(const UncutEdge& edge) const { return edge.nodes.of(nodes); }
 };
@@ -77,6 +75,19 @@ struct Subdivision {
   UncutEdges uncut_edges;
 
   const Plane& plane_of(SubEdgeId sub_edge) const { return facets.planes[sub_edges[sub_edge].plane]; }
+  /// Calls visit(first, patch) with the patches of the faces at an uncut edge, and that of the first of them.
+  template <typename Visit>
+  void for_each_patch_at(const UncutEdge& edge, const Visit& visit) const {
+    PatchId first;
+    std::vector<InputHalfedgeId> along;
+    operands.halfedges_along(edge.edge, along);
+    for (const InputHalfedgeId h : along) {
+      const PatchId patch = patches.of_face[Operands::face(h)];
+      if (patch.is_none()) continue;
+      if (first.is_none()) first = patch;
+      visit(first, patch);
+    }
+  }
 };
 
 /// Whether operands have boundaries: `none` for solids (Closure::each), `possible` for surfaces and for

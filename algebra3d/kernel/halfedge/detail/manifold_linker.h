@@ -43,7 +43,7 @@ class ManifoldLinker {
   }
 
  private:
-  static constexpr std::uint32_t kNobody = HalfedgeId::kInvalidIndex;
+  static constexpr std::uint32_t kNobody = kNone;
   static constexpr std::size_t kLongestList = 64;
 
   bool has_settled() const { return given_ == Links::all_but_between_open_vertices; }

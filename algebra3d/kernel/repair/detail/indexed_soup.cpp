@@ -62,11 +62,11 @@ bool IndexedSoup::is_linked() const {
   return std::ranges::all_of(triangles.ids(), [&](FaceId f) { return mesh_->triangle(f) == triangles[f]; });
 }
 
-/// Which face each triangle was when they were linked last, or kNewFace, as far as that is easily found: triangles keep
+/// Which face each triangle was when they were linked last, or kNone, as far as that is easily found: triangles keep
 /// their order, though some go, change or are added at the end.
 std::vector<std::uint32_t> IndexedSoup::faces_before() const {
   constexpr std::size_t kFarthest = 16;
-  std::vector<std::uint32_t> was(triangles.size(), kNewFace);
+  std::vector<std::uint32_t> was(triangles.size(), kNone);
   std::size_t next = 0;
   for (std::size_t i = 0; i < triangles.size() && next < before_->face_count(); ++i) {
     const std::size_t end = std::min(next + kFarthest, before_->face_count());

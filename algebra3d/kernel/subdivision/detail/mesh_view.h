@@ -6,9 +6,6 @@
 
 namespace algebra3d::subdivision {
 
-/// In place of a half-edge: there is none.
-inline constexpr std::uint32_t kNone = PolygonMesh::kNoOpposite;
-
 /// A manifold mesh with plain numbers in place of handles. `kDegree` is the degree of all faces if the compiler is to
 /// know it, so that faces are found without divisions; 0 for any degrees. Refers to the mesh.
 template <std::uint32_t kDegree>

@@ -111,7 +111,7 @@ class PairTest {
   bool all_double_;
 };
 
-/// The first corner of the leaf's first face that is embedded and belongs to all its faces; kNoGroup if there is none.
+/// The first corner of the leaf's first face that is embedded and belongs to all its faces; kNone if there is none.
 std::uint32_t common_embedded_corner(const TriangleMesh& mesh, const EmbeddedStars& stars,
                                      std::span<const std::uint32_t> faces) {
   for (const std::uint32_t corner : mesh.triangle(FaceId(faces[0]))) {
@@ -121,7 +121,7 @@ std::uint32_t common_embedded_corner(const TriangleMesh& mesh, const EmbeddedSta
     };
     if (stars.is_embedded(VertexId(corner)) && std::ranges::all_of(faces, has_corner)) return corner;
   }
-  return BoxHierarchy::kNoGroup;
+  return kNone;
 }
 
 constexpr std::size_t kLeavesPerTask = 1024;

@@ -31,7 +31,6 @@
 namespace algebra3d {
 namespace {
 
-constexpr std::uint32_t kNoShell = 0xFFFFFFFF;
 constexpr std::size_t kFacesPerLabelling = 32768;
 
 /// Joins the regions that share edges.
@@ -108,11 +107,11 @@ class WindingQuery {
 
 /// Per shell, its first face that is not vertical. There is one: a shell bounds something, which has a top.
 std::vector<std::uint32_t> faces_to_ask(const TriangleMesh& mesh, const ShellWindings& shells) {
-  std::vector<std::uint32_t> faces(shells.first_faces.size(), kNoShell);
+  std::vector<std::uint32_t> faces(shells.first_faces.size(), kNone);
   for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
     poll_interruption_at(face);
     std::uint32_t& chosen = faces[shells.shell_of_face[face]];
-    if (chosen == kNoShell && !is_vertical(mesh.corners(FaceId(face)))) chosen = face;
+    if (chosen == kNone && !is_vertical(mesh.corners(FaceId(face)))) chosen = face;
   }
   return faces;
 }
@@ -179,11 +178,11 @@ Result<std::vector<bool>> shells_near_others(const TriangleMesh& mesh, const She
   const auto compare_shells = [&](std::uint32_t a, std::uint32_t b) {
     if (a != b) are_near[a] = are_near[b] = true;
   };
-  std::vector<std::uint32_t> shell_at(mesh.vertex_count(), kNoShell);
+  std::vector<std::uint32_t> shell_at(mesh.vertex_count(), kNone);
   for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
     poll_interruption_at(face);
     for (const std::uint32_t vertex : mesh.triangle(FaceId(face))) {
-      if (shell_at[vertex] == kNoShell) shell_at[vertex] = shells.shell_of_face[face];
+      if (shell_at[vertex] == kNone) shell_at[vertex] = shells.shell_of_face[face];
       compare_shells(shell_at[vertex], shells.shell_of_face[face]);
     }
   }

@@ -26,7 +26,7 @@ enum class EdgeRole : std::uint8_t { none, edge, boundary, nonmanifold };
 /// True if the two triangles at a manifold edge lie in one plane. Exact.
 bool is_flat(const TriangleMesh& mesh, HalfedgeId h, HalfedgeId opposite) {
   const std::uint32_t plane = mesh.planes().number(TriangleMesh::face(h).index());
-  if (plane != FacePlanes::kUnknown && plane == mesh.planes().number(TriangleMesh::face(opposite).index())) return true;
+  if (plane != kNone && plane == mesh.planes().number(TriangleMesh::face(opposite).index())) return true;
   const auto apex = [&](HalfedgeId along) { return mesh.point(mesh.origin(TriangleMesh::prev(along))); };
   return orient3d(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)), apex(h), apex(opposite)) == 0;
 }
