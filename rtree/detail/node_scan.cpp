@@ -14,6 +14,12 @@
 namespace rtree {
 namespace {
 
+// With four wide lanes.
+#define CHOSEN(slots, a, b) ((kLaneBits & static_cast<std::int64_t>(slots)) != 0 ? (a) : (b))
+#define LEAST_LANE(doubles) std::min(std::min(doubles[0], doubles[1]), std::min(doubles[2], doubles[3]))
+#define SHIFTED(before, here) __builtin_shufflevector(before, here, 3, 4, 5, 6)
+#define WIDENED(keys) __builtin_convertvector(keys, Signed)
+
 // Vectors of 16 bytes, which every 64-bit processor has; elsewhere the compiler makes plain code of it.
 namespace common {
 
@@ -49,17 +55,8 @@ inline SlotMask wide_slots_of(const Signed& lanes) {
 
 constexpr Signed kLaneBits = {1, 2, 4, 8};
 
-#define CHOSEN(slots, a, b) ((kLaneBits & static_cast<std::int64_t>(slots)) != 0 ? (a) : (b))
-
-#define LEAST_LANE(doubles) std::min(std::min(doubles[0], doubles[1]), std::min(doubles[2], doubles[3]))
-#define SHIFTED(before, here) __builtin_shufflevector(before, here, 3, 4, 5, 6)
-#define WIDENED(keys) __builtin_convertvector(keys, Signed)
 #include "rtree/detail/node_scan.inl"
 #undef SCAN_TARGET
-#undef SHIFTED
-#undef LEAST_LANE
-#undef WIDENED
-#undef CHOSEN
 
 }  // namespace common
 
@@ -90,19 +87,15 @@ SCAN_TARGET inline SlotMask wide_slots_of(const Signed& lanes) {
 
 constexpr Signed kLaneBits = {1, 2, 4, 8};
 
-#define CHOSEN(slots, a, b) ((kLaneBits & static_cast<std::int64_t>(slots)) != 0 ? (a) : (b))
-
-#define LEAST_LANE(doubles) std::min(std::min(doubles[0], doubles[1]), std::min(doubles[2], doubles[3]))
-#define SHIFTED(before, here) __builtin_shufflevector(before, here, 3, 4, 5, 6)
-#define WIDENED(keys) __builtin_convertvector(keys, Signed)
 #include "rtree/detail/node_scan.inl"
 #undef SCAN_TARGET
-#undef SHIFTED
-#undef LEAST_LANE
-#undef WIDENED
-#undef CHOSEN
 
 }  // namespace avx2
+
+#undef CHOSEN
+#undef LEAST_LANE
+#undef SHIFTED
+#undef WIDENED
 
 namespace avx512 {
 
@@ -142,14 +135,15 @@ SCAN_TARGET inline double least_lane(const Doubles& doubles) {
 #define CHOSEN(slots, a, b) ((Doubles)_mm512_mask_blend_pd(static_cast<__mmask8>(slots), (__m512d)(b), (__m512d)(a)))
 #include "rtree/detail/node_scan.inl"
 #undef SCAN_TARGET
-#undef SHIFTED
-#undef LEAST_LANE
-#undef WIDENED
-#undef CHOSEN
 
 }  // namespace avx512
 
 #endif
+
+#undef CHOSEN
+#undef LEAST_LANE
+#undef SHIFTED
+#undef WIDENED
 
 }  // namespace
 

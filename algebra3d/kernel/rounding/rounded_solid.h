@@ -1,33 +1,17 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
-#include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "algebra3d/kernel/rounding/coordinate_grid.h"
-#include "algebra3d/kernel/rounding/rounding_method.h"
+#include "algebra3d/kernel/rounding/rounded_mesh.h"
 
 namespace algebra3d {
 
 /// A solid rounded to a grid, or the reason why there is none.
-struct RoundedSolid {
-  /// A valid volume with all coordinates on the grid.
-  std::optional<TriangleMesh> mesh;
-  std::string reason = {};         ///< why there is none
-  std::size_t moved_vertices = 0;  ///< of the given ones
-  /// In coordinate units: no point of the new boundary is farther from the given one. Parts that vanished are not
-  /// counted.
-  double largest_movement = 0;
-  RoundingMethod method = RoundingMethod::none;  ///< that found the mesh
-  /// How many vertices lie inside edges or faces of others, if their faces or these are among those that changed:
-  /// valid, but other programs may take them for crossings (divided_contacts.h).
-  std::size_t contact_vertices = 0;
-  /// In coordinate units: where triangles crossed after the vertices had moved, features nearer to each other than this
-  /// were joined. 0 if none crossed.
-  double reach = 0;
+struct RoundedSolid : RoundedMesh {
   /// The numbers of shells, given and rounded: fewer if some vanished, or have come to touch in an edge. Both 0 if
   /// there are as many as before.
   std::size_t shells_before = 0, shells_after = 0;

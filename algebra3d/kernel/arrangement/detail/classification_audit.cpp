@@ -70,16 +70,10 @@ void ClassificationAudit::check_patch(PatchId patch) {
 
 /// The windings in front of all faces at an uncut edge are the same.
 void ClassificationAudit::check_uncut_edge(const UncutEdge& edge) {
-  PatchId first;
-  std::vector<InputHalfedgeId> along;
-  subdivision_.operands.halfedges_along(edge.edge, along);
-  for (const InputHalfedgeId h : along) {
-    const PatchId patch = subdivision_.patches.of_face[Operands::face(h)];
-    if (patch.is_none()) continue;
-    if (first.is_none()) first = patch;
+  subdivision_.for_each_patch_at(edge, [&](PatchId first, PatchId patch) {
     violations_.expect(fronts_.at_patches[patch] == fronts_.at_patches[first],
                        "patches {} and {} do not agree at their common edge", first.index(), patch.index());
-  }
+  });
 }
 
 std::vector<std::string> ClassificationAudit::run() {

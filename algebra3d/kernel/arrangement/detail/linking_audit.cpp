@@ -55,16 +55,10 @@ void LinkingAudit::check_space_edge(IdRange<SubEdgeId> line) {
 }
 
 void LinkingAudit::check_uncut_edge(const UncutEdge& edge) {
-  PatchId first;
-  std::vector<InputHalfedgeId> along;
-  subdivision_.operands.halfedges_along(edge.edge, along);
-  for (const InputHalfedgeId h : along) {
-    const PatchId patch = subdivision_.patches.of_face[Operands::face(h)];
-    if (patch.is_none()) continue;
-    if (first.is_none()) first = patch;
+  subdivision_.for_each_patch_at(edge, [&](PatchId first, PatchId patch) {
     violations_.expect(is_linked(linked_.ids.of(first), linked_.ids.of(patch), {}),
                        "patches {} and {} are not linked at their common edge", first.index(), patch.index());
-  }
+  });
 }
 
 void LinkingAudit::check_seed(const SeedPlace& seed) {
