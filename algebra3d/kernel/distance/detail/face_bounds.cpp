@@ -26,6 +26,9 @@ constexpr std::size_t kMaxParts = 1 << 14;
 template <typename Number>
 constexpr std::uint32_t kMaxDepth = sizeof(Number) > sizeof(double) ? 192 : 96;
 
+/// A bound is tight if its corner is not nearer to another triangle than this share of it.
+constexpr double kClearly = 0.875;
+
 /// The distance of a point from the segment from 0 to `edge`.
 template <typename Vector>
 auto distance_from_edge(const Vector& point, const Vector& edge) {
@@ -106,6 +109,14 @@ auto FaceBounds<Vector>::cell_of(FaceId face) const -> std::array<CellSide<Vecto
     sides[i] = {begin, cross(upward, end - begin)};
   }
   return sides;
+}
+
+/// From the nearest point of the triangle, but for roundings.
+template <typename Vector>
+Vector FaceBounds<Vector>::way_from(const Target& target, const Vector& point) {
+  const Vector from_corner = point - target.corner;
+  const auto [first, second] = nearest_in_triangle(from_corner, target.first_edge, target.second_edge);
+  return from_corner - (first * target.first_edge + second * target.second_edge);
 }
 
 /// The distance of a point of the triangle that is nearest but for roundings: never too small by more than roundings.
@@ -360,19 +371,47 @@ bool FaceBounds<Vector>::divide_by_cell(const Part& part, const Target& target) 
   }
   const Farthest bound = farthest(inside, target);
   if (bound.upper <= irrelevant()) return true;
-  if (is_tight(bound))
+  const Target* nearer = clearly_nearer(bound);
+  if (nearer == nullptr)
     take(bound, target.face);
-  else
+  else if (!divide_between(inside, bound.where, target, *nearer))
     std::ranges::copy(inside.halves(), std::back_inserter(uncovered_));
   return true;
 }
 
-/// False if a candidate is clearly nearer to the farthest corner.
+/// The candidate that is nearest to the farthest corner, if it shows that the bound is not tight: that the corner is
+/// not farther than is enough, or clearly nearer than the bound.
 template <typename Vector>
-bool FaceBounds<Vector>::is_tight(const Farthest& bound) const {
-  constexpr Number kClearly = Number(7) / 8;
-  return std::ranges::none_of(
-      candidates_, [&](const Target& candidate) { return distance(bound.where, candidate) < kClearly * bound.upper; });
+auto FaceBounds<Vector>::clearly_nearer(const Farthest& bound) const -> const Target* {
+  const Number clearly = std::max(static_cast<Number>(kClearly) * bound.upper, enough_);
+  const Target* nearest = nullptr;
+  Number least = bound.upper;
+  for (const Target& candidate : candidates_) {
+    const Number own = distance(bound.where, candidate);
+    if (own < least) nearest = &candidate;
+    least = std::min(least, own);
+  }
+  return least < clearly ? nearest : nullptr;
+}
+
+/// Divides a part where it is equally far from the planes of two triangles, or from what else of them is nearest to a
+/// point, which is nearer to the second one. False if that is not between its corners.
+template <typename Vector>
+bool FaceBounds<Vector>::divide_between(const Part& part, const Vector& point, const Target& first,
+                                        const Target& second) {
+  const auto from_first = way_from(first, point), from_second = way_from(second, point);
+  const Number size_first = size_of(from_first), size_second = size_of(from_second);
+  if (!(size_second > 0) || !(size_first > size_second)) return false;
+  // Both distances grow along these ways; the plane is that where they are equal, to first order.
+  const Vector inward = 1 / size_second * from_second - 1 / size_first * from_first;
+  const Number slope = dot(inward, inward);
+  if (!(slope > 0)) return false;
+  Part near_first, near_second;
+  const CellSide<Vector> side{point + (size_first - size_second) / slope * inward, inward};
+  if (!part.cut(side, near_first, near_second) || near_first.size == 0 || near_second.size == 0) return false;
+  uncovered_.push_back(near_first);
+  uncovered_.push_back(near_second);
+  return true;
 }
 
 /// Takes the least bound of the part that a candidate gives.

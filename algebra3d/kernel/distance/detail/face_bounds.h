@@ -74,6 +74,7 @@ class FaceBounds {
   Target target(FaceId face) const;
   Vector unit_normal(FaceId face) const;
   std::array<CellSide<Vector>, 3> cell_of(FaceId face) const;
+  static Vector way_from(const Target& target, const Vector& point);
   static Number distance(const Vector& point, const Target& target);
   static Farthest farthest(const Part& part, const Target& target);
   Near walk(const Vector& point, FaceId from) const;
@@ -84,7 +85,8 @@ class FaceBounds {
   bool gather(const Part& part, Number reach);
   void visit(const Part& part);
   void cover(const Part& part);
-  bool is_tight(const Farthest& bound) const;
+  const Target* clearly_nearer(const Farthest& bound) const;
+  bool divide_between(const Part& part, const Vector& point, const Target& first, const Target& second);
   bool lies_over_facet(const Part& part, FaceId face) const;
   void take_least(const Part& part);
   bool divide_by_cell(const Part& part, const Target& target);
