@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include "base/nearest_in_triangle.h"
@@ -25,9 +26,6 @@ constexpr std::size_t kMaxParts = 1 << 14;
 /// Parts are not divided more often, which halves two of their sides as often as there are digits, and more.
 template <typename Number>
 constexpr std::uint32_t kMaxDepth = sizeof(Number) > sizeof(double) ? 192 : 96;
-
-/// A bound is tight if its corner is not nearer to another triangle than this share of it.
-constexpr double kClearly = 0.875;
 
 /// The distance of a point from the segment from 0 to `edge`.
 template <typename Vector>
@@ -220,26 +218,13 @@ bool FaceBounds<Vector>::gather(const Part& part, Number reach) {
     box.min[axis] = std::nextafter(box.min[axis] - limit, -kUnbounded);
     box.max[axis] = std::nextafter(box.max[axis] + limit, kUnbounded);
   }
-  const auto gather_where = [&](auto is_candidate) {
-    candidates_.clear();
-    to_.hierarchy->for_each_meeting(box, [&](std::uint32_t face) {
-      const Target candidate = target(FaceId(face));
-      ++work_;
-      if (is_candidate(candidate)) candidates_.push_back(candidate);
-      return candidates_.size() <= kManyCandidates;
-    });
+  candidates_.clear();
+  to_.hierarchy->for_each_meeting(box, [&](std::uint32_t face) {
+    ++work_;
+    candidates_.push_back(target(FaceId(face)));
     return candidates_.size() <= kManyCandidates;
-  };
-  const bool are_few = gather_where([](const Target&) { return true; }) ||
-                       gather_where([&](const Target& candidate) { return !are_apart(part, candidate, reach); });
-  return are_few && !candidates_.empty();
-}
-
-template <typename Vector>
-bool FaceBounds<Vector>::are_apart(const Part& part, const Target& target, Number reach) const {
-  const std::array<Vector, 3> corners = {target.corner, target.corner + target.first_edge,
-                                         target.corner + target.second_edge};
-  return are_apart_seen_along<Vector>(normal_, corners, part.corner_span(), reach);
+  });
+  return candidates_.size() <= kManyCandidates && !candidates_.empty();
 }
 
 template <typename Vector>
@@ -319,8 +304,8 @@ void FaceBounds<Vector>::visit(const Part& part) {
   hint_ = near.face;
   if (has_few)
     cover(part);
-  else if (near.distance < radius && part.depth < kMaxDepth<Number> / 2)
-    std::ranges::copy(part.halves(), std::back_inserter(waiting_));
+  else if (part.depth < kMaxDepth<Number> / 2)
+    divide(part, target(near.face), waiting_, [&](const Farthest& own) { return clearly_nearer_of_all(own); });
   else
     take(bound, near.face);
 }
@@ -349,41 +334,43 @@ void FaceBounds<Vector>::cover(const Part& part) {
       continue;
     }
     --steps;
-    if (!divide_by_cell(next, *near)) std::ranges::copy(next.halves(), std::back_inserter(uncovered_));
+    divide(next, *near, uncovered_, [&](const Farthest& own) { return clearly_nearer(own); });
   }
 }
 
-/// Takes the bound of the part in the cell, and leaves the rest uncovered. False if nothing is.
+/// Takes the bound of what of a part is in the cell of a triangle if it is tight, and leaves the rest to `left`:
+/// divided where another triangle, nearer(bound), is as near as this one, if it is not tight, and in halves if nothing
+/// is in the cell.
 template <typename Vector>
-bool FaceBounds<Vector>::divide_by_cell(const Part& part, const Target& target) {
-  const std::size_t count = uncovered_.size();
+template <typename Nearer>
+void FaceBounds<Vector>::divide(const Part& part, const Target& target, std::vector<Part>& left, Nearer nearer) {
+  const std::size_t count = left.size();
   Part inside = part;
   for (const CellSide<Vector>& side : cell_of(target.face)) {
     Part in, out;
     if (!inside.cut(side, in, out)) continue;
-    if (out.size > 0) uncovered_.push_back(out);
+    if (out.size > 0) left.push_back(out);
     inside = in;
     if (inside.size == 0) break;
   }
   if (inside.size == 0) {
-    uncovered_.resize(count);
-    return false;
+    left.resize(count);
+    std::ranges::copy(part.halves(), std::back_inserter(left));
+    return;
   }
   const Farthest bound = farthest(inside, target);
-  if (bound.upper <= irrelevant()) return true;
-  const Target* nearer = clearly_nearer(bound);
-  if (nearer == nullptr)
+  if (bound.upper <= irrelevant()) return;
+  const std::optional<Target> other = nearer(bound);
+  if (!other)
     take(bound, target.face);
-  else if (!divide_between(inside, bound.where, target, *nearer))
-    std::ranges::copy(inside.halves(), std::back_inserter(uncovered_));
-  return true;
+  else if (!divide_between(inside, bound.where, target, *other, left))
+    std::ranges::copy(inside.halves(), std::back_inserter(left));
 }
 
 /// The candidate that is nearest to the farthest corner, if it shows that the bound is not tight: that the corner is
 /// not farther than is enough, or clearly nearer than the bound.
 template <typename Vector>
-auto FaceBounds<Vector>::clearly_nearer(const Farthest& bound) const -> const Target* {
-  const Number clearly = std::max(static_cast<Number>(kClearly) * bound.upper, enough_);
+auto FaceBounds<Vector>::clearly_nearer(const Farthest& bound) const -> std::optional<Target> {
   const Target* nearest = nullptr;
   Number least = bound.upper;
   for (const Target& candidate : candidates_) {
@@ -391,14 +378,21 @@ auto FaceBounds<Vector>::clearly_nearer(const Farthest& bound) const -> const Ta
     if (own < least) nearest = &candidate;
     least = std::min(least, own);
   }
-  return least < clearly ? nearest : nullptr;
+  return nearest != nullptr && is_clearly_nearer(least, bound) ? std::optional(*nearest) : std::nullopt;
+}
+
+/// The same, of all triangles of the set.
+template <typename Vector>
+auto FaceBounds<Vector>::clearly_nearer_of_all(const Farthest& bound) const -> std::optional<Target> {
+  const Near near = nearest(bound.where, walk(bound.where, hint_).face);
+  return is_clearly_nearer(near.distance, bound) ? std::optional(target(near.face)) : std::nullopt;
 }
 
 /// Divides a part where it is equally far from the planes of two triangles, or from what else of them is nearest to a
 /// point, which is nearer to the second one. False if that is not between its corners.
 template <typename Vector>
 bool FaceBounds<Vector>::divide_between(const Part& part, const Vector& point, const Target& first,
-                                        const Target& second) {
+                                        const Target& second, std::vector<Part>& left) {
   const auto from_first = way_from(first, point), from_second = way_from(second, point);
   const Number size_first = size_of(from_first), size_second = size_of(from_second);
   if (!(size_second > 0) || !(size_first > size_second)) return false;
@@ -409,8 +403,8 @@ bool FaceBounds<Vector>::divide_between(const Part& part, const Vector& point, c
   Part near_first, near_second;
   const CellSide<Vector> side{point + (size_first - size_second) / slope * inward, inward};
   if (!part.cut(side, near_first, near_second) || near_first.size == 0 || near_second.size == 0) return false;
-  uncovered_.push_back(near_first);
-  uncovered_.push_back(near_second);
+  left.push_back(near_first);
+  left.push_back(near_second);
   return true;
 }
 

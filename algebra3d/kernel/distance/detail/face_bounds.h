@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "algebra3d/base/box3.h"
@@ -52,6 +54,8 @@ class FaceBounds {
   static constexpr std::size_t kNoLimit = static_cast<std::size_t>(-1);
   using Number = decltype(Vector::x);
   using Part = FacePart<Vector>;
+  /// A bound is tight if its corner is no nearer to another triangle than this share of it.
+  static constexpr Number kClearly = 0.875;
 
   /// A triangle by a corner and two edges.
   struct Target {
@@ -81,15 +85,20 @@ class FaceBounds {
   Near nearest(const Vector& point, FaceId near) const;
   Number irrelevant() const { return best_.upper > enough_ ? best_.upper : enough_; }
   void take(const Farthest& farthest, FaceId near);
-  bool are_apart(const Part& part, const Target& target, Number reach) const;
   bool gather(const Part& part, Number reach);
   void visit(const Part& part);
   void cover(const Part& part);
-  const Target* clearly_nearer(const Farthest& bound) const;
-  bool divide_between(const Part& part, const Vector& point, const Target& first, const Target& second);
+  template <typename Nearer>
+  void divide(const Part& part, const Target& target, std::vector<Part>& left, Nearer nearer);
+  bool is_clearly_nearer(Number distance, const Farthest& bound) const {
+    return distance < std::max(kClearly * bound.upper, enough_);
+  }
+  std::optional<Target> clearly_nearer(const Farthest& bound) const;
+  std::optional<Target> clearly_nearer_of_all(const Farthest& bound) const;
+  bool divide_between(const Part& part, const Vector& point, const Target& first, const Target& second,
+                      std::vector<Part>& left);
   bool lies_over_facet(const Part& part, FaceId face) const;
   void take_least(const Part& part);
-  bool divide_by_cell(const Part& part, const Target& target);
 
   const TriangleMesh& from_;
   DistanceOperand to_;

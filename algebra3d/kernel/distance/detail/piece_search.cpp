@@ -83,7 +83,7 @@ Status PieceSearch::measure_vertices(const Monitor& monitor) {
 /// Bounds faces that are not bounded yet, or whose bounds are to be lowered; `max_work` as of FaceBounds.
 template <typename Vector>
 void PieceSearch::bound(std::span<const std::uint32_t> faces, std::size_t max_work, const Monitor& monitor) {
-  constexpr std::size_t kTask = 64;
+  constexpr std::size_t kTask = 16;
   const Stage stage(monitor, "bounding distances", faces.size());
   parallel_for((faces.size() + kTask - 1) / kTask, 1, [&](std::size_t task) {
     Stage own(stage);
@@ -109,11 +109,27 @@ Status PieceSearch::bound_faces(double at_least, const Monitor& monitor) {
   lower_ = std::max(lower_, at_least);
   face_bounds_.assign(from_.face_count(), {kInfinity, {}, {}});
   facets_.emplace(*to_.mesh, half_scale_for(box_));
-  constexpr std::size_t kWorkOfFirstBound = 1 << 13, kUnlimited = static_cast<std::size_t>(-1);
-  bound<Vec3>(unsettled_faces(), do_nearly_coincide() ? kWorkOfFirstBound : kUnlimited, monitor);
-  A3D_TRY(monitor.check());
-  probe_faces();
+  bound<Vec3>(unsettled_faces(), 0, monitor);
+  A3D_TRY(bound_by_rounds(monitor));
   return do_nearly_coincide() ? bound_near_faces(monitor) : Status();
+}
+
+/// Those that seem to be farthest first, and then more and more: the samples of one round settle many others.
+Status PieceSearch::bound_by_rounds(const Monitor& monitor) {
+  constexpr std::size_t kWorkOfFirstBound = 1 << 13, kUnlimited = static_cast<std::size_t>(-1), kGrowth = 8;
+  std::vector<std::uint32_t> left = unsettled_faces();
+  for (std::size_t count = kProbedFaces; !left.empty(); count *= kGrowth) {
+    count = std::min(count, left.size());
+    move_farthest_to_front(left, count);
+    const std::span<std::uint32_t> round(left.data(), count);
+    std::ranges::sort(round);  // those of a task are mostly near each other
+    bound<Vec3>(round, do_nearly_coincide() ? kWorkOfFirstBound : kUnlimited, monitor);
+    A3D_TRY(monitor.check());
+    probe(round);
+    left.erase(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(count));
+    std::erase_if(left, [&](std::uint32_t face) { return is_settled(face_bounds_[face].upper); });
+  }
+  return {};
 }
 
 /// The work is limited by the number of all faces: it is spent on those that are not settled, which mostly are few.
@@ -122,7 +138,7 @@ Status PieceSearch::bound_near_faces(const Monitor& monitor) {
   std::vector<std::uint32_t> faces = unsettled_faces();
   bound<WideVec3>(faces, std::max(kLeastWork, near_work() / std::max<std::size_t>(1, faces.size())), monitor);
   A3D_TRY(monitor.check());
-  probe_faces();
+  probe(faces);
   faces = unsettled_faces();
   return faces.empty() ? Status() : cover(faces, monitor);
 }
@@ -144,12 +160,16 @@ Status PieceSearch::cover(std::span<const std::uint32_t> faces, const Monitor& m
   return {};
 }
 
-void PieceSearch::probe_faces() {
-  std::vector<std::uint32_t> faces = unsettled_faces();
-  const std::size_t count = std::min(faces.size(), kProbedFaces);
+void PieceSearch::move_farthest_to_front(std::vector<std::uint32_t>& faces, std::size_t count) const {
   std::ranges::partial_sort(faces, faces.begin() + static_cast<std::ptrdiff_t>(count), [&](auto a, auto b) {
     return std::pair(-face_bounds_[a].upper, a) < std::pair(-face_bounds_[b].upper, b);
   });
+}
+
+void PieceSearch::probe(std::span<const std::uint32_t> bounded) {
+  std::vector<std::uint32_t> faces(bounded.begin(), bounded.end());
+  const std::size_t count = std::min(faces.size(), kProbedFaces);
+  move_farthest_to_front(faces, count);
   for (std::size_t i = 0; i < count && !is_settled(face_bounds_[faces[i]].upper); ++i)
     new_sample(face_bounds_[faces[i]].where, face_bounds_[faces[i]].near);
 }

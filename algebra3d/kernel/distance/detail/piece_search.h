@@ -88,7 +88,9 @@ class PieceSearch {
   void bound(std::span<const std::uint32_t> faces, std::size_t max_work, const Monitor& monitor);
   Status bound_near_faces(const Monitor& monitor);
   Status cover(std::span<const std::uint32_t> faces, const Monitor& monitor);
-  void probe_faces();
+  Status bound_by_rounds(const Monitor& monitor);
+  void move_farthest_to_front(std::vector<std::uint32_t>& faces, std::size_t count) const;
+  void probe(std::span<const std::uint32_t> bounded);
   void bound_by(FaceId face, const Corners& corners, double& least, FaceId& of_least) const;
   void divide(const Piece& piece, const FaceBounds<Vec3>& bounds);
   bool divide_between(const Piece& piece, FaceId first, FaceId second, Division& division);
