@@ -140,10 +140,11 @@ auto FaceBounds<Vector>::farthest(const Part& part, const Target& target) -> Far
 }
 
 template <typename Vector>
-auto FaceBounds<Vector>::nearest(const Vector& point, FaceId near) const -> Near {
+auto FaceBounds<Vector>::nearest(const Vector& point, FaceId near) -> Near {
   Near best{near, distance(point, target(near))};
   const auto reach = [&] { return unscaled(best.distance + kOfDistance<Number>); };
   to_.hierarchy->for_each_near(Box3::of(unscaled(point)), reach(), [&](std::uint32_t face) {
+    ++work_;
     const Number own = distance(point, target(FaceId(face)));
     if (own < best.distance) best = {FaceId(face), own};
     return reach();
@@ -296,9 +297,11 @@ void FaceBounds<Vector>::visit(const Part& part) {
   Farthest bound = farthest(part, target(near.face));
   const auto is_bounded = [&] { return bound.upper <= irrelevant() || lies_over_facet(part, near.face); };
   if (is_bounded()) return;
-  near = nearest(centre, near.face);
-  bound = farthest(part, target(near.face));
-  if (is_bounded()) return;
+  if (near.distance > irrelevant()) {
+    near = nearest(centre, near.face);
+    bound = farthest(part, target(near.face));
+    if (is_bounded()) return;
+  }
   const bool has_few =
       gather(part, std::min(bound.upper, (near.distance + radius + kOfDistance<Number>)*kGrown<Number>));
   hint_ = near.face;
@@ -383,8 +386,9 @@ auto FaceBounds<Vector>::clearly_nearer(const Farthest& bound) const -> std::opt
 
 /// The same, of all triangles of the set.
 template <typename Vector>
-auto FaceBounds<Vector>::clearly_nearer_of_all(const Farthest& bound) const -> std::optional<Target> {
-  const Near near = nearest(bound.where, walk(bound.where, hint_).face);
+auto FaceBounds<Vector>::clearly_nearer_of_all(const Farthest& bound) -> std::optional<Target> {
+  Near near = walk(bound.where, hint_);
+  if (!is_clearly_nearer(near.distance, bound)) near = nearest(bound.where, near.face);
   return is_clearly_nearer(near.distance, bound) ? std::optional(target(near.face)) : std::nullopt;
 }
 

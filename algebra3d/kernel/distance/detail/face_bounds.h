@@ -82,7 +82,7 @@ class FaceBounds {
   static Number distance(const Vector& point, const Target& target);
   static Farthest farthest(const Part& part, const Target& target);
   Near walk(const Vector& point, FaceId from) const;
-  Near nearest(const Vector& point, FaceId near) const;
+  Near nearest(const Vector& point, FaceId near);
   Number irrelevant() const { return best_.upper > enough_ ? best_.upper : enough_; }
   void take(const Farthest& farthest, FaceId near);
   bool gather(const Part& part, Number reach);
@@ -94,7 +94,7 @@ class FaceBounds {
     return distance < std::max(kClearly * bound.upper, enough_);
   }
   std::optional<Target> clearly_nearer(const Farthest& bound) const;
-  std::optional<Target> clearly_nearer_of_all(const Farthest& bound) const;
+  std::optional<Target> clearly_nearer_of_all(const Farthest& bound);
   bool divide_between(const Part& part, const Vector& point, const Target& first, const Target& second,
                       std::vector<Part>& left);
   bool lies_over_facet(const Part& part, FaceId face) const;
