@@ -163,7 +163,7 @@ Result<fs::path> target_of(const fs::path& path) {
 Status AtomicFile::check_replaceable() const {
   const auto kept = database_part(target_);
   if (!kept) return {};
-  return Error{ErrorCode::wrong_usage, "{}: {}", path_.string(), *kept};
+  return Error{ErrorCode::wrong_usage, *kept}.about(path_.string());
 }
 
 Result<AtomicFile> AtomicFile::create(const OutputPath& path) {
@@ -180,7 +180,7 @@ Result<AtomicFile> AtomicFile::create(const OutputPath& path) {
   if (!exists && errno != ENOENT) return write_error(given, errno);
   if (exists && S_ISDIR(facts.st_mode)) return write_error(given, EISDIR);
   if (exists && !S_ISREG(facts.st_mode))
-    return Error{ErrorCode::io_error, "{}: Not a regular file (but a pipe or device)", given.string()};
+    return Error{ErrorCode::io_error, "Not a regular file (but a pipe or device)"}.about(given.string());
   A3D_TRY(file.check_replaceable());
   // Renaming needs no right to write the file that it replaces, but whoever protected a file means it.
   if (exists && ::access(file.target_.c_str(), W_OK) != 0) return write_error(file.target_, errno);

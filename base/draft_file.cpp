@@ -55,7 +55,7 @@ Result<DraftFile> DraftFile::create(const fs::path& target, std::string_view pre
     const bool has_lock = lock(draft.descriptor_) || (errno != EAGAIN && errno != EACCES);
     if (has_lock && is_file_at(path, draft.descriptor_)) return draft;
   }
-  return Error{ErrorCode::io_error, "{}: no interim name is free in its folder", target.string()};
+  return Error{ErrorCode::io_error, "no interim name is free in its folder"}.about(target.string());
 }
 
 DraftFile::DraftFile(DraftFile&& other) noexcept

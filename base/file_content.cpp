@@ -76,7 +76,7 @@ FileContent::Data FileContent::allocated(std::size_t size) {
 Result<FileContent> FileContent::in_memory(const InputFile& file, const std::atomic<bool>* cancel) {
   Data buffer = allocated(file.size());
   if (!buffer)
-    return Error{ErrorCode::out_of_memory, "{}: no memory for its {} bytes", file.path().string(), file.size()};
+    return Error{ErrorCode::out_of_memory, "no memory for its {} bytes", file.size()}.about(file.path().string());
   A3D_TRY(file.read_into(buffer.get(), cancel));
   return FileContent(std::move(buffer), file.size());
 }

@@ -89,7 +89,7 @@ Error write_error(const fs::path& file, int reason) {
   ErrorCode code = ErrorCode::io_error;
   if (reason == ENOSPC || reason == EDQUOT || reason == EFBIG) code = ErrorCode::disk_full;
   if (reason == ENOENT || reason == ENOTDIR) code = ErrorCode::file_missing;
-  return {code, "{}: {}", file.string(), write_obstacle(file, reason)};
+  return Error{code, write_obstacle(file, reason)}.about(file.string());
 }
 
 Status check_file_name(const fs::path& file) {
@@ -101,7 +101,7 @@ Status check_file_name(const fs::path& file) {
 }
 
 Error interrupted_reading(std::string_view file_name) {
-  return {ErrorCode::interrupted, "{}: interrupted", file_name};
+  return Error{ErrorCode::interrupted, "interrupted"}.about(file_name);
 }
 
 int folder_obstacle(const fs::path& file) {

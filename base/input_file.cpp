@@ -28,8 +28,8 @@ constexpr std::size_t kBlockBytes = std::size_t{4} << 20;
 Error reading_error(const std::filesystem::path& path, int reason) {
   constexpr std::array kOfTheName = {ENOENT, ENOTDIR, EISDIR, EACCES, EPERM, ELOOP, ENAMETOOLONG};
   const bool is_of_the_name = std::ranges::find(kOfTheName, reason) != kOfTheName.end();
-  return {is_of_the_name ? ErrorCode::file_missing : ErrorCode::io_error, "{}: {}", path.string(),
-          std::generic_category().message(reason)};
+  return Error{is_of_the_name ? ErrorCode::file_missing : ErrorCode::io_error, std::generic_category().message(reason)}
+      .about(path.string());
 }
 
 FileState state_of(const struct stat& facts) {
@@ -56,8 +56,8 @@ Descriptor::~Descriptor() {
 Result<InputFile> InputFile::open(const std::filesystem::path& path) {
   A3D_TRY(check_file_name(path));
   if (const auto database = open_database_with(path))
-    return Error{ErrorCode::file_missing, "{}: this file holds the open database '{}'", path.string(),
-                 database->string()};
+    return Error{ErrorCode::file_missing, "this file holds the open database '{}'", database->string()}.about(
+        path.string());
   // O_NONBLOCK: opening a pipe that nobody writes to must not wait for a writer.
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // NOLINT(*-vararg)
   if (file.number() < 0) return reading_error(path, errno);
@@ -65,7 +65,7 @@ Result<InputFile> InputFile::open(const std::filesystem::path& path) {
   if (::fstat(file.number(), &facts) != 0) return reading_error(path, errno);
   if (S_ISDIR(facts.st_mode)) return reading_error(path, EISDIR);
   if (!S_ISREG(facts.st_mode))
-    return Error{ErrorCode::file_missing, "{}: Not a regular file (but a pipe or device)", path.string()};
+    return Error{ErrorCode::file_missing, "Not a regular file (but a pipe or device)"}.about(path.string());
   ::posix_fadvise(file.number(), 0, 0, POSIX_FADV_SEQUENTIAL);  // a hint: reads ahead in larger steps
   return InputFile(std::move(file), path, state_of(facts));
 }
@@ -97,13 +97,13 @@ Status InputFile::check_unchanged() const {
   const std::string how = now.size == state_.size
                               ? "another process wrote to it"
                               : fmt::format("it had {} bytes, and has {} now", state_.size, now.size);
-  return Error{ErrorCode::io_error, "{}: the file was changed while it was read: {}", path_.string(), how};
+  return Error{ErrorCode::io_error, "the file was changed while it was read: {}", how}.about(path_.string());
 }
 
 Status InputFile::ends_early(std::size_t offset) const {
   A3D_TRY(check_unchanged());
-  return Error{ErrorCode::io_error, "{}: reading ends at byte {}; expected {} bytes", path_.string(), offset,
-               state_.size};
+  return Error{ErrorCode::io_error, "reading ends at byte {}; expected {} bytes", offset, state_.size}.about(
+      path_.string());
 }
 
 Status InputFile::for_each_block(const std::atomic<bool>* cancel, const TakeBlock& take) const {

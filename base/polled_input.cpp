@@ -48,14 +48,15 @@ Result<std::string> PolledInput::read_all(std::size_t limit, const std::string& 
   std::string content;
   while (gptr() != egptr() || fill()) {
     const auto count = static_cast<std::size_t>(egptr() - gptr());
-    if (count > limit - content.size()) return Error{ErrorCode::limit_exceeded, "{}: more than {} bytes", name, limit};
+    if (count > limit - content.size())
+      return Error{ErrorCode::limit_exceeded, "more than {} bytes", limit}.about(name);
     content.append(gptr(), count);
     gbump(static_cast<int>(count));
   }
   if (is_interrupted_) return Monitor::interrupted();
   if (error_ != 0)
-    return Error{ErrorCode::io_error, "{} cannot be read to its end: {}", name,
-                 std::generic_category().message(error_)};
+    return Error{ErrorCode::io_error, "cannot be read to its end: {}", std::generic_category().message(error_)}.about(
+        name);
   return content;
 }
 

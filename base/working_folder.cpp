@@ -92,4 +92,10 @@ std::string WorkingFolder::with_names(std::string message) const {
   return uploads_.empty() ? message : with_replaced(std::move(message), uploads_.string(), kUploads);
 }
 
+Error WorkingFolder::with_names(Error error) const {
+  error.subject = with_names(std::move(error.subject));
+  error.message = with_names(std::move(error.message));
+  return error;
+}
+
 }  // namespace algebra3d

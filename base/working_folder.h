@@ -38,6 +38,8 @@ class WorkingFolder {
   bool hides(const std::filesystem::path& name) const;
   /// A message in which files are called by the names that lead to them: the path of the uploads is `uploads`.
   std::string with_names(std::string message) const;
+  /// The error whose files are called so.
+  Error with_names(Error error) const;
 
  private:
   std::filesystem::path folder_;

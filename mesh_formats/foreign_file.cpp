@@ -53,7 +53,7 @@ std::string_view foreign_kind(std::string_view head) {
 Status refuse_foreign(std::string_view bytes, std::string_view file_name, std::string_view expected) {
   const std::string_view kind = foreign_kind(bytes);
   if (kind.empty()) return {};
-  return Error{ErrorCode::file_format, "{}: it is {}; expected an {} file", file_name, kind, expected};
+  return Error{ErrorCode::file_format, "it is {}; expected an {} file", kind, expected}.about(file_name);
 }
 
 }  // namespace mesh_formats

@@ -63,8 +63,8 @@ Result<const MeshFormat*> MeshFormats::detect(std::string_view bytes, std::strin
   if (const MeshFormat* const format = of_name(file_name)) return format;
   for (const MeshFormat& format : formats_)
     if (format.detect(bytes, bytes.size()) == Match::possible) return &format;
-  return Error{ErrorCode::file_format, "{}: neither content nor name is that of a mesh file; expected {}", file_name,
-               names("or")};
+  return Error{ErrorCode::file_format, "neither content nor name is that of a mesh file; expected {}", names("or")}
+      .about(file_name);
 }
 
 Result<const MeshFormat*> MeshFormats::detect_file(const std::filesystem::path& path) const {

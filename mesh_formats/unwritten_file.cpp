@@ -41,12 +41,9 @@ Status refuse_unwritten(const InputFile& file) {
   if (const auto count = announced_in(head))
     announced = fmt::format("header announces {} ({} bytes), ", counted(*count, "triangle"),
                             kBinaryPrefixBytes + *count * kBinaryFacetBytes);
-  return Error{ErrorCode::file_format,
-               "{}: {}file has {} bytes, of which {} were never written (it is sparse)",
-               file.path().string(),
-               announced,
-               file.size(),
-               holes};
+  return Error{ErrorCode::file_format, "{}file has {} bytes, of which {} were never written (it is sparse)", announced,
+               file.size(), holes}
+      .about(file.path().string());
 }
 
 }  // namespace mesh_formats

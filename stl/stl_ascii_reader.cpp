@@ -225,7 +225,8 @@ class AsciiReader : Reading {
 
   [[nodiscard]] Error at_cursor(std::string_view what) const {
     const auto offset = static_cast<std::size_t>(cursor_.position() - bytes_.data());
-    return {ErrorCode::file_format, "{}: byte {}, line {}: {}", file_name_, offset, line_number(bytes_, offset), what};
+    return Error{ErrorCode::file_format, "byte {}, line {}: {}", offset, line_number(bytes_, offset), what}.about(
+        file_name_);
   }
   bool fail_expected(std::string_view expected) {
     return fail(at_cursor(fmt::format("expected {}, found {}", expected, found_text(cursor_.rest()))));

@@ -86,17 +86,18 @@ class BinaryReader {
     }
     if (whole < announced)
       return Error{ErrorCode::file_format,
-                   "{}: byte {}: header announces {} ({} bytes), file has {} bytes",
-                   file_name_,
+                   "byte {}: header announces {} ({} bytes), file has {} bytes",
                    kBinaryPrefixBytes,
                    counted(announced, "triangle"),
                    kBinaryPrefixBytes + announced * kBinaryFacetBytes,
-                   bytes_.size()};
+                   bytes_.size()}
+          .about(file_name_);
     if (announced == 0 && whole > 0)
       return Error{ErrorCode::file_format,
-                   "{}: byte 80: header announces 0 triangles, but {} bytes follow; expected none or a multiple "
+                   "byte 80: header announces 0 triangles, but {} bytes follow; expected none or a multiple "
                    "of {}",
-                   file_name_, behind, kBinaryFacetBytes};
+                   behind, kBinaryFacetBytes}
+          .about(file_name_);
     const std::size_t trailing = behind - announced * kBinaryFacetBytes;
     read_.wrong_count = WrongCount{announced, whole, announced};
     if (whole == announced) read_.wrong_count->trailing_bytes = trailing;
@@ -153,14 +154,14 @@ class BinaryReader {
 
   [[nodiscard]] Error not_finite(std::size_t facet, std::size_t corner, std::size_t axis, double value) const {
     const std::size_t byte = kBinaryPrefixBytes + facet * kBinaryFacetBytes + 12 * (corner + 1) + 4 * axis;
-    return {ErrorCode::file_format,
-            "{}: byte {}: facet {}, corner {}: {} is {}; expected a finite number",
-            file_name_,
-            byte,
-            facet + 1,
-            corner + 1,
-            "xyz"[axis],
-            std::isnan(value) ? "nan" : (value > 0 ? "inf" : "-inf")};
+    return Error{ErrorCode::file_format,
+                 "byte {}: facet {}, corner {}: {} is {}; expected a finite number",
+                 byte,
+                 facet + 1,
+                 corner + 1,
+                 "xyz"[axis],
+                 std::isnan(value) ? "nan" : (value > 0 ? "inf" : "-inf")}
+        .about(file_name_);
   }
 
   void add_remarks() {

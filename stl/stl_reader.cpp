@@ -47,12 +47,12 @@ bool begins_like_ascii(std::string_view sample) {
 Result<Encoding> detect_encoding(std::string_view head, std::size_t size, std::string_view file_name) {
   if (has_announced_size(head, size)) return Encoding::binary;
   if (std::ranges::all_of(head, is_blank))
-    return Error{ErrorCode::file_format, "{}: empty file; expected an STL file", file_name};
+    return Error{ErrorCode::file_format, "empty file; expected an STL file"}.about(file_name);
   if (begins_as_text(head) || begins_like_ascii(head.substr(0, kSampleBytes))) return Encoding::ascii;
   if (head.size() >= kBinaryPrefixBytes) return Encoding::binary;
   return Error{ErrorCode::file_format,
-               "{}: byte {}: file ends; expected 'solid', or the 84 bytes before the facets of a binary file",
-               file_name, size};
+               "byte {}: file ends; expected 'solid', or the 84 bytes before the facets of a binary file", size}
+      .about(file_name);
 }
 
 Result<ReadStl> read_stl(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel) {

@@ -165,11 +165,11 @@ Status write(const OutputPath& path, const TriangleSoup& soup, std::string_view 
 Status write_stl_file(const OutputPath& path, const TriangleSoup& soup, std::string_view name, Encoding format) {
   if (format == Encoding::binary && soup.triangles.size() > std::numeric_limits<std::uint32_t>::max())
     return Error{ErrorCode::limit_exceeded,
-                 "{}: {} triangles, but a binary file holds at most 4294967295; ASCII holds more", path.path().string(),
-                 soup.triangles.size()};
+                 "{} triangles, but a binary file holds at most 4294967295; ASCII holds more", soup.triangles.size()}
+        .about(path.path().string());
   auto status = write(path, soup, name, format);
   if (!status && status.error().code == ErrorCode::invalid_value)
-    return Error{ErrorCode::invalid_value, "{}: {}", path.path().string(), status.error().message};
+    return std::move(status).error().about(path.path().string());
   return status;
 }
 

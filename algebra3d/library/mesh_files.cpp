@@ -22,7 +22,7 @@ Result<ReadSolid> read_solid(const std::filesystem::path& file, const std::strin
     A3D_ASSIGN(ImportedSolid imported, import_solid(file, nullptr, parsed, monitor));
     ReadSolid result;
     if (imported.solid) result.solid = ShapeAccess::outer(*std::move(imported.solid));
-    result.status = std::move(imported.status);
+    result.status = imported.text();
     result.remarks = std::move(imported.remarks);
     result.area_dropped = imported.measures.area_dropped;
     result.area_added = imported.measures.area_added;

@@ -32,6 +32,6 @@ Status run() {
 
 int main() {
   const Status status = run();
-  if (!status) std::cerr << status.error().message << "\n";
+  if (!status) std::cerr << status.error().text() << "\n";
   return status ? 0 : 1;
 }

@@ -22,12 +22,12 @@ Status check_points(const std::filesystem::path& path, const PolygonSoup& soup, 
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (const double value = soup.points[point][axis]; !(std::abs(value) < beyond))
         return Error{ErrorCode::invalid_value,
-                     "{}: point {}: {} is {}; expected a finite number{}",
-                     path.string(),
+                     "point {}: {} is {}; expected a finite number{}",
                      point + 1,
                      "xyz"[axis],
                      value,
-                     is_float ? " within the range of float" : ""};
+                     is_float ? " within the range of float" : ""}
+            .about(path.string());
   return {};
 }
 
@@ -35,17 +35,17 @@ Status check_faces(const std::filesystem::path& path, const PolygonSoup& soup) {
   for (std::size_t face = 0; face < soup.face_count(); ++face) {
     const auto corners = soup.face(face);
     if (corners.size() < 3)
-      return Error{ErrorCode::invalid_value, "{}: face {} has {} corners; expected at least 3", path.string(), face + 1,
-                   corners.size()};
+      return Error{ErrorCode::invalid_value, "face {} has {} corners; expected at least 3", face + 1, corners.size()}
+          .about(path.string());
     for (std::size_t corner = 0; corner < corners.size(); ++corner)
       if (corners[corner] >= soup.points.size())
         return Error{ErrorCode::invalid_value,
-                     "{}: face {}, corner {}: the index is {}; expected one of {} points",
-                     path.string(),
+                     "face {}, corner {}: the index is {}; expected one of {} points",
                      face + 1,
                      corner + 1,
                      corners[corner],
-                     soup.points.size()};
+                     soup.points.size()}
+            .about(path.string());
   }
   return {};
 }

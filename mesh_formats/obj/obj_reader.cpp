@@ -54,7 +54,7 @@ class ObjReader : Reading {
         line_ends_(end_) {}
 
   Result<ReadMesh> read() {
-    if (is_padding(bytes_)) return Error{ErrorCode::file_format, "{}: empty file; expected an OBJ file", file_name_};
+    if (is_padding(bytes_)) return Error{ErrorCode::file_format, "empty file; expected an OBJ file"}.about(file_name_);
     if (bytes_.starts_with("\xef\xbb\xbf")) cursor_.move_to(bytes_.data() + 3);
     if (!read_statements()) return take_error();
     if (read_.soup.points.size() > kMostInSoup) return too_many("vertices");
@@ -430,11 +430,11 @@ class ObjReader : Reading {
   }
   bool fail_at_cursor(std::string_view what) {
     const std::size_t offset = offset_of_cursor();
-    return fail(
-        {ErrorCode::file_format, "{}: byte {}, line {}: {}", file_name_, offset, line_number(bytes_, offset), what});
+    return fail(Error{ErrorCode::file_format, "byte {}, line {}: {}", offset, line_number(bytes_, offset), what}.about(
+        file_name_));
   }
   [[nodiscard]] Error too_many(std::string_view what) const {
-    return {ErrorCode::limit_exceeded, "{}: more than {} {}", file_name_, kMostInSoup, what};
+    return Error{ErrorCode::limit_exceeded, "more than {} {}", kMostInSoup, what}.about(file_name_);
   }
 
   bool wants_attributes_;

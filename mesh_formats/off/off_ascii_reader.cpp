@@ -298,7 +298,8 @@ class OffAsciiReader : Reading {
                      fmt::format("expected {}, found {}", expected, found_text(cursor_.rest())));
   }
   bool fail_here(ErrorCode code, std::string_view what) {
-    return fail({code, "{}: byte {}, line {}: {}", file_name_, offset(), line_number(bytes_, offset()), what});
+    return fail(algebra3d::Error{code, "byte {}, line {}: {}", offset(), line_number(bytes_, offset()), what}.about(
+        file_name_));
   }
 
   OffHeader header_;

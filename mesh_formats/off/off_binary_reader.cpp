@@ -187,7 +187,8 @@ class OffBinaryReader : Reading {
       if (degree >= 3) corners.push_back(index);
     }
     if (corners.size() > std::numeric_limits<std::uint32_t>::max())
-      return fail({ErrorCode::limit_exceeded, "{}: more than 4294967295 corners of faces", file_name_});
+      return fail(
+          algebra3d::Error{ErrorCode::limit_exceeded, "more than 4294967295 corners of faces"}.about(file_name_));
     if (degree < 3)
       ++ignored_.short_faces;
     else
@@ -215,7 +216,7 @@ class OffBinaryReader : Reading {
     return fail_at(next_, fmt::format("face {} of {}: {}", face_index_ + 1, face_count_, what));
   }
   bool fail_at(std::size_t word, std::string_view what) {
-    return fail({ErrorCode::file_format, "{}: byte {}: {}", file_name_, offset_of(word), what});
+    return fail(algebra3d::Error{ErrorCode::file_format, "byte {}: {}", offset_of(word), what}.about(file_name_));
   }
 
   OffHeader header_;

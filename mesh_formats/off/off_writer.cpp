@@ -83,8 +83,9 @@ Status write_off_file(const OutputPath& path, const PolygonSoup& soup, Encoding 
   const bool is_binary = format == Encoding::binary;
   if (is_binary && std::max(soup.points.size(), soup.face_count()) > kMostInBinaryOff)
     return Error{ErrorCode::limit_exceeded,
-                 "{}: {} points and {} faces, but a binary file holds at most 2147483647; ASCII holds more",
-                 path.path().string(), soup.points.size(), soup.face_count()};
+                 "{} points and {} faces, but a binary file holds at most 2147483647; ASCII holds more",
+                 soup.points.size(), soup.face_count()}
+        .about(path.path().string());
   A3D_TRY(check_soup(path.path(), soup, is_binary ? CoordinateRange::floats : CoordinateRange::doubles));
   return write_off(path, soup, format);
 }

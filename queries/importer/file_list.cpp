@@ -48,7 +48,7 @@ bool is_below(const fs::path& file, const fs::path& folder) {
 Result<fs::path> normal_path(const fs::path& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);
-  if (error) return Error{ErrorCode::io_error, "{}: {}", path_text(path), error.message()};
+  if (error) return Error{ErrorCode::io_error, error.message()}.about(path_text(path));
   return absolute.lexically_normal();
 }
 
@@ -85,15 +85,15 @@ Status FileLister::add(const std::string& given) {
   if (fs::exists(status)) return add_existing(given, status);
   // An error other than "not found", such as a folder on the way that may not be entered, is the user's answer.
   if (status.type() != fs::file_type::not_found)
-    return Error{ErrorCode::io_error, "{}: {}", path_text(given), error.message()};
+    return Error{ErrorCode::io_error, error.message()}.about(path_text(given));
   if (given.find_first_of("*?[") != std::string::npos) return add_matches(given);
-  return Error{ErrorCode::file_missing, "{}: no such file or folder", path_text(given)};
+  return Error{ErrorCode::file_missing, "no such file or folder"}.about(path_text(given));
 }
 
 Status FileLister::add_existing(const fs::path& path, fs::file_status status) {
   if (fs::is_directory(status)) return add_folder(path);
   if (fs::is_regular_file(status)) return add_file(path);
-  return Error{ErrorCode::wrong_usage, "{}: is neither a file nor a folder", path_text(path)};
+  return Error{ErrorCode::wrong_usage, "is neither a file nor a folder"}.about(path_text(path));
 }
 
 Status FileLister::add_matches(const std::string& pattern) {
@@ -108,7 +108,7 @@ Status FileLister::add_matches(const std::string& pattern) {
     A3D_TRY(add_existing(path, status));
   }
   if (!any)
-    return Error{ErrorCode::file_missing, "{}: no such file, and no file matches this pattern", path_text(pattern)};
+    return Error{ErrorCode::file_missing, "no such file, and no file matches this pattern"}.about(path_text(pattern));
   return {};
 }
 

@@ -170,7 +170,7 @@ Status Import::pump(FileLoader& loader, RelationWriter& writer) {
 
 int Import::fail(const Error& error, int status) {
   progress_.clear();
-  host_.err << "error: import: " << error.message << "\n";
+  host_.err << "error: import: " << error.text() << "\n";
   if (committed_count_ > 0)
     host_.err << fmt::format("{} of {} files are in '{}'; run the same import again to go on from there\n",
                              grouped(committed_count_ + summary_.known_count), grouped(summary_.file_count),

@@ -129,7 +129,7 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
     auto node = checked_argument(application.arguments[index], known, functions, type);
     if (!node) {
       Error error = std::move(node).error();
-      if (!error.place.is_known()) error.message = op.name + ": " + error.message;
+      if (!error.place.is_known()) error = std::move(error).about(op.name);
       return std::move(error).at(place);
     }
     if (is_operand) operands.push_back(type.type);

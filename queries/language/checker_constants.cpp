@@ -113,9 +113,8 @@ Result<Datum> Checker::relation_constant(const TypeExpr& type, const TypedLitera
       const algebra3d::Type* attribute_type = registry_.value_type(attributes[index].type);
       auto value = algebra3d::value_from_nested(*attribute_type, row.elements()[index], context_);
       if (!value) {
-        Error error = std::move(value).error();
-        error.message =
-            fmt::format("rel: tuple {}, attribute {}: {}", tuples.size() + 1, attributes[index].name, error.message);
+        Error error = std::move(value).error().about(
+            fmt::format("rel: tuple {}, attribute {}", tuples.size() + 1, attributes[index].name));
         Path path = wrong_element(*attribute_type, row.elements()[index], context_);
         path.insert(path.begin(), {tuples.size(), index});
         return std::move(error).at(place_of_element(literal, path, place));

@@ -85,7 +85,7 @@ bool is_of_surplus(std::string_view message) {
 
 // A `;` that is missing belongs behind what comes before the next command, which is where the error shows.
 Error with_missing_semicolon(Error error, std::string_view text, const SourcePlace& start) {
-  if (!is_of_surplus(error.message)) return error;
+  if (!is_of_surplus(error.text())) return error;
   Scanner scanner(text, start);
   Token before;
   int depth = 0;

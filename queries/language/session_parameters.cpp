@@ -120,7 +120,7 @@ Result<std::pair<std::string, SessionParameter>> parse_session_parameter(std::st
                                              name, quoted_excerpt(value)));
   const std::string_view type = colon == std::string_view::npos ? guessed_type(value) : left.substr(colon + 1);
   auto parameter = session_parameter(type, value, registry);
-  if (!parameter) return wrong_parameter(text, parameter.error().message);
+  if (!parameter) return wrong_parameter(text, parameter.error().text());
   return std::pair(std::string(name), std::move(parameter).value());
 }
 

@@ -61,7 +61,7 @@ int run_serve(const ServerOptions& options, const algebra3d::Registry& registry,
   const auto note = [](const std::string& text) { std::cerr << "note: " << text << "\n"; };
   const algebra3d::Status status = serve(options, registry, stop, ready, note);
   if (status) return 0;
-  std::cerr << "error: " << status.error().message << "\n";
+  std::cerr << "error: " << status.error().text() << "\n";
   return status.error().code == algebra3d::ErrorCode::wrong_usage ? 2 : 1;
 }
 

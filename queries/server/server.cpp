@@ -40,7 +40,7 @@ Result<std::string> token_of(const ServerOptions& options, const std::atomic<boo
     if (!content && content.error().code == ErrorCode::interrupted) return std::move(content).error();
     if (!content)
       return Error{ErrorCode::wrong_usage, "--token-file: '{}' cannot be read: {}", options.token_file.string(),
-                   content.error().message};
+                   content.error().text()};
     token = first_line(*content);
   } else if (const char* const given = std::getenv("ALGEBRA3D_TOKEN"); given != nullptr) {
     token = given;

@@ -61,7 +61,7 @@ Status Session::run(const Sequence& command, Presenter& presenter, Context& cont
     if (first)
       first = std::move(status);
     else
-      context.diagnostics.report("a further command of the sequence failed: " + status.error().message);
+      context.diagnostics.report("a further command of the sequence failed: " + status.error().text());
     // A single transaction must not become many.
     const auto* step = std::get_if<TransactionStep>(&each->content);
     const bool was_begin = step != nullptr && step->step == TransactionStep::Step::begin;

@@ -86,7 +86,7 @@ Result<std::vector<Finding>> Session::findings(Presenter& presenter, Context& co
   if (damaged_) {
     auto found = Store::check_damaged(damaged_->file, registry_, context, report);
     // The reason why the file could not be opened is a finding, also if the check has found a way round it.
-    if (found && found->empty()) found->push_back({.message = "the catalogue: " + damaged_->error.message});
+    if (found && found->empty()) found->push_back({.message = "the catalogue: " + damaged_->error.text()});
     return found;
   }
   A3D_ASSIGN(Store * store, required_store());

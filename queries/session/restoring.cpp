@@ -7,6 +7,7 @@
 
 #include "algebra3d/values/types/file_atom.h"
 #include "base/propagate.h"
+#include "base/text.h"
 #include "queries/language/checker.h"
 #include "queries/language/list_pieces.h"
 #include "queries/language/nested_reader.h"
@@ -28,8 +29,7 @@ namespace {
 
 /// An error of the interim file as one of the database that the user named.
 Error told_of(const std::filesystem::path& file, const std::filesystem::path& interim, Error error) {
-  const std::size_t at = error.message.find(interim.string());
-  if (at != std::string::npos) error.message.replace(at, interim.string().size(), file.string());
+  error.subject = algebra3d::with_replaced(std::move(error.subject), interim.string(), file.string());
   return error;
 }
 
@@ -212,8 +212,7 @@ Status Session::Restorer::object_content(std::string name) {
   A3D_ASSIGN(const TypeExpr object_type, type());
   auto status = value_of(name, object_type);
   if (!status) {
-    Error error = std::move(status).error();
-    error.message = "object '" + name + "': " + error.message;
+    Error error = std::move(status).error().about("object '" + name + "'");
     return error.place.is_known() ? std::move(error) : std::move(error).at(place);
   }
   return rest_of_object();
@@ -282,8 +281,8 @@ Status Session::Restorer::relation_value(const std::string& name, const TypeExpr
     for (std::size_t index = 0; index < types.size(); ++index) {
       auto value = read_value(*types[index], row.elements()[index]);
       if (!value)
-        return Error{ErrorCode::invalid_value, "tuple {}, attribute {}: {}", number,
-                     type.element().attributes()[index].name, value.error().message};
+        return std::move(value).error().about(
+            fmt::format("tuple {}, attribute {}", number, type.element().attributes()[index].name));
       tuple->attributes.push_back(std::move(value).value());
     }
     return TuplePtr(std::move(tuple));
@@ -314,10 +313,10 @@ Status Session::Restorer::dependent_objects() {
       const ErrorCode code = evaluated.error().code;
       if (ends_restoring(code)) return Error(evaluated.error()).at(dependent.place);
       if (may_wait_for_another(code)) {
-        reasons.push_back(evaluated.error().message);
+        reasons.push_back(evaluated.error().text());
         later.push_back(std::move(dependent));
       } else {
-        leave_out(dependent.name, evaluated.error().message);
+        leave_out(dependent.name, evaluated.error().text());
       }
     }
     dependents_ = std::move(later);
@@ -345,7 +344,7 @@ Status Session::Restorer::tell_of_functions() {
     if (!change) continue;
     const Status callable = check_operator_name(name, *function, store_, registry_);
     context_.diagnostics.show(callable ? "restore: the function '" + name + "' " + change->text() + " when it is called"
-                                       : "restore: calls will fail: " + callable.error().message);
+                                       : "restore: calls will fail: " + callable.error().text());
   }
   return {};
 }

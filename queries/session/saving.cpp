@@ -16,8 +16,8 @@
 namespace queries {
 namespace {
 
-Error cannot_write(const Error& reason) {
-  return {reason.code, "save: the file cannot be written: {}", reason.message};
+Error cannot_write(Error reason) {
+  return std::move(reason).about("save: the file cannot be written");
 }
 
 // Any file may hold a database, but a name in a list is a word. It is not used when the list is read.
@@ -34,19 +34,19 @@ class ListFile {
  public:
   static Result<ListFile> create(const algebra3d::OutputPath& path) {
     auto file = algebra3d::AtomicFile::create(path);
-    if (!file) return cannot_write(file.error());
+    if (!file) return cannot_write(std::move(file).error());
     return ListFile(std::move(file).value());
   }
   template <typename... Parts>
   Status write(const Parts&... parts) {
     std::string text;
     ((text += parts), ...);
-    const Status status = file_.append(text);
-    return status ? status : cannot_write(status.error());
+    Status status = file_.append(text);
+    return status ? status : cannot_write(std::move(status).error());
   }
   Status finish() {
-    const Status status = file_.commit();
-    return status ? status : cannot_write(status.error());
+    Status status = file_.commit();
+    return status ? status : cannot_write(std::move(status).error());
   }
 
  private:

@@ -231,12 +231,12 @@ void Session::report_failure(Error& error, std::string_view text, const Context&
   if (context.failed_calls == nullptr) return;
   try {
     const std::filesystem::path database = store_ != nullptr ? store_->file() : std::filesystem::path();
-    const std::string report = failure_report({text, error.message, *context.failed_calls, options_.parameters,
-                                               database, std::filesystem::current_path() / context.folder.path()},
+    const std::string report = failure_report({text, error, *context.failed_calls, options_.parameters, database,
+                                               std::filesystem::current_path() / context.folder.path()},
                                               context);
     const auto file = write_failure_report(report, options_.failure_folders);
     error.message += file ? "; a script that repeats the failure is in " + file->string()
-                          : "; a report could not be written: " + file.error().message;
+                          : "; a report could not be written: " + file.error().text();
   } catch (const std::exception& exception) {
     error.message += std::string("; a report could not be made: ") + exception.what();
   }

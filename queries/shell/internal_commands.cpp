@@ -99,7 +99,7 @@ RunResult StatementRunner::help(const std::string& name) {
     return RunResult::ok;
   }
   const auto text = shell_help(name, session_.registry());
-  if (!text) return complain(text.error().message);
+  if (!text) return complain(text.error().text());
   show_help(*text);
   return RunResult::ok;
 }
@@ -130,7 +130,7 @@ RunResult StatementRunner::run_file(const std::string& file, CommandReader::Skip
   if (const std::string why = why_no_script(file); !why.empty())
     return refuse("cannot read the script '" + file + "': " + why);
   const auto opened = algebra3d::PolledInput::open(file);
-  if (!opened) return refuse("cannot read the script '" + file + "': " + opened.error().message);
+  if (!opened) return refuse("cannot read the script '" + file + "': " + opened.error().text());
   algebra3d::PolledInput input(opened->number(), &Interruption::flag());
   std::istream script(&input);
   const auto path = std::filesystem::weakly_canonical(file, error);

@@ -120,7 +120,7 @@ int show_mesh_files(std::span<const std::string> files, const MeshConsole& conso
     const Status status = show_mesh_file(file, console);
     console.out.flush();
     if (status) continue;
-    console.errors << "error: " << printable(status.error().message) << "\n";
+    console.errors << "error: " << printable(status.error().text()) << "\n";
     if (status.error().code == algebra3d::ErrorCode::interrupted) return kInterruptedHere;
     worst = 1;
   }

@@ -169,12 +169,12 @@ void tell_of_new_database(const Options& options, const Session& session) {
 int run_session(const CLI::App& app, const Options& options, const algebra3d::Registry& registry) {
   auto parameters = session_parameters(options.parameters, registry);
   if (!parameters) {
-    std::cerr << "error: " << parameters.error().message << "\n";
+    std::cerr << "error: " << parameters.error().text() << "\n";
     return kWrongUsage;
   }
   if (!options.failure_folder.empty())
     if (const Status prepared = prepare_failure_folder(options.failure_folder); !prepared) {
-      std::cerr << "error: --failure-folder: " << prepared.error().message << "\n";
+      std::cerr << "error: --failure-folder: " << prepared.error().text() << "\n";
       return kWrongUsage;
     }
   Session session(registry, {.folder = database_folder(options),
@@ -186,7 +186,7 @@ int run_session(const CLI::App& app, const Options& options, const algebra3d::Re
   if (!options.database.empty()) {
     const Status opened = session.open_file(options.database);
     is_damaged = !opened && opened.error().code == ErrorCode::database_corrupt;
-    if (!opened) std::cerr << "error: " << opened.error().message << "\n";
+    if (!opened) std::cerr << "error: " << opened.error().text() << "\n";
     if (!opened && !is_damaged) return kFailed;
     if (const std::string notice = is_damaged ? "" : session.store()->opening_notice(); !notice.empty())
       std::cerr << "note: " << notice << "\n";
@@ -249,7 +249,7 @@ int run_help(const CLI::App& app, const Options& options, const algebra3d::Regis
     std::cout << *text;
     return kOk;
   }
-  std::cerr << "error: " << text.error().message << "\n";
+  std::cerr << "error: " << text.error().text() << "\n";
   return kWrongUsage;
 }
 
@@ -298,7 +298,7 @@ std::optional<int> take_files(Options& options, const MeshConsole& console) {
     console.errors << "error: " << why << "\n";
     return kWrongUsage;
   };
-  if (!files) return refuse(files.error().message);
+  if (!files) return refuse(files.error().text());
   if (!files->meshes.empty()) {
     if (!options.database.empty() || !options.commands.empty())
       return refuse("'" + files->meshes.front() + "' is a mesh file, which is shown without --db and -c");

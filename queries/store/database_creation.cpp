@@ -19,14 +19,15 @@ namespace {
 namespace fs = std::filesystem;
 
 Error deleted_already(const fs::path& file) {
-  return {ErrorCode::database_missing, "{}: another process has deleted the database already", file.string()};
+  return Error{ErrorCode::database_missing, "another process has deleted the database already"}.about(file.string());
 }
 
 Status open_elsewhere(const fs::path& file, std::string_view verb) {
   return Error{ErrorCode::database_open,
-               "{}: another process has the database open; {} it when that process has "
+               "another process has the database open; {} it when that process has "
                "closed it",
-               file.string(), verb};
+               verb}
+      .about(file.string());
 }
 
 /// Whether this descriptor's file is free of SQLite's locks, which are then held by it: in a database with a log, each
@@ -75,7 +76,7 @@ Status check_not_open_elsewhere(const fs::path& name, std::string_view verb) {
 // for the lock to open the database finds that the file has moved.
 Status delete_database_file(const fs::path& name) {
   std::error_code error;
-  if (!fs::exists(name, error)) return Error{ErrorCode::database_missing, "{}: there is no such file", name.string()};
+  if (!fs::exists(name, error)) return Error{ErrorCode::database_missing, "there is no such file"}.about(name.string());
   const fs::path file = fs::canonical(name, error);
   if (error == std::errc::no_such_file_or_directory) return deleted_already(name);
   if (error) return algebra3d::write_error(name, error.value());

@@ -186,8 +186,8 @@ Status DatabaseDraft::publish(bool replaces_empty) {
   std::error_code error;
   const auto log_bytes = fs::file_size(path().string() + "-wal", error);
   if (!error && log_bytes > 0)
-    return Error{ErrorCode::io_error, "{}: the database could not be written completely; is the disk full?",
-                 file_.string()};
+    return Error{ErrorCode::io_error, "the database could not be written completely; is the disk full?"}.about(
+        file_.string());
   if (::fsync(draft_.descriptor()) != 0) return write_error(file_, errno);
   const int problem = give_name(path(), file_, replaces_empty);
   if (problem == EEXIST) return Error{ErrorCode::database_exists, "there is a database {} already", file_.string()};
@@ -206,7 +206,8 @@ Status finish_database(const fs::path& file, int busy_milliseconds) {
     if (state != DraftState::owned) return {};
     if (Clock::now() >= end)
       return Error{ErrorCode::database_busy,
-                   "{}: another process is still making this database; try again when it has finished", file.string()};
+                   "another process is still making this database; try again when it has finished"}
+          .about(file.string());
     std::this_thread::sleep_for(kPause);
   }
 }

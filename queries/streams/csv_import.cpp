@@ -7,6 +7,7 @@
 
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/error_subject.h"
 #include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/csv_layout.h"
@@ -17,11 +18,14 @@ namespace {
 
 using algebra3d::Type;
 
-Error in_file(const std::string& name, const Error& error) {
+/// `place`: where in the file.
+Error in_file(const std::string& name, Error error, const std::string& place = {}) {
   if (error.code == ErrorCode::interrupted) return error;
-  // Messages of the system name the file.
-  const bool is_named = error.code == ErrorCode::file_missing || error.code == ErrorCode::io_error;
-  return {error.code, "importCSV: {}{}", is_named ? "" : name + " ", error.message};
+  // Errors of the system are about the file.
+  if (error.code == ErrorCode::file_missing || error.code == ErrorCode::io_error)
+    return std::move(error).about("importCSV");
+  if (!place.empty()) error = std::move(error).about(place);
+  return algebra3d::in_text_of(name, std::move(error)).about("importCSV");
 }
 
 /// The tuples of a CSV file, read as they are asked for.
@@ -75,9 +79,8 @@ class CsvTuples final : public TupleStream {
         value_of_text(type, is_characters ? cell.text : with_decimal_point(cell.text, decimal_of(type)), context_);
     if (value || value.error().code == ErrorCode::interrupted) return value;
     const std::string place = fmt::format("line {}, column {}", record_.line, layout_.columns[column]);
-    if (!options_.errors_are_undefined)
-      return in_file(name_, {value.error().code, place + ": " + value.error().message});
-    context_.diagnostics.report_undefined("importCSV: " + value.error().message, name_ + " " + place);
+    if (!options_.errors_are_undefined) return in_file(name_, std::move(value).error(), place);
+    context_.diagnostics.report_undefined("importCSV: " + value.error().text(), name_ + " " + place);
     return Value(type);
   }
 
@@ -120,7 +123,7 @@ Result<BoundOperator> map_import_csv(std::span<const ArgumentType> arguments, Co
   const MappingCheck check("importCSV", arguments);
   A3D_ASSIGN(const ImportArguments given, import_arguments(check));
   const auto options = parse_csv_options(given.options);
-  if (!options) return check.error(options.error().message);
+  if (!options) return check.error(options.error().text());
   std::optional<CsvLayout> guessed;
   TypeExpr tuple = given.tuple.value_or(TypeExpr());
   if (!given.tuple) {

@@ -14,6 +14,7 @@
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/utf8.h"
 #include "algebra3d/values/types/value.h"
+#include "base/error_subject.h"
 #include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/import_columns.h"
@@ -118,13 +119,13 @@ Result<Value> nested_of_json(const NestedRelationType& type, const JsonTree& tre
   std::size_t number = 0;
   for (std::size_t tuple = JsonTree::first(0); tuple != tree.end(0); tuple = tree.after(tuple)) {
     if (++number % 256 == 0) A3D_TRY(context.check_cancelled());
-    const auto texts = texts_of_tuple(type, tree, tuple);
-    if (!texts) return Error{texts.error().code, "arel: tuple {}: {}", number, texts.error().message};
+    auto texts = texts_of_tuple(type, tree, tuple);
+    if (!texts) return std::move(texts).error().about(fmt::format("arel: tuple {}", number));
     for (std::size_t i = 0; i < texts->size(); ++i) {
       auto value = value_of_json(*type.attributes()[i].type, (*texts)[i], context);
       if (!value)
-        return Error{value.error().code, "arel: tuple {}, attribute {}: {}", number, type.attributes()[i].name,
-                     value.error().message};
+        return std::move(value).error().about(
+            fmt::format("arel: tuple {}, attribute {}", number, type.attributes()[i].name));
       values.push_back(std::move(value).value());
     }
   }
@@ -139,10 +140,14 @@ Result<Value> value_of_json(const Type& type, std::string_view json, Context& co
   return algebra3d::value_from_nested(type, list, context);
 }
 
-Error in_json_file(const std::string& name, const Error& error) {
+/// `place`: where in the file.
+Error in_json_file(const std::string& name, Error error, const std::string& place = {}) {
   if (error.code == ErrorCode::interrupted) return error;
-  const bool is_named = error.code == ErrorCode::file_missing || error.code == ErrorCode::io_error;
-  return {error.code, "importJSON: {}{}", is_named ? "" : name + " ", error.message};
+  // Errors of the system are about the file.
+  if (error.code == ErrorCode::file_missing || error.code == ErrorCode::io_error)
+    return std::move(error).about("importJSON");
+  if (!place.empty()) error = std::move(error).about(place);
+  return algebra3d::in_text_of(name, std::move(error)).about("importJSON");
 }
 
 // A member is found by its name, or by the attribute name that is made from it.
@@ -208,9 +213,9 @@ class JsonTuples final : public TupleStream {
     }
     const std::string place = fmt::format("line {}, member {}", record_.line, columns_[position]);
     if (!errors_are_undefined_ || value.error().code == ErrorCode::interrupted)
-      return in_json_file(name_, {value.error().code, place + ": " + value.error().message});
+      return in_json_file(name_, std::move(value).error(), place);
     made.attributes[position] = Value(type);
-    context_.diagnostics.report_undefined("importJSON: " + value.error().message, name_ + " " + place);
+    context_.diagnostics.report_undefined("importJSON: " + value.error().text(), name_ + " " + place);
     return {};
   }
 
@@ -266,7 +271,7 @@ Result<BoundOperator> map_import_json(std::span<const ArgumentType> arguments, C
   const MappingCheck check("importJSON", arguments);
   A3D_ASSIGN(const ImportArguments given, import_arguments(check));
   const auto options = parse_json_options(given.options);
-  if (!options) return check.error(options.error().message);
+  if (!options) return check.error(options.error().text());
   auto layout = given.tuple ? Result<JsonLayout>(stated_json_layout(*given.tuple))
                             : guessed_json_layout(check, *options, context);
   if (!layout) return std::move(layout).error();

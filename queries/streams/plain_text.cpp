@@ -131,7 +131,7 @@ Result<NestedList> list_of_text(const Type& type, std::string_view text) {
   }
   if (type.example().starts_with('"')) return NestedList(std::string(text));
   auto list = NestedList::parse(text);
-  if (!list) return expected(fmt::format("{} ({})", type.notation(), list.error().message), text);
+  if (!list) return expected(fmt::format("{} ({})", type.notation(), list.error().text()), text);
   return list;
 }
 

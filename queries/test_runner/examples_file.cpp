@@ -186,7 +186,7 @@ class ExamplesReader {
 
   Result<bool> add_list_result(const Block& block, const std::string& result, int line) {
     auto list = NestedList::parse(result);
-    if (!list) return error(line, "Result: " + list.error().message);
+    if (!list) return error(line, "Result: " + list.error().text());
     const bool is_choice = list->is_list() && !list->elements().empty() && list->elements()[0].is_symbol("platform");
     if (is_choice) return add_platform_result(block, *list, line);
     if (list->is_int() || list->is_real()) {

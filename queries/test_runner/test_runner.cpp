@@ -73,7 +73,7 @@ Report run_and_report(const std::string& file, const Registry& registry, TestOpt
   options.print("== " + file);
   auto outcome = algebra3d::without_exceptions([&] { return run_test_file(file, registry, options); });
   if (!outcome) {
-    options.print("error: " + outcome.error().message);
+    options.print("error: " + outcome.error().text());
     report.summary.failed = 1;
     report.summary.is_interrupted = outcome.error().code == ErrorCode::interrupted;
     return report;

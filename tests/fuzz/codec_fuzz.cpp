@@ -36,7 +36,7 @@ void check(const algebra3d::Result<Value>& value) {
   if (value)
     check_value(*value);
   else
-    require(!value.error().message.empty());
+    require(!value.error().text().empty());
 }
 
 void put(std::string& bytes, std::size_t offset, std::uint64_t number) {

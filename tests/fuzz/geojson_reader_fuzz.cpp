@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(algebra3d::region_of_geojson(text).ok());
   const auto features = algebra3d::GeoFeatures::find(text);
   if (!features) {
-    require(features.error().message.starts_with("line "));
+    require(features.error().text().starts_with("line "));
     return 0;
   }
   for (std::size_t i = 0; i < features->size(); ++i) {

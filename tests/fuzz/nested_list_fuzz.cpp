@@ -39,7 +39,7 @@ void check_value(const algebra3d::Type& type, const NestedList& list) {
   algebra3d::Context context{diagnostics, nullptr, {}};
   const auto value = value_from_nested(type, list, context);
   if (!value) {
-    require(!value.error().message.empty());
+    require(!value.error().text().empty());
     return;
   }
   require(value->is_defined() || list.is_undefined() || !diagnostics.empty());
@@ -71,7 +71,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view source(reinterpret_cast<const char*>(data), size);
   const auto list = NestedList::parse(source);
   if (!list) {
-    require(!list.error().message.empty());
+    require(!list.error().text().empty());
     require(list.error().place.line >= 1 && list.error().place.column >= 1);
     require(static_cast<std::size_t>(list.error().place.column) <= size + 1);
     return 0;

@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto with_attributes = mesh_formats::read_obj(bytes, "fuzz.obj", nullptr, mesh_formats::ObjWanted::attributes);
   require(read.ok() == with_attributes.ok());
   if (!read) {
-    require(read.error().message.starts_with("fuzz.obj: "));
+    require(read.error().text().starts_with("fuzz.obj: "));
     return 0;
   }
   require_sound(read->soup);

@@ -15,6 +15,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (read)
     require_sound(read->soup);
   else
-    require(read.error().message.starts_with("fuzz.off: "));
+    require(read.error().text().starts_with("fuzz.off: "));
   return 0;
 }

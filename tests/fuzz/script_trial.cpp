@@ -53,7 +53,7 @@ class ScriptTrial {
     if (has_failed) require(answer.size() > 7, "an error has a message");
     const std::string before = std::exchange(state_, state());
     if (!command) {
-      require(has_failed, "what cannot be read is an error", "error: " + command.error().message, answer);
+      require(has_failed, "what cannot be read is an error", "error: " + command.error().text(), answer);
       require(state_ == before, "a command that is not understood changes nothing", before, state_);
       return;
     }
@@ -89,10 +89,10 @@ class ScriptTrial {
     if (answer.starts_with("error: ")) return;
     const std::string printed = to_nested(query).print();
     const auto list = NestedList::parse(printed);
-    require(list.ok(), "the nested form of a query can be read", printed, list ? "" : list.error().message);
+    require(list.ok(), "the nested form of a query can be read", printed, list ? "" : list.error().text());
     const auto read = NestedReader(fuzz_registry(), {"", 1, 1}).expression(*list);
     if (!read && read.error().code == ErrorCode::limit_exceeded) return;
-    require(read.ok(), "the nested form of a query is an expression", printed, read ? "" : read.error().message);
+    require(read.ok(), "the nested form of a query is an expression", printed, read ? "" : read.error().text());
     require(to_nested(**read) == *list, "the nested form of a query is read as it was", printed,
             to_nested(**read).print());
     const std::string nested_answer = session_.run("(query " + printed + ")");
@@ -155,7 +155,7 @@ class ScriptTrial {
 
   std::string value_text(Store& store, const std::string& name, bool shows_ids) {
     const auto value = store.read(name);
-    require(value.ok(), "an object can be read", name, value ? "" : value.error().message);
+    require(value.ok(), "an object can be read", name, value ? "" : value.error().text());
     if (const auto* relation = std::get_if<std::shared_ptr<Relation>>(&value->content))
       return tuples(**relation, shows_ids);
     if (const auto* single = std::get_if<Value>(&value->content)) return shown(*single);
@@ -167,7 +167,7 @@ class ScriptTrial {
     const auto scan = relation.scan();
     for (std::int64_t i = 0; i < kMostTuplesLookedAt; ++i) {
       const auto tuple = (*scan)->next();
-      require(tuple.ok(), "a relation can be read", "", tuple ? "" : tuple.error().message);
+      require(tuple.ok(), "a relation can be read", "", tuple ? "" : tuple.error().text());
       if (*tuple == nullptr) break;
       text += shows_ids ? " (" + std::to_string((*tuple)->id) : " (";
       for (const Value& attribute : (*tuple)->attributes) text += shown(attribute);
@@ -183,7 +183,7 @@ class ScriptTrial {
       return fmt::format(" {} {} {} {} {}", size, box.min.x, box.min.y, box.max.x, box.max.z);
     }
     const auto loaded = value.loaded();
-    require(loaded.ok(), "a value can be loaded", "", loaded ? "" : loaded.error().message);
+    require(loaded.ok(), "a value can be loaded", "", loaded ? "" : loaded.error().text());
     return " " + loaded->to_nested().print();
   }
 

@@ -38,7 +38,7 @@ class SilentSession final : public Presenter {
     algebra3d::Diagnostics diagnostics;
     Context context{diagnostics, cancel, folder_};
     const Status status = session_.execute(command, {"fuzz", 1, 1}, *this, context);
-    return status ? answer_ : "error: " + status.error().message;
+    return status ? answer_ : "error: " + status.error().text();
   }
 
   Session session_;

@@ -28,6 +28,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (read)
     check_value(*read);
   else
-    require(read.error().message.starts_with("fuzz.stl: "));
+    require(read.error().text().starts_with("fuzz.stl: "));
   return 0;
 }

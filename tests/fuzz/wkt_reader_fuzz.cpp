@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using algebra3d::Value;
   const auto polygons = algebra3d::polygons_from_wkt({reinterpret_cast<const char*>(data), size});
   if (!polygons) {
-    require(polygons.error().message.starts_with("character "));
+    require(polygons.error().text().starts_with("character "));
     return 0;
   }
   const auto region = Region::prove(*polygons);

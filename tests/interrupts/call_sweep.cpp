@@ -15,7 +15,7 @@ namespace {
 
 /// What a statement that runs such a call says.
 std::string outcome_of(const Status& status) {
-  return status ? "done" : status.error().code == ErrorCode::interrupted ? "interrupted" : status.error().message;
+  return status ? "done" : status.error().code == ErrorCode::interrupted ? "interrupted" : status.error().text();
 }
 
 template <typename Run>

@@ -222,7 +222,7 @@ void StatementSweep::save_large_values(std::size_t size) const {
 
 std::string StatementSweep::run(const std::string& statement, const std::atomic<bool>* flag, bool as_json) const {
   queries::Session session(registry_, {.folder = folder_, .read_only = false});
-  if (const Status opened = session.open_file(folder_ / "sweep.db"); !opened) return opened.error().message;
+  if (const Status opened = session.open_file(folder_ / "sweep.db"); !opened) return opened.error().text();
   Diagnostics diagnostics;
   Context context{.diagnostics = diagnostics, .cancel = flag, .folder = folder_};
   std::ostringstream out;
@@ -231,7 +231,7 @@ std::string StatementSweep::run(const std::string& statement, const std::atomic<
   queries::JsonPresenter json(out, values, queries::JsonPresenter::Layout::document);
   queries::Presenter& presenter = as_json ? static_cast<queries::Presenter&>(json) : text;
   const Status status = session.execute(statement, {"sweep", 1, 1}, presenter, context);
-  if (!status) return status.error().code == ErrorCode::interrupted ? "interrupted" : status.error().message;
+  if (!status) return status.error().code == ErrorCode::interrupted ? "interrupted" : status.error().text();
   return "done";
 }
 

@@ -12,6 +12,7 @@
 #include "algebra3d/values/conversions/geojson.h"
 #include "algebra3d/values/types/planar.h"
 #include "algebra3d/values/types/scalars.h"
+#include "base/error_subject.h"
 #include "base/file_content.h"
 #include "base/propagate.h"
 
@@ -33,7 +34,7 @@ Result<std::shared_ptr<const FeatureFile>> open_features(const std::string& name
   A3D_ASSIGN(FileContent file, FileContent::read(path, context.cancel));
   Result<GeoFeatures> features = GeoFeatures::find(file.bytes(), context.monitor());
   if (!features && features.error().code == ErrorCode::interrupted) return features.error();
-  if (!features) return Error{features.error().code, "{} {}", name, features.error().message};
+  if (!features) return in_text_of(name, std::move(features).error());
   // Moving the file keeps the address of its bytes.
   return std::make_shared<const FeatureFile>(FeatureFile{name, std::move(file), *std::move(features)});
 }
@@ -53,9 +54,9 @@ Result<FeatureRows::Cells> feature_row(const FeatureFile& from, std::size_t inde
 }
 
 Result<FeatureRows> features_of_file(Context& context, const Text& file) {
-  const auto opened = open_features(file.content, context);
-  if (!opened && opened.error().code == ErrorCode::interrupted) return opened.error();
-  if (!opened) return Error{opened.error().code, "importGeoJSON: {}", opened.error().message};
+  auto opened = open_features(file.content, context);
+  if (!opened && opened.error().code == ErrorCode::interrupted) return std::move(opened).error();
+  if (!opened) return std::move(opened).error().about("importGeoJSON");
   using Next = Result<std::optional<FeatureRows::Cells>>;
   return FeatureRows([from = *opened, index = std::size_t{0}](Context& running) mutable -> Next {
     if (index == from->features.size()) return Next(std::nullopt);

@@ -32,9 +32,7 @@ Result<Maybe<Volume3d>> import_with(Context& context, const MeshFormat& format, 
   for (const std::string& remark : imported.remarks)
     context.diagnostics.report(operator_name(format) + ": " + remark, file.content);
   if (imported.solid) return Maybe<Volume3d>(*std::move(imported.solid));
-  // The reader's messages name the file; those about the solid do not.
-  const bool names_file = imported.status.starts_with(path.string());
-  return Maybe<Volume3d>(Undefined{names_file ? imported.status : file.content + ": " + imported.status});
+  return Maybe<Volume3d>(Undefined{imported.text_about(file.content)});
 }
 
 /// `given`: the file, and perhaps options.
@@ -42,7 +40,7 @@ Result<Outcome> import_as(const MeshFormat& format, std::span<const Value> given
   RepairOptions options;
   if (given.size() > 1) {
     Result<RepairOptions> parsed = parse_repair_options(given[1].get<Text>().content);
-    if (!parsed) return Error{ErrorCode::invalid_value, "{}: {}", operator_name(format), parsed.error().message};
+    if (!parsed) return std::move(parsed).error().about(operator_name(format));
     options = *std::move(parsed);
   }
   A3D_ASSIGN(Maybe<Volume3d> solid, import_with(context, format, given[0].get<Text>(), options));
@@ -65,7 +63,7 @@ Result<Text> check_stl(Context& context, const Text& file) {
   const MeshFormat* const stl = mesh_formats::known_mesh_formats().named("STL");
   A3D_ASSIGN(const std::filesystem::path path, context.resolve(file.content));
   A3D_ASSIGN(ImportedSolid imported, import_solid(path, stl, RepairOptions::strict(), context.monitor()));
-  return Text{context.folder.with_names(std::move(imported.status))};
+  return Text{context.folder.with_names(imported.text())};
 }
 
 Result<Maybe<Surface3d>> import_as_surface(Context& context, const Text& file) {
@@ -74,7 +72,7 @@ Result<Maybe<Surface3d>> import_as_surface(Context& context, const Text& file) {
   for (const std::string& remark : imported.remarks)
     context.diagnostics.report("importSurface: " + remark, file.content);
   if (imported.surface) return Maybe<Surface3d>(*std::move(imported.surface));
-  return Maybe<Surface3d>(Undefined{imported.refusal->message});
+  return Maybe<Surface3d>(Undefined{imported.refusal->text()});
 }
 
 Result<Maybe<Mesh3d>> import_as_mesh(Context& context, const Text& file) {
@@ -82,7 +80,7 @@ Result<Maybe<Mesh3d>> import_as_mesh(Context& context, const Text& file) {
   A3D_ASSIGN(ImportedMesh imported, import_mesh(path, context.monitor()));
   for (const std::string& remark : imported.remarks) context.diagnostics.report("importMesh: " + remark, file.content);
   if (imported.mesh) return Maybe<Mesh3d>(*std::move(imported.mesh));
-  return Maybe<Mesh3d>(Undefined{imported.refusal->message});
+  return Maybe<Mesh3d>(Undefined{imported.refusal->text()});
 }
 
 constexpr const char* kRepairDetail =

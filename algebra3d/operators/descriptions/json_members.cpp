@@ -30,7 +30,7 @@ std::string quoted_key(std::string_view key) {
 Result<Maybe<JsonMember>> json_member(const Context& context, const Text& object, std::string_view key) {
   const auto tree = JsonTree::parse(object.content, 1, context.monitor());
   if (!tree && tree.error().code == ErrorCode::interrupted) return tree.error();
-  if (!tree) return Maybe<JsonMember>(Undefined{tree.error().message});
+  if (!tree) return Maybe<JsonMember>(Undefined{tree.error().text()});
   if (tree->kind(0) != JsonKind::object) return Maybe<JsonMember>(Undefined{"the text is not a JSON object"});
   const auto member = tree->member(0, key);
   if (!member) return Maybe<JsonMember>(Undefined{"the object has no member " + quoted_key(key)});

@@ -17,7 +17,7 @@ namespace {
 
 Result<Maybe<Region>> region_of_wkt(Context& context, const Text& text) {
   const Result<Polygons> polygons = polygons_from_wkt(text.content);
-  if (!polygons) return Maybe<Region>(Undefined{polygons.error().message});
+  if (!polygons) return Maybe<Region>(Undefined{polygons.error().text()});
   return Region::prove(*polygons, context.monitor());
 }
 

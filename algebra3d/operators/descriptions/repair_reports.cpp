@@ -88,19 +88,13 @@ std::vector<ReportRow> rows_of(const ImportedSolid& imported) {
   return rows;
 }
 
-/// The reader's messages name the file; those about the solid do not.
-std::string reason_with_file(const ImportedSolid& imported, const std::string& name,
-                             const std::filesystem::path& path) {
-  return imported.status.starts_with(path.string()) ? imported.status : name + ": " + imported.status;
-}
-
 Result<ReportRows> report(Context& context, const Text& file, const Text& words) {
-  const Result<RepairOptions> options = parse_repair_options(words.content);
-  if (!options) return Error{options.error().code, "repairReport: {}", options.error().message};
+  Result<RepairOptions> options = parse_repair_options(words.content);
+  if (!options) return std::move(options).error().about("repairReport");
   A3D_ASSIGN(const std::filesystem::path path, context.resolve(file.content));
   A3D_ASSIGN(const ImportedSolid imported, import_solid(path, nullptr, *options, context.monitor()));
   if (!imported.solid)
-    context.diagnostics.report("repairReport: " + reason_with_file(imported, file.content, path), {},
+    context.diagnostics.report("repairReport: " + imported.text_about(file.content), {},
                                Diagnostics::About::unreadable);
   return ReportRows(rows_of(imported));
 }

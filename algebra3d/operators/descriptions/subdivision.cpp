@@ -34,8 +34,7 @@ MeshAttributes attributes_of_input(const T& /*geometry*/) {
 }
 
 Error named(const char* name, Error error) {
-  error.message = fmt::format("{}: {}", name, error.message);
-  return error;
+  return std::move(error).about(name);
 }
 
 Result<SubdivisionScheme> scheme_of(const char* name, const std::string& text) {

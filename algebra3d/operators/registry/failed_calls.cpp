@@ -21,13 +21,13 @@ bool is_wanted(const Error& error, const Context& context) {
 void note_failed_call(const ResolvedCall& call, std::span<const Value> arguments, const Error& error,
                       Context& context) {
   if (!is_wanted(error, context)) return;
-  FailedCall failed{call.op, call.overload, {}, error.message, {}};
+  FailedCall failed{call.op, call.overload, {}, error, {}};
   failed.arguments.reserve(arguments.size());
   for (const Value& argument : arguments) {
     const auto loaded = argument.loaded();
     if (!loaded)
       return note_failed_call(
-          call, fmt::format("argument {} cannot be read: {}", failed.arguments.size() + 1, loaded.error().message),
+          call, fmt::format("argument {} cannot be read: {}", failed.arguments.size() + 1, loaded.error().text()),
           error, context);
     failed.arguments.push_back(converted(*loaded, parameter_type(call, failed.arguments.size())));
   }
@@ -35,8 +35,7 @@ void note_failed_call(const ResolvedCall& call, std::span<const Value> arguments
 }
 
 void note_failed_call(const ResolvedCall& call, std::string obstacle, const Error& error, Context& context) {
-  if (is_wanted(error, context))
-    context.failed_calls->note({call.op, call.overload, {}, error.message, std::move(obstacle)});
+  if (is_wanted(error, context)) context.failed_calls->note({call.op, call.overload, {}, error, std::move(obstacle)});
 }
 
 }  // namespace algebra3d

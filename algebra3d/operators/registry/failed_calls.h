@@ -20,7 +20,7 @@ struct FailedCall {
   const Overload* overload = nullptr;
   /// Loaded, and of the types of the parameters; of an aggregate its defined values, in their order.
   std::vector<Value> arguments;
-  std::string message;   ///< of the error
+  Error error;
   std::string obstacle;  ///< why the arguments are not here, as a clause; empty if they are
 };
 

@@ -44,9 +44,9 @@ PolygonSoup polygon_soup_of(const TriangleMesh& mesh) {
   return soup;
 }
 
-ExportedSolid refuse(Context& context, ErrorCode code, const std::string& reason) {
-  context.diagnostics.report(reason, {}, Diagnostics::About::unwritten);
-  return {Error(code, reason)};
+ExportedSolid refuse(Context& context, Error reason) {
+  context.diagnostics.report(reason.text(), {}, Diagnostics::About::unwritten);
+  return {std::move(reason)};
 }
 
 /// Writes the rounded solid to the path.
@@ -115,9 +115,9 @@ Result<ExportedSolid> export_rounded(Context& context, const std::string& name, 
   A3D_ASSIGN(const OutputPath path, context.resolve_output(file));
   A3D_ASSIGN(const RoundedSolid rounded, rounded_solid(solid.mesh(), numbers.grid, context.monitor()));
   const std::string rounding = fmt::format("{}: {}: rounded to {}, ", name, file, numbers.name);
-  if (!rounded.mesh) return refuse(context, ErrorCode::invalid_value, rounding + rounded.reason + numbers.advice);
+  if (!rounded.mesh) return refuse(context, {ErrorCode::invalid_value, rounding + rounded.reason + numbers.advice});
   if (rounded.mesh->is_empty() && !solid.mesh().is_empty())
-    return refuse(context, ErrorCode::invalid_value, rounding + "nothing of the solid is left" + numbers.advice);
+    return refuse(context, {ErrorCode::invalid_value, rounding + "nothing of the solid is left" + numbers.advice});
   A3D_ASSIGN(const std::string change, visible_change(context, solid.mesh(), rounded));
   if (!change.empty())
     context.diagnostics.report(fmt::format("{}: rounded to {}, {}{}", name, numbers.name, change, numbers.advice),
@@ -130,9 +130,9 @@ Result<ExportedSolid> export_rounded(Context& context, const std::string& name, 
                                                : fmt::format("{} pairs of edges cross", divided.contacts_left),
                     numbers.name),
         file);
-  const Status written = write(path, divided.mesh);
-  if (!written && written.error().code == ErrorCode::interrupted) return written.error();
-  if (!written) return refuse(context, written.error().code, name + ": " + written.error().message);
+  Status written = write(path, divided.mesh);
+  if (!written && written.error().code == ErrorCode::interrupted) return std::move(written).error();
+  if (!written) return refuse(context, std::move(written).error().about(name));
   return ExportedSolid();
 }
 

@@ -111,8 +111,8 @@ Status GeoReader::read_ring(std::size_t part) {
   if (tree_.kind(part) != JsonKind::array) return expected(part, "a ring of positions");
   for (std::size_t position = JsonTree::first(part); position != tree_.end(part); position = tree_.after(position))
     A3D_TRY(read_position(position));
-  const Status ended = rings_.end_ring();
-  if (!ended) return Error{ended.error().code, "byte {}: {}", place(part), ended.error().message};
+  Status ended = rings_.end_ring();
+  if (!ended) return std::move(ended).error().about(fmt::format("byte {}", place(part)));
   return {};
 }
 
@@ -169,7 +169,7 @@ Result<Polygons> GeoReader::polygons_of_feature(std::size_t part) {
 
 /// The region of the polygons that were read, proved. Errors: interrupted.
 Result<Maybe<Region>> proved(const Result<Polygons>& polygons, const Monitor& monitor) {
-  if (!polygons) return Maybe<Region>(Undefined{polygons.error().message});
+  if (!polygons) return Maybe<Region>(Undefined{polygons.error().text()});
   return Region::prove(*polygons, monitor);
 }
 
@@ -190,7 +190,7 @@ std::optional<std::string> properties_of(const JsonTree& tree) {
 
 /// The error with the line of that part.
 Error at_line(Error error, std::string_view text, std::size_t begin) {
-  error.message = fmt::format("line {}, {}", line_number(text, begin), error.message);
+  error.message = fmt::format("line {}, {}", line_number(text, begin), error.text());
   return error;
 }
 
@@ -233,7 +233,7 @@ Result<GeoFeature> GeoFeatures::feature(std::size_t index, const Monitor& monito
 Result<Maybe<Region>> region_of_geojson(std::string_view text, const Monitor& monitor) {
   const auto tree = JsonTree::parse(text, JsonTree::kWholeDepth, monitor);
   if (!tree && tree.error().code == ErrorCode::interrupted) return tree.error();
-  if (!tree) return Maybe<Region>(Undefined{tree.error().message});
+  if (!tree) return Maybe<Region>(Undefined{tree.error().text()});
   GeoReader reader(*tree, 0);
   const bool is_feature = reader.type_of(0) == "Feature";
   return proved(is_feature ? reader.polygons_of_feature(0) : reader.polygons_of_geometry(0), monitor);

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "algebra3d/kernel/repair/amount.h"
 #include "algebra3d/kernel/repair/repair_report.h"
 #include "algebra3d/kernel/repair/surface_from_soup.h"
@@ -22,7 +24,8 @@ Result<ImportedSolid> refused_or_failed(Error error) {
   if (!is_fault_of_file(error)) return error;
   ImportedSolid result;
   result.was_read = error.code == ErrorCode::file_format || error.code == ErrorCode::limit_exceeded;
-  result.status = std::move(error.message);
+  result.status = error.message;
+  result.failure = std::move(error);
   return result;
 }
 
@@ -72,6 +75,10 @@ ImportMeasures measures_of(const SolidFromSoup& made) {
 }
 
 }  // namespace
+
+std::string ImportedSolid::text_about(std::string_view name) const {
+  return failure && !failure->subject.empty() ? failure->text() : fmt::format("{}: {}", name, status);
+}
 
 Result<ImportedSolid> import_solid(const std::filesystem::path& path, const mesh_formats::MeshFormat* format,
                                    const RepairOptions& options, const Monitor& monitor) {

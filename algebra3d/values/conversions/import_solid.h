@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "algebra3d/base/error.h"
@@ -37,6 +38,8 @@ struct ImportedSolid {
   /// One line for people: "ok", "ok: turned right side out", "repaired: ...", or why there is no solid; followed by ";
   /// wrong count: ..." if the file's header and size disagree.
   std::string status;
+  /// The error that the status tells, if there was one. Its subject is the file if that could not be read.
+  std::optional<Error> failure;
   /// Tolerated irregularities of the file and other remarks, one sentence each.
   std::vector<std::string> remarks;
   std::optional<mesh_formats::WrongCount> wrong_count;  ///< of a binary STL file
@@ -45,6 +48,11 @@ struct ImportedSolid {
   SoupReport found;  ///< in the triangles as given
   ImportMeasures measures;
   std::optional<RepairReport> repair;  ///< the changes; nothing if the file could not be read, or needed no repair
+
+  /// The status, behind the file if that could not be read.
+  std::string text() const { return failure ? failure->text() : status; }
+  /// The status behind the file: as its error calls it, if it could not be read, and else `name`.
+  std::string text_about(std::string_view name) const;
 };
 
 /// Reads a mesh file (mesh_file.h) as a solid: by the readers of mesh_formats/, then by solid_from_soup (repair/),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "algebra3d/values/types/utf8.h"
@@ -57,8 +58,12 @@ std::string reason_of(std::string message) {
 /// two stand white space, commas and colons alone.
 class JsonTreeMaker final : public nlohmann::json_sax<Json> {
  public:
-  JsonTreeMaker(std::string_view text, std::size_t depth, const Monitor& monitor)
-      : text_(text), deepest_(depth), monitor_(monitor), at_(text.starts_with(kByteOrderMark) ? 3 : 0) {
+  JsonTreeMaker(std::string_view text, std::size_t depth, const Monitor& monitor, const JsonPlaces& places)
+      : text_(text),
+        deepest_(depth),
+        monitor_(monitor),
+        places_(places),
+        at_(text.starts_with(kByteOrderMark) ? 3 : 0) {
     tree_.text_ = text;
   }
 
@@ -125,12 +130,15 @@ class JsonTreeMaker final : public nlohmann::json_sax<Json> {
 
   Error error(std::size_t position, const std::string& what) const {
     const std::size_t before = std::min(position, text_.size());
-    return {ErrorCode::file_format, "line {}, byte {}: {}", line_number(text_, before), position, what};
+    std::string place = fmt::format("line {}", places_.first_line + line_number(text_, before) - 1);
+    if (places_.has_bytes) place += fmt::format(", byte {}", position);
+    return Error{ErrorCode::file_format, what}.about(place);
   }
 
   std::string_view text_;
   std::size_t deepest_;
   Monitor monitor_;
+  JsonPlaces places_;
   std::size_t at_, depth_ = 0, step_ = 0;
   std::vector<std::size_t> open_;
   std::size_t failed_at_ = 0;
@@ -138,8 +146,9 @@ class JsonTreeMaker final : public nlohmann::json_sax<Json> {
   JsonTree tree_;
 };
 
-Result<JsonTree> JsonTree::parse(std::string_view text, std::size_t depth, const Monitor& monitor) {
-  return JsonTreeMaker(text, depth, monitor).make();
+Result<JsonTree> JsonTree::parse(std::string_view text, std::size_t depth, const Monitor& monitor,
+                                 const JsonPlaces& places) {
+  return JsonTreeMaker(text, depth, monitor, places).make();
 }
 
 std::optional<std::size_t> JsonTree::member(std::size_t part, std::string_view key) const {

@@ -15,6 +15,12 @@ namespace algebra3d {
 
 enum class JsonKind : std::uint8_t { object, array, key, string, number, boolean, null };
 
+/// How errors give places in a JSON text.
+struct JsonPlaces {
+  std::size_t first_line = 1;  ///< the line in which the text begins
+  bool has_bytes = true;       ///< whether the byte is given, too
+};
+
 /// A parsed JSON text. Each part is a range of the text, which is not copied and must outlive the tree: so numbers keep
 /// their digits and members their order. Memory: 32 bytes per part. Parts are identified by their index; part 0 is the
 /// whole. The parts of an array are its elements; those of an object are alternately keys and values:
@@ -25,9 +31,10 @@ class JsonTree {
   static constexpr std::size_t kWholeDepth = std::numeric_limits<std::size_t>::max();
 
   /// Parses a text up to nesting `depth`; arrays and objects at that depth look empty, but all of the text is checked.
-  /// Domain: any bytes, of any nesting; no recursion. Errors: file_format, "line 3, byte 57: ..." (both from 1) with
-  /// what was found and expected; interrupted. Cost: linear. Source: [rfc8259]; the syntax is checked by nlohmann-json.
-  static Result<JsonTree> parse(std::string_view text, std::size_t depth = kWholeDepth, const Monitor& monitor = {});
+  /// Domain: any bytes, of any nesting; no recursion. Errors: file_format with what was found and expected, about
+  /// "line 3, byte 57" (both from 1); interrupted. Cost: linear. Source: [rfc8259]; nlohmann-json checks the syntax.
+  static Result<JsonTree> parse(std::string_view text, std::size_t depth = kWholeDepth, const Monitor& monitor = {},
+                                const JsonPlaces& places = {});
 
   JsonKind kind(std::size_t part) const { return parts_[part].kind; }
   /// The offset of the part in the text, in bytes.

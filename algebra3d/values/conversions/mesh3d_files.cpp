@@ -131,8 +131,9 @@ using mesh_formats::CoordinateRange;
 
 Result<PolygonMesh> mesh_of(PolygonSoup soup, const std::string& name) {
   if (soup.corners.size() > PolygonMesh::kMaxHalfedges)
-    return Error{ErrorCode::limit_exceeded, "{}: {} corners of faces; a mesh may have {}", name, soup.corners.size(),
-                 PolygonMesh::kMaxHalfedges};
+    return Error{ErrorCode::limit_exceeded, "{} corners of faces; a mesh may have {}", soup.corners.size(),
+                 PolygonMesh::kMaxHalfedges}
+        .about(name);
   PolygonLayout layout(LargeVector<std::uint32_t>(soup.face_starts.begin(), soup.face_starts.end()));
   return PolygonMesh(PointArray(std::move(soup.points)), std::move(layout),
                      LargeVector<std::uint32_t>(soup.corners.begin(), soup.corners.end()));
@@ -230,12 +231,12 @@ Result<ExportedSolid> export_mesh(Context& context, const std::string& command, 
   PolygonSoup soup = soup_of(mesh.mesh());
   const std::size_t left_out = add_attributes(mesh.attributes(), *form.format, soup);
   const std::size_t changed_texts = count_changed_texts(soup.attributes.get());
-  const Status written = form.format->write(path, facets_for(*form.format, std::move(soup)), name, form.encoding);
+  Status written = form.format->write(path, facets_for(*form.format, std::move(soup)), name, form.encoding);
   if (!written) {
-    if (written.error().code == ErrorCode::interrupted) return written.error();
-    const std::string reason = command + ": " + written.error().message;
-    context.diagnostics.report(reason, {}, Diagnostics::About::unwritten);
-    return ExportedSolid{Error(written.error().code, reason)};
+    if (written.error().code == ErrorCode::interrupted) return std::move(written).error();
+    Error refusal = std::move(written).error().about(command);
+    context.diagnostics.report(refusal.text(), {}, Diagnostics::About::unwritten);
+    return ExportedSolid{std::move(refusal)};
   }
   if (left_out > 0)
     context.diagnostics.report(fmt::format("{}: {} not written", command, counted(left_out, "attribute")), file);

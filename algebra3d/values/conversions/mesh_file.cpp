@@ -45,7 +45,11 @@ Result<MeshFacets> read_facets(std::string_view bytes, const std::string& name, 
   auto read = read_as(found, bytes, name, cancel, extras);
   if (found.name == format->name) return read;
   const std::string other = fmt::format("the content is {}, not {}", found.name, format->name);
-  if (!read) return Error{read.error().code, "{} ({})", read.error().message, other};
+  if (!read) {
+    Error error = std::move(read).error();
+    error.message += " (" + other + ")";
+    return error;
+  }
   read->remarks.insert(read->remarks.begin(), other + ", and is read as that");
   return read;
 }
@@ -87,8 +91,9 @@ Result<PolygonSoup> polygons_of(mesh_formats::Facets facets, const std::string& 
   if (auto* const given = std::get_if<PolygonSoup>(&facets)) return std::move(*given);
   const TriangleSoup& soup = std::get<TriangleSoup>(facets);
   if (soup.triangles.size() > TriangleMesh::kMaxFaces)
-    return Error{ErrorCode::limit_exceeded, "{}: {} triangles; at most {} can be joined", name, soup.triangles.size(),
-                 TriangleMesh::kMaxFaces};
+    return Error{ErrorCode::limit_exceeded, "{} triangles; at most {} can be joined", soup.triangles.size(),
+                 TriangleMesh::kMaxFaces}
+        .about(name);
   const WeldedTriangles welded = weld(soup.triangles);
   PolygonSoup polygons;
   polygons.points = welded.points.approx();

@@ -144,8 +144,8 @@ Status WktReader::read_polygon() {
 
 Status WktReader::read_ring() {
   A3D_TRY(read_list(&WktReader::read_point));
-  const Status ended = rings_.end_ring();
-  if (!ended) return Error{ended.error().code, "character {}: {}", at_, ended.error().message};
+  Status ended = rings_.end_ring();
+  if (!ended) return std::move(ended).error().about(fmt::format("character {}", at_));
   return {};
 }
 

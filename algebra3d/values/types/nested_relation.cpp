@@ -115,9 +115,9 @@ Result<Value> NestedRelationType::value_of(std::vector<Value> values) const {
 }
 
 // The place of a value that cannot be read.
-Error NestedRelationType::at(std::size_t value_index, const Error& error) const {
-  return {error.code, "arel: tuple {}, attribute {}: {}", value_index / attributes_.size() + 1,
-          attributes_[value_index % attributes_.size()].name, error.message};
+Error NestedRelationType::at(std::size_t value_index, Error error) const {
+  return std::move(error).about(fmt::format("arel: tuple {}, attribute {}", value_index / attributes_.size() + 1,
+                                            attributes_[value_index % attributes_.size()].name));
 }
 
 // Recursion, here and below, follows the nesting of the type, which is bounded.
@@ -134,7 +134,7 @@ Result<Value> NestedRelationType::from_nested(const NestedList& list, Context& c
                    attributes_.size(), tuple.print_short()};
     for (std::size_t i = 0; i < attributes_.size(); ++i) {
       auto value = value_from_nested(*attributes_[i].type, tuple.elements()[i], context);
-      if (!value) return at(values.size(), value.error());
+      if (!value) return at(values.size(), std::move(value).error());
       values.push_back(std::move(value).value());
     }
   }
@@ -212,7 +212,7 @@ Result<Value> NestedRelationType::decode(std::string_view bytes, bool trusted) c
       continue;
     }
     auto value = type.decode(body, trusted);
-    if (!value) return at(values.size(), value.error());
+    if (!value) return at(values.size(), std::move(value).error());
     values.push_back(std::move(value).value());
   }
   A3D_TRY(reader.finish());

@@ -83,7 +83,7 @@ class NestedRelationType final : public DescribedType {
 
  private:
   NestedRelationType(TypeExpr term, std::vector<Attribute> attributes, std::size_t depth);
-  Error at(std::size_t value_index, const Error& error) const;
+  Error at(std::size_t value_index, Error error) const;
 
   TypeExpr term_;
   std::vector<Attribute> attributes_;

@@ -37,16 +37,9 @@ struct Slot {
   LoadedFile file;
 };
 
-/// Messages of readers begin with the path, which stands in the attribute File. Their bytes are those of the name of
-/// the file, which may not be UTF-8.
-std::string without_path(std::string_view message, const std::string& path) {
-  std::string text = algebra3d::shown_as_text(message);
-  if (text.starts_with(path + ": ")) text.erase(0, path.size() + 2);
-  return text;
-}
-
+/// Why there is no solid, without the path, which stands in the attribute File.
 std::string reason_of(const Error& error) {
-  return error.message.empty() ? std::string(algebra3d::describe(error.code).meaning) : error.message;
+  return algebra3d::shown_as_text(error.message.empty() ? algebra3d::describe(error.code).meaning : error.message);
 }
 
 /// Path, size and hash of the content. A sparse file is refused before its zeros are read.
@@ -74,7 +67,7 @@ Slot::Stage hash(Slot& slot, std::uint64_t seed, const std::atomic<bool>* cancel
     return Slot::Stage::hashed;
   }
   if (identity.error().code == ErrorCode::interrupted) return Slot::Stage::dropped;
-  file.status = without_path(reason_of(identity.error()), file.path);
+  file.status = reason_of(identity.error());
   return Slot::Stage::hashed;
 }
 
@@ -243,7 +236,7 @@ Slot::Stage FileLoader::Work::outcome(Slot& slot, Slot::Stage stage) {
   } catch (const algebra3d::Interrupted&) {
     return Slot::Stage::dropped;
   } catch (const std::bad_alloc& failure) {
-    file.status = algebra3d::memory_error(failure).message;
+    file.status = algebra3d::memory_error(failure).text();
   } catch (const std::exception& exception) {
     file.status = fmt::format("internal error: {}", exception.what());
   }
@@ -256,12 +249,12 @@ Slot::Stage FileLoader::Work::load(Slot& slot) {
   auto result = reader_(slot.listed->path, &stop_);
   if (!result && result.error().code == ErrorCode::interrupted) return Slot::Stage::dropped;
   if (!result) {
-    file.status = without_path(reason_of(result.error()), file.path);
+    file.status = reason_of(result.error());
     file.identity.reset();
     return Slot::Stage::ready;
   }
   file.solid = std::move(result->solid);
-  file.status = without_path(result->status, file.path);
+  file.status = algebra3d::shown_as_text(result->status);
   file.measures = result->measures;
   if (!result->was_read) file.identity.reset();
   return Slot::Stage::ready;

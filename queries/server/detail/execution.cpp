@@ -133,7 +133,7 @@ void Execution::run_statement(Session& session) {
   session.set_parameters({});
   StatementAnswer& given = presenter.answer();
   given.diagnostics = summary_of(diagnostics);
-  if (!status) status.error().message = folder_.with_names(std::move(status.error().message));
+  if (!status) status = folder_.with_names(std::move(status).error());
   given.seconds = seconds();
   const bool is_interrupted = !status && status.error().code == ErrorCode::interrupted;
   answer(status ? Result<StatementAnswer>(given) : is_interrupted ? interruption() : status.error());

@@ -137,7 +137,7 @@ Result<T> Execution::ask(const Connection* connection, std::function<Result<T>(R
       const algebra3d::InterruptionScope interruption(cancel.get());
       return work(table, context);
     });
-    if (!result) result.error().message = folder_.with_names(std::move(result.error().message));
+    if (!result) result = folder_.with_names(std::move(result).error());
     note_progress({});
     promise->set_value(std::move(result));
   };

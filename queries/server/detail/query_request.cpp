@@ -78,7 +78,7 @@ Reply<SessionParameter> constant_parameter(const std::string& name, const Json& 
     return wrong_member("parameters." + name + ".value", "a number, a boolean or a text", value);
   const auto type = given["type"].get<std::string>();
   auto parsed = session_parameter(type, text_of(value), registry);
-  if (!parsed) return Refusal::bad_request(fmt::format("parameters.{}: {}", name, parsed.error().message));
+  if (!parsed) return Refusal::bad_request(fmt::format("parameters.{}: {}", name, parsed.error().text()));
   return *std::move(parsed);
 }
 
@@ -116,7 +116,7 @@ Reply<SessionParameters> parameters_of(const Json& given, const algebra3d::Regis
 // A part of a result that a request names and that does not exist is `not_found`.
 Refusal refusal_of_cell(const algebra3d::Error& error) {
   if (error.code == ErrorCode::unknown_name || error.code == ErrorCode::invalid_value)
-    return Refusal::not_found(error.message);
+    return Refusal::not_found(error.text());
   if (error.code == ErrorCode::interrupted) return {410, "gone", "the result was dropped"};
   return refusal_of(error);
 }
@@ -124,7 +124,7 @@ Refusal refusal_of_cell(const algebra3d::Error& error) {
 Reply<Json> parse_body(const std::string& body) {
   // It says what is wrong, and where; and the parser below takes a zero byte for the end.
   const auto checked = algebra3d::JsonTree::parse(body, 0);
-  if (!checked) return Refusal::bad_request("the body is not JSON: " + checked.error().message);
+  if (!checked) return Refusal::bad_request("the body is not JSON: " + checked.error().text());
   bool is_too_deep = false;
   RepeatedKey repeated;
   const Json given = Json::parse(

@@ -74,7 +74,7 @@ HttpAnswer Refusal::answer() const {
 
 Refusal refusal_of(const algebra3d::Error& error) {
   const algebra3d::ErrorDescription& description = algebra3d::describe(error.code);
-  return {status_of(error.code), std::string(description.name), error.message, std::string(remedy_of(description)),
+  return {status_of(error.code), std::string(description.name), error.text(), std::string(remedy_of(description)),
           error.place};
 }
 

@@ -88,7 +88,7 @@ Result<ExportedSolid> write(const Value& value, const std::string& name, const s
 
 // The error without the path of the temporary folder.
 Error with_own_name(Error error, const std::filesystem::path& folder) {
-  error.message = algebra3d::with_replaced(std::move(error.message), folder.string() + "/", "");
+  error.message = algebra3d::with_replaced(std::move(error.text()), folder.string() + "/", "");
   return error;
 }
 
@@ -190,7 +190,7 @@ HttpAnswer Api::get_cell(const Call& call) {
       call.request.connection, [&](ResultTable& table, Context&) { return list_of_cell(table, *row, *column); });
   if (list) return {.body = *list + "\n"};
   if (list.error().code != ErrorCode::limit_exceeded) return refusal_of_cell(list.error()).answer();
-  return Refusal{413, "too_large", list.error().message, "Ask for its file or its shape."}.answer();
+  return Refusal{413, "too_large", list.error().text(), "Ask for its file or its shape."}.answer();
 }
 
 HttpAnswer Api::get_shapes(const Call& call) {

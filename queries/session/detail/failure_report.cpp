@@ -70,9 +70,9 @@ std::string notation_gap(const Value& value, const algebra3d::Context& surroundi
   algebra3d::Diagnostics reasons;
   algebra3d::Context context{.diagnostics = reasons, .cancel = surroundings.cancel, .folder = surroundings.folder};
   const auto list = NestedList::parse(value.to_nested().print());
-  if (!list) return list.error().message;
+  if (!list) return list.error().text();
   const auto read = value_from_nested(value.type(), *list, context);
-  if (!read) return read.error().message;
+  if (!read) return read.error().text();
   if (compare(*read, value) == 0) return "";
   const std::vector<std::string> lines = reasons.summary();
   return lines.empty() ? "it gives another value" : lines.front();
@@ -95,7 +95,8 @@ std::string call_report(const FailedCall& call, const FailedStatement& statement
   std::string text =
       commented(fmt::format("algebra3d {}: the operator {} ended with the error internal.", algebra3d::kVersion,
                             call.op->name)) +
-      commented(fmt::format("Message: {}", call.message)) + commented("To repeat the failure: algebra3d THIS_FILE") +
+      commented(fmt::format("Message: {}", call.error.text())) +
+      commented("To repeat the failure: algebra3d THIS_FILE") +
       commented("The arguments are exact. Please report the failure with this file, if you may give them away.");
   for (std::size_t place = 0; place < call.arguments.size(); ++place)
     if (const std::string gap = notation_gap(call.arguments[place], context); !gap.empty())
@@ -118,7 +119,7 @@ std::string parameter_line(const std::string& name, const SessionParameter& para
 std::string statement_report(const FailedStatement& statement, std::string_view reason) {
   std::string text =
       commented(fmt::format("algebra3d {}: a statement ended with the error internal.", algebra3d::kVersion)) +
-      commented(fmt::format("Message: {}", statement.message)) +
+      commented(fmt::format("Message: {}", statement.error.text())) +
       commented(fmt::format("This is the statement, and not the call that failed: {}.", reason));
   if (statement.database.empty())
     text += commented("To repeat the failure: algebra3d THIS_FILE");
@@ -167,7 +168,7 @@ Result<fs::path> write_in_folder(std::string_view report, const fs::path& folder
 
 std::string failure_report(const FailedStatement& statement, const algebra3d::Context& context) {
   const std::optional<FailedCall>& call = statement.calls.first();
-  if (!call || statement.message.find(call->message) == std::string_view::npos)
+  if (!call || statement.error.message != call->error.message)
     return statement_report(statement, "no operator over values failed");
   if (!call->obstacle.empty())
     return statement_report(statement, fmt::format("of the operator {}, {}", call->op->name, call->obstacle));
@@ -189,7 +190,7 @@ Result<fs::path> write_failure_report(std::string_view report, const std::vector
   for (const fs::path& folder : folders) {
     auto file = write_in_folder(report, fs::absolute(folder).lexically_normal());
     if (file) return file;
-    reasons += (reasons.empty() ? "" : "; ") + file.error().message;
+    reasons += (reasons.empty() ? "" : "; ") + file.error().text();
   }
   return Error(ErrorCode::io_error, reasons);
 }

@@ -15,7 +15,7 @@ namespace queries {
 /// A statement that ended with the error internal. Refers to what its user owns.
 struct FailedStatement {
   std::string_view text;
-  std::string_view message;  ///< of the error
+  const algebra3d::Error& error;
   const algebra3d::FailedCalls& calls;
   const SessionParameters& parameters;
   std::filesystem::path database;  ///< the file that is open; empty: none

@@ -51,7 +51,7 @@ class Session::UnusableSearch {
     // Functions that use what is left out are in the way of others, and not left out themselves.
     A3D_TRY(hide_all([](const ObjectInfo&) { return true; },
                      [&](const ObjectInfo& info, const Error& reason) {
-                       if (!is_function(info)) result_.underivable.push_back({info.name, reason.message});
+                       if (!is_function(info)) result_.underivable.push_back({info.name, reason.text()});
                      }));
     std::ranges::sort(result_.functions);
     std::ranges::sort(result_.underivable, {}, &Underivable::name);

@@ -33,7 +33,7 @@ using algebra3d::Result;
 int fail_with(const MeshConsole& console, const Error& error) {
   constexpr int kWrongUsageOfMesh = 2;
   constexpr int kInterruptedMesh = 130;
-  console.errors << "error: " << printable(error.message) << "\n";
+  console.errors << "error: " << printable(error.text()) << "\n";
   if (error.code == ErrorCode::interrupted) return kInterruptedMesh;
   return error.code == ErrorCode::wrong_usage ? kWrongUsageOfMesh : 1;
 }
@@ -47,9 +47,9 @@ std::string solid_name(const std::string& file) {
   return std::filesystem::path(file).stem().string();
 }
 
-/// One line: the file's name and what it is. Messages of readers begin with the name already.
+/// One line: the file's name and what it is.
 std::string line_of(const std::string& name, const std::string& status) {
-  return printable(status.starts_with(name) ? status : name + ": " + status) + "\n";
+  return printable(name + ": " + status) + "\n";
 }
 
 const mesh_formats::MeshFormats& known_formats() {
@@ -171,7 +171,7 @@ int MeshCommands::check(const MeshConsole& console) const {
       const bool is_valid = checked->solid.has_value();
       if (!is_valid) status = 1;
       if (!is_valid || !is_quiet_)
-        console.out << line_of(name == "-" ? "standard input" : name, checked->status) << std::flush;
+        console.out << printable(checked->text_about(name == "-" ? "standard input" : name)) + "\n" << std::flush;
     }
   }
   return status;
@@ -184,7 +184,7 @@ int MeshCommands::repair(const MeshConsole& console) const {
   if (!imported) return fail_with(console, imported.error());
   const std::string name = input_ == "-" ? "standard input" : input_;
   if (!imported->solid) {
-    console.errors << "error: " << line_of(name, imported->status);
+    console.errors << "error: " << printable(imported->text_about(name)) << "\n";
     return 1;
   }
   print_repair(console, name, *imported);

@@ -28,7 +28,7 @@ bool is_endless_device(int descriptor) {
 
 // The input may have any size up to the memory limit.
 Result<std::string> standard_input(const std::atomic<bool>* cancel) {
-  if (is_endless_device(STDIN_FILENO)) return Error{ErrorCode::file_missing, "standard input is a device"};
+  if (is_endless_device(STDIN_FILENO)) return Error{ErrorCode::file_missing, "is a device"}.about("standard input");
   algebra3d::PolledInput bytes(STDIN_FILENO, cancel);
   return bytes.read_all(std::string().max_size(), "standard input");
 }

@@ -139,7 +139,7 @@ RunResult StatementRunner::conclude(const CommandText& command, const Status& st
   // The terminal has written ^C where the cursor stood.
   if (is_interrupted && console_.terminal != nullptr) console_.errors << "\n";
   if (!status) {
-    complain(status.error().message, status.error().place);
+    complain(status.error().text(), status.error().place);
     const bool has_begun = session_.store() != nullptr && session_.store()->is_in_explicit_transaction();
     if (script_depth_ > 0 && !has_begun &&
         transaction_step(command, session_.registry()) == TransactionStep::Step::begin)

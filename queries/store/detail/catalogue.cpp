@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 
+#include "base/error_subject.h"
 #include "base/propagate.h"
 #include "queries/store/detail/sqlite_error.h"
 #include "queries/store/detail/tables.h"
@@ -41,13 +42,20 @@ std::vector<Cell> row_of(const CatalogueEntry& entry, const std::string& type, s
 }
 
 Error corrupt(const SqliteConnection& connection, std::string_view what) {
-  return {ErrorCode::database_corrupt, "{}: {}", connection.file(), what};
+  return Error{ErrorCode::database_corrupt, std::string(what)}.about(connection.file());
 }
 
 // SQLite's own words name no table.
 Error in_catalogue(Error error) {
-  if (error.message.find("catalogue") == std::string::npos) error.message += " (in the catalogue of objects)";
+  error.message += " (in the catalogue of objects)";
   return error;
+}
+
+/// A result of SQLite, whose errors then say that the catalogue was read, unless damage is only listed.
+template <typename T>
+Result<T> of_catalogue(Result<T> result, bool is_tolerant) {
+  if (!result && !is_tolerant) return in_catalogue(std::move(result).error());
+  return result;
 }
 
 Result<TypeExpr> type_from(std::string_view text) {
@@ -64,7 +72,7 @@ Result<CatalogueEntry> entry_from(const SqliteConnection& connection, const Sqli
   if (!checksum.is(Cell::Kind::integer) || as_unsigned(checksum.integer) != checksum_of(row))
     return corrupt(connection, "the catalogue's row of the object '" + ascii_text(name) + "' is not what was written");
   auto type = type_from(row[2].bytes);
-  if (!type) return corrupt(connection, "the type of the object '" + name + "': " + type.error().message);
+  if (!type) return corrupt(connection, "the catalogue: the type of the object '" + name + "': " + type.error().text());
   return CatalogueEntry{row[0].integer,
                         name,
                         *std::move(type),
@@ -102,9 +110,8 @@ Status Catalogue::load() {
 }
 
 void Catalogue::remember_damage(const Error& error) {
-  std::string_view message = error.message;
-  if (message.starts_with(connection_.file() + ": ")) message.remove_prefix(connection_.file().size() + 2);
-  if (std::ranges::find(damage_, message) == damage_.end()) damage_.emplace_back(message);
+  std::string text = algebra3d::without_subject(error, connection_.file()).text();
+  if (std::ranges::find(damage_, text) == damage_.end()) damage_.push_back(std::move(text));
 }
 
 // From both ends, so that rows behind a damaged page are found too.
@@ -130,13 +137,14 @@ Status Catalogue::read_all() {
   if (version_ < 1) return corrupt(connection_, fmt::format("there is no version {} of databases", version_));
   if (version_ > kDatabaseVersion)
     return Error{ErrorCode::database_version,
-                 "{}: the database has version {}, this program reads versions up to {}; use a newer algebra3d",
-                 connection_.file(), version_, kDatabaseVersion};
+                 "the database has version {}, this program reads versions up to {}; use a newer algebra3d", version_,
+                 kDatabaseVersion}
+        .about(connection_.file());
   A3D_TRY(check_version());
   Status status = read_entries();
   if (status && version_ > 1) status = read_types();
   if (status) status = check_sum();
-  return status ? status : in_catalogue(status.error());
+  return status;
 }
 
 // An upgrade would add tables that are there.
@@ -153,12 +161,14 @@ Status Catalogue::check_version() {
 Status Catalogue::read_entries(bool backwards) {
   const std::size_t column_count = version_ == 1 ? kColumnsOfVersion1 : kColumns;
   A3D_ASSIGN(SqliteStatement rows,
-             connection_.use(fmt::format("SELECT id, name, type, has_value, function_text, table_number, "
-                                         "tuple_count, next_tuple, tuple_sum, index_relation, index_attribute, "
-                                         "value_sum, {}checksum FROM catalogue NOT INDEXED{}",
-                                         version_ == 1 ? "" : "derived_text, ", backwards ? " ORDER BY id DESC" : "")));
+             of_catalogue(connection_.use(
+                              fmt::format("SELECT id, name, type, has_value, function_text, table_number, "
+                                          "tuple_count, next_tuple, tuple_sum, index_relation, index_attribute, "
+                                          "value_sum, {}checksum FROM catalogue NOT INDEXED{}",
+                                          version_ == 1 ? "" : "derived_text, ", backwards ? " ORDER BY id DESC" : "")),
+                          is_tolerant_));
   while (true) {
-    A3D_ASSIGN(const bool has_row, rows.step());
+    A3D_ASSIGN(const bool has_row, of_catalogue(rows.step(), is_tolerant_));
     if (!has_row) return {};
     auto entry = entry_from(connection_, rows, column_count);
     if (!entry && !is_tolerant_) return std::move(entry).error();
@@ -172,9 +182,10 @@ Status Catalogue::read_entries(bool backwards) {
 }
 
 Status Catalogue::read_types() {
-  A3D_ASSIGN(SqliteStatement rows, connection_.use("SELECT name, type, checksum FROM named_types NOT INDEXED"));
+  A3D_ASSIGN(SqliteStatement rows,
+             of_catalogue(connection_.use("SELECT name, type, checksum FROM named_types NOT INDEXED"), is_tolerant_));
   while (true) {
-    A3D_ASSIGN(const bool has_row, rows.step());
+    A3D_ASSIGN(const bool has_row, of_catalogue(rows.step(), is_tolerant_));
     if (!has_row) return {};
     const Cell name = rows.column(0);
     const Cell text = rows.column(1);
@@ -183,15 +194,16 @@ Status Catalogue::read_types() {
       return corrupt(connection_, fmt::format("the catalogue's row of the type '{}' is not what was written",
                                               ascii_text(name.bytes)));
     auto type = type_from(text.bytes);
-    if (!type) return corrupt(connection_, fmt::format("the type '{}': {}", name.bytes, type.error().message));
+    if (!type) return corrupt(connection_, fmt::format("the type '{}': {}", name.bytes, type.error().text()));
     types_.insert_or_assign(std::string(name.bytes), *std::move(type));
   }
 }
 
 Status Catalogue::check_sum() {
   A3D_ASSIGN(SqliteStatement meta,
-             connection_.use("SELECT next_number, object_count, object_sum FROM meta WHERE id = 1"));
-  A3D_ASSIGN(const bool has_meta, meta.step());
+             of_catalogue(connection_.use("SELECT next_number, object_count, object_sum FROM meta WHERE id = 1"),
+                          is_tolerant_));
+  A3D_ASSIGN(const bool has_meta, of_catalogue(meta.step(), is_tolerant_));
   if (!has_meta) return corrupt(connection_, "the table meta is empty");
   next_number_ = meta.column(0).integer;
   const std::uint64_t count = as_unsigned(meta.column(1).integer);
@@ -318,8 +330,8 @@ Status Catalogue::write_meta() {
 Status Catalogue::flush() {
   if (!is_changed_) return {};
   if (!connection_.in_transaction())
-    return Error{ErrorCode::internal, "{}: the catalogue would be written outside of a transaction",
-                 connection_.file()};
+    return Error{ErrorCode::internal, "the catalogue would be written outside of a transaction"}.about(
+        connection_.file());
   for (const std::int64_t id : removed_) {
     A3D_ASSIGN(SqliteStatement statement, connection_.use("DELETE FROM catalogue WHERE id = ?"));
     A3D_TRY(statement.bind(1, id).run());

@@ -31,8 +31,9 @@ Result<std::string> read_chunks(SqliteConnection& connection, const ChunkPlace& 
     bytes += statement.column(0).bytes;
   }
   if (size >= 0 && bytes.size() == static_cast<std::uint64_t>(size)) return bytes;
-  return algebra3d::Error{algebra3d::ErrorCode::database_corrupt, "{}: a long value has {} bytes, expected {}",
-                          connection.file(), bytes.size(), size};
+  return algebra3d::Error{algebra3d::ErrorCode::database_corrupt, "a long value has {} bytes, expected {}",
+                          bytes.size(), size}
+      .about(connection.file());
 }
 
 Status erase_chunks(SqliteConnection& connection, const ChunkPlace& place) {

@@ -98,13 +98,14 @@ void Database::note_renamed(std::int64_t table_number) {
 }
 
 Error Database::lost(const RelationLayout& layout, TupleId tuple) {
-  return {ErrorCode::wrong_usage,
-          "{}: tuple {} was made and changed again by the statement that still reads it; use two statements",
-          layout.relation(), tuple};
+  return Error{ErrorCode::wrong_usage,
+               "tuple {} was made and changed again by the statement that still reads it; use two statements", tuple}
+      .about(layout.relation());
 }
 
 Error Database::missing(const RelationLayout& layout, TupleId tuple) {
-  return {ErrorCode::database_corrupt, "{}: the row of tuple {} is not where it was written", layout.relation(), tuple};
+  return Error{ErrorCode::database_corrupt, "the row of tuple {} is not where it was written", tuple}.about(
+      layout.relation());
 }
 
 Result<SqliteConnection*> Database::source_of(const RelationLayout& layout, TupleId tuple, ChangeTime time) {
@@ -149,8 +150,10 @@ Status Database::with_bytes(const LargeValue& value, const std::function<Status(
   }
   const std::string_view bytes = joined.empty() ? cell.bytes : std::string_view(joined);
   if (checksum_of(bytes) != value.checksum)
-    return Error{ErrorCode::database_corrupt, "{}: tuple {}: the bytes of '{}' are not what was written",
-                 layout.relation(), value.tuple, layout.attributes()[value.attribute].name};
+    return Error{ErrorCode::database_corrupt, "the bytes of '{}' are not what was written",
+                 layout.attributes()[value.attribute].name}
+        .about(fmt::format("tuple {}", value.tuple))
+        .about(layout.relation());
   return visit(bytes);
 }
 

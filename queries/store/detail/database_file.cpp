@@ -61,12 +61,13 @@ Status check_sidecar_files(const fs::path& database) {
     if (status.type() == fs::file_type::not_found) continue;
     if (status.type() != fs::file_type::regular)
       return Error{ErrorCode::database_foreign,
-                   "{}: not a regular file, as SQLite's files beside a database are; remove it", beside.string()};
+                   "not a regular file, as SQLite's files beside a database are; remove it"}
+          .about(beside.string());
     if (ending == "-journal" && names_another_file(beside))
       return Error{ErrorCode::database_foreign,
-                   "{}: the journal names another file, which would be deleted; algebra3d makes no such journals; "
-                   "remove it, and look at the database with `check database`",
-                   beside.string()};
+                   "the journal names another file, which would be deleted; algebra3d makes no such journals; "
+                   "remove it, and look at the database with `check database`"}
+          .about(beside.string());
   }
   return {};
 }
@@ -80,7 +81,7 @@ constexpr std::size_t kUserVersionOffset = 60;
 constexpr std::size_t kApplicationIdOffset = 68;
 
 Error foreign(const fs::path& file, std::string_view found) {
-  return {ErrorCode::database_foreign, "{}: expected an algebra3d database, found {}", file.string(), found};
+  return Error{ErrorCode::database_foreign, "expected an algebra3d database, found {}", found}.about(file.string());
 }
 
 // It was there a moment ago.
@@ -109,8 +110,9 @@ bool may_create(OpenMode mode) {
 Status check_version(const fs::path& file, std::int64_t version) {
   if (version <= kDatabaseVersion) return {};
   return Error{ErrorCode::database_version,
-               "{}: the database has version {}, this program reads versions up to {}; use a newer algebra3d",
-               file.string(), version, kDatabaseVersion};
+               "the database has version {}, this program reads versions up to {}; use a newer algebra3d", version,
+               kDatabaseVersion}
+      .about(file.string());
 }
 
 // The bytes are looked at before SQLite sees them: opening another program's database could already change it, by
@@ -125,10 +127,10 @@ Status check_header(const fs::path& file) {
   const auto size = static_cast<std::size_t>(stream.gcount());
   if (size == 0) return foreign(file, "an empty file");
   if (std::memcmp(header.data(), kSqliteMagic.data(), kSqliteMagic.size() + 1) != 0)
-    return Error{ErrorCode::database_foreign, "{}: not a SQLite file; expected an algebra3d database", file.string()};
+    return Error{ErrorCode::database_foreign, "not a SQLite file; expected an algebra3d database"}.about(file.string());
   if (size < kHeaderBytes)
-    return Error{ErrorCode::database_corrupt, "{}: the file ends after {} bytes, within the header of a database",
-                 file.string(), size};
+    return Error{ErrorCode::database_corrupt, "the file ends after {} bytes, within the header of a database", size}
+        .about(file.string());
   const std::uint32_t application = big_endian(header, kApplicationIdOffset);
   if (!is_ours(application))
     return foreign(file, application == 0 ? "a SQLite database of another program"
@@ -137,18 +139,20 @@ Status check_header(const fs::path& file) {
   A3D_TRY(check_version(file, version));
   if (page_format(std::as_bytes(std::span(header))).is_consistent()) return {};
   return Error{ErrorCode::database_corrupt,
-               "{}: the header says that the database has version {}, but its pages have {} checksums, unlike those of "
+               "the header says that the database has version {}, but its pages have {} checksums, unlike those of "
                "that version; the header was changed",
-               file.string(), version, version < kFirstVersionWithPageSums ? "room for" : "no room for"};
+               version, version < kFirstVersionWithPageSums ? "room for" : "no room for"}
+      .about(file.string());
 }
 
 Status check_missing(const fs::path& file, OpenMode mode) {
   const fs::path folder = fs::absolute(file).parent_path();
   std::error_code error;
   if (!fs::is_directory(folder, error))
-    return Error{may_create(mode) ? ErrorCode::file_missing : ErrorCode::database_missing, "{}: {}", file.string(),
-                 algebra3d::write_obstacle(fs::absolute(file), ENOENT)};
-  if (!may_create(mode)) return Error{ErrorCode::database_missing, "{}: there is no such file", file.string()};
+    return Error{may_create(mode) ? ErrorCode::file_missing : ErrorCode::database_missing,
+                 algebra3d::write_obstacle(fs::absolute(file), ENOENT)}
+        .about(file.string());
+  if (!may_create(mode)) return Error{ErrorCode::database_missing, "there is no such file"}.about(file.string());
   return {};
 }
 
@@ -169,7 +173,8 @@ Result<Found> inspect(const fs::path& file, OpenMode mode) {
   const std::uintmax_t size = fs::file_size(file, error);
   if (error) return unusable(file, error.value());
   if (size == 0 && may_create(mode)) return Found::empty;
-  if (mode == OpenMode::create) return Error{ErrorCode::database_exists, "{}: the file exists already", file.string()};
+  if (mode == OpenMode::create)
+    return Error{ErrorCode::database_exists, "the file exists already"}.about(file.string());
   A3D_TRY(check_header(file));
   return Found::database;
 }
@@ -190,7 +195,7 @@ Status use_write_ahead_log(SqliteConnection& connection) {
   A3D_ASSIGN(SqliteStatement statement, connection.use("PRAGMA journal_mode = WAL"));
   A3D_ASSIGN(const bool has_row, statement.step());
   if (has_row && statement.column(0).bytes == "wal") return {};
-  return Error{ErrorCode::io_error, "{}: the file system does not allow a write-ahead log", connection.file()};
+  return Error{ErrorCode::io_error, "the file system does not allow a write-ahead log"}.about(connection.file());
 }
 
 Status configure(SqliteConnection& connection, const StoreOptions& options) {
@@ -218,8 +223,9 @@ Status check_writable(const fs::path& file) {
   const fs::path target = fs::absolute(file);
   const int reason = ::access(file.c_str(), W_OK) != 0 ? errno : algebra3d::folder_obstacle(target);
   if (reason == 0) return {};
-  return Error{ErrorCode::database_read_only, "{}: the database cannot be written: {}; open it with --read-only",
-               file.string(), algebra3d::write_obstacle(target, reason)};
+  return Error{ErrorCode::database_read_only, "the database cannot be written: {}; open it with --read-only",
+               algebra3d::write_obstacle(target, reason)}
+      .about(file.string());
 }
 
 bool may_write(OpenMode mode) {
@@ -239,9 +245,10 @@ Status check_names(const fs::path& file) {
   struct stat facts {};
   if (::stat(file.c_str(), &facts) != 0 || facts.st_nlink <= 1) return {};
   return Error{ErrorCode::io_error,
-               "{}: the file has {} names (hard links), and each would get a log of its own, so that statements would "
+               "the file has {} names (hard links), and each would get a log of its own, so that statements would "
                "be lost; remove the other names, or copy the file and use the copy; a symbolic link does no harm",
-               file.string(), facts.st_nlink};
+               facts.st_nlink}
+      .about(file.string());
 }
 
 Result<std::unique_ptr<SqliteConnection>> connect(const fs::path& file, OpenMode mode, const StoreOptions& options) {
@@ -254,8 +261,8 @@ Result<std::unique_ptr<SqliteConnection>> connect(const fs::path& file, OpenMode
   A3D_ASSIGN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
   if (mode == OpenMode::read_damaged) connection->tolerate_damaged_pages();
   if (writes && connection->is_read_only())
-    return Error{ErrorCode::database_read_only, "{}: the file cannot be written; open it with --read-only",
-                 file.string()};
+    return Error{ErrorCode::database_read_only, "the file cannot be written; open it with --read-only"}.about(
+        file.string());
   if (writes) A3D_TRY(prepare_for_writing(*connection));
   A3D_TRY(configure(*connection, options));
   return connection;
@@ -285,8 +292,8 @@ Status check_database_header(const fs::path& file) {
 }
 
 Error deleted_meanwhile(const fs::path& file) {
-  return {ErrorCode::database_missing, "{}: another process has deleted the database while it was being opened",
-          file.string()};
+  return Error{ErrorCode::database_missing, "another process has deleted the database while it was being opened"}.about(
+      file.string());
 }
 
 Result<std::unique_ptr<SqliteConnection>> open_database_file(const fs::path& file, OpenMode mode,

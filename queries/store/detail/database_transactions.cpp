@@ -47,7 +47,7 @@ Status Database::upgrade() {
 // middle would fail that way.
 Status Database::begin_transaction() {
   if (is_explicit_) return Error{ErrorCode::wrong_usage, "a transaction is running already; commit or abort it first"};
-  if (is_in_statement_) return Error{ErrorCode::internal, "{}: a statement is running already", file_.string()};
+  if (is_in_statement_) return Error{ErrorCode::internal, "a statement is running already"}.about(file_.string());
   A3D_TRY(connection_->execute(is_read_only_ ? "BEGIN" : "BEGIN IMMEDIATE"));
   is_explicit_ = true;
   Status status = notice_other_processes();
@@ -59,7 +59,7 @@ Status Database::begin_transaction() {
 Status Database::commit_transaction() {
   if (!is_explicit_)
     return Error{ErrorCode::wrong_usage, "no transaction is running; begin one with begin transaction"};
-  if (is_in_statement_) return Error{ErrorCode::internal, "{}: a statement is still running", file_.string()};
+  if (is_in_statement_) return Error{ErrorCode::internal, "a statement is still running"}.about(file_.string());
   Status status = lost_transaction_ ? Status(*lost_transaction_) : connection_->execute("COMMIT");
   if (status) {
     end_transaction();
@@ -88,9 +88,9 @@ void Database::end_transaction() {
 }
 
 Status Database::begin(bool writes) {
-  if (is_in_statement_) return Error{ErrorCode::internal, "{}: a statement is running already", file_.string()};
+  if (is_in_statement_) return Error{ErrorCode::internal, "a statement is running already"}.about(file_.string());
   if (writes && is_read_only_)
-    return Error{ErrorCode::database_read_only, "{}: the database was opened for reading only", file_.string()};
+    return Error{ErrorCode::database_read_only, "the database was opened for reading only"}.about(file_.string());
   if (is_explicit_) return begin_within_transaction();
   A3D_TRY(connection_->execute(writes ? "BEGIN IMMEDIATE" : "BEGIN"));
   Status status = notice_other_processes();
@@ -194,7 +194,7 @@ Status Database::restore_order(const IndexPlace& place) {
   A3D_ASSIGN(SqliteStatement check, connection_->use(fmt::format("PRAGMA quick_check({})", layout.table())));
   A3D_ASSIGN(const bool has_row, check.step());
   if (!has_row || check.column(0).bytes != "ok")
-    return Error{ErrorCode::database_corrupt, "{}: the index or the relation is damaged", layout.relation()};
+    return Error{ErrorCode::database_corrupt, "the index or the relation is damaged"}.about(layout.relation());
   { const SqliteStatement done = std::move(check); }
   A3D_TRY(connection_->execute(layout.drop_order_sql(place.attribute)));
   return connection_->execute(layout.create_order_sql(place.attribute));
@@ -213,8 +213,8 @@ Status Database::end_in_sqlite() {
 Status Database::check_place() const {
   if (!connection_->has_moved()) return {};
   return Error{ErrorCode::io_error,
-               "{}: the file of the database was deleted or moved while it was open; the statement is undone",
-               file_.string()};
+               "the file of the database was deleted or moved while it was open; the statement is undone"}
+      .about(file_.string());
 }
 
 Status Database::write_end() {
@@ -262,19 +262,19 @@ void Database::end_statement() {
 
 Status Database::check_statement(std::uint64_t statement) const {
   if (is_in_statement() && statement == statement_) return {};
-  return Error{ErrorCode::internal, "{}: stored data was used after the end of its statement", file_.string()};
+  return Error{ErrorCode::internal, "stored data was used after the end of its statement"}.about(file_.string());
 }
 
 Status Database::check_reading() const {
   if (is_in_statement()) return {};
   if (failure_) return *failure_;
-  return Error{ErrorCode::internal, "{}: no statement is running", file_.string()};
+  return Error{ErrorCode::internal, "no statement is running"}.about(file_.string());
 }
 
 Status Database::change(const std::function<Status()>& work) {
   A3D_TRY(check_reading());
   if (is_read_only_)
-    return Error{ErrorCode::database_read_only, "{}: the database was opened for reading only", file_.string()};
+    return Error{ErrorCode::database_read_only, "the database was opened for reading only"}.about(file_.string());
   if (failure_) return *failure_;
   has_written_ = true;
   Status status = work();

@@ -14,8 +14,9 @@ using algebra3d::Result;
 using algebra3d::Status;
 
 Error damaged_page(const SqliteConnection& connection, std::int64_t place) {
-  return {ErrorCode::database_corrupt, "{}: page {} of the spatial index {} is not what was written", connection.file(),
-          place & 0xffffffff, place >> 32};
+  return Error{ErrorCode::database_corrupt, "page {} of the spatial index {} is not what was written",
+               place & 0xffffffff, place >> 32}
+      .about(connection.file());
 }
 
 // Bytes that were written elsewhere have another checksum.

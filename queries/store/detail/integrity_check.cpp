@@ -4,6 +4,7 @@
 #include <array>
 
 #include "algebra3d/values/types/codec.h"
+#include "base/error_subject.h"
 #include "base/propagate.h"
 #include "queries/store/detail/frozen_index.h"
 #include "queries/store/detail/frozen_order.h"
@@ -63,15 +64,15 @@ void IntegrityCheck::add(Finding finding) {
   if (++finding_counts_[finding.object] <= kFindingsPerObject) findings_.push_back(std::move(finding));
 }
 
-// Errors of the store say where they are; a finding does so itself.
+// A finding says itself what it is about, and advises nothing.
 Status IntegrityCheck::add(Finding finding, const Error& error) {
   if (!is_damage(error.code)) return error;
-  std::string_view message = error.message;
-  for (const std::string& prefix :
-       {finding.object + ": ", database_->file().string() + ": ", fmt::format("tuple {}: ", finding.tuple)})
-    if (prefix != ": " && message.starts_with(prefix)) message.remove_prefix(prefix.size());
-  if (message.ends_with(kPageFaultRemedy)) message.remove_suffix(kPageFaultRemedy.size());
-  finding.message += message;
+  Error told = error;
+  for (const std::string& what : {database_->file().string(), finding.object, fmt::format("tuple {}", finding.tuple)})
+    told = algebra3d::without_subject(std::move(told), what);
+  std::string text = told.text();
+  if (text.ends_with(kPageFaultRemedy)) text.resize(text.size() - kPageFaultRemedy.size());
+  finding.message += text;
   add(std::move(finding));
   return {};
 }

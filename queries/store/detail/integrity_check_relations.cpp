@@ -239,8 +239,8 @@ void IntegrityCheck::check_trees(Walk& walk) {
     const auto stored =
         is_stored ? load_tree(database_, *owner) : Result<std::shared_ptr<SpatialIndex::Tree>>(is_stored.error());
     if (!stored && stored.error().code == ErrorCode::database_version) continue;
-    const Status status = stored ? check_tree(boxes, **stored, place) : Status(stored.error());
-    if (!status) add({.object = place.object, .message = place.message + ": " + status.error().message});
+    Status status = stored ? check_tree(boxes, **stored, place) : Status(stored.error());
+    if (!status) add({.object = place.object, .message = std::move(status).error().about(place.message).text()});
   }
   for (auto& [attribute, keys] : walk.keys) {
     const auto tree = database_->indexes().find_ordered(walk.entry.table_number, attribute);

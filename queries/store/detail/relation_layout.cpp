@@ -69,17 +69,14 @@ Result<std::shared_ptr<const RelationLayout>> RelationLayout::make(const Registr
   for (const auto& [name, type_expr] : tuple.attributes()) {
     const Type* type = registry.value_type(type_expr);
     if (type == nullptr)
-      return Error{ErrorCode::type_error, "{}: an attribute of type {} cannot be stored", name, type_expr.text()};
+      return Error{ErrorCode::type_error, "an attribute of type {} cannot be stored", type_expr.text()}.about(name);
     layout->attributes_.push_back({name, type, form_of(*type)});
   }
   layout->add_columns();
   if (layout->columns_.size() > kMaxColumns)
-    return Error{ErrorCode::limit_exceeded,
-                 "{}: the {} attributes need {} columns, a table has at most {}",
-                 relation,
-                 tuple.attributes().size(),
-                 layout->columns_.size(),
-                 kMaxColumns};
+    return Error{ErrorCode::limit_exceeded, "the {} attributes need {} columns, a table has at most {}",
+                 tuple.attributes().size(), layout->columns_.size(), kMaxColumns}
+        .about(relation);
   layout->add_statements();
   return std::shared_ptr<const RelationLayout>(std::move(layout));
 }

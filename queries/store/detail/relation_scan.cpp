@@ -34,7 +34,7 @@ bool RowPage::take(std::span<Cell> row) {
     status_ = damaged_row(*layout_, id);
   } else if (id <= last_) {
     // A damaged tree could lead round in circles.
-    status_ = Error{ErrorCode::database_corrupt, "{}: the tuples are not in order", layout_->relation()};
+    status_ = Error{ErrorCode::database_corrupt, "the tuples are not in order"}.about(layout_->relation());
   } else {
     rows_.push_back({id, as_unsigned(row[1].integer), begin});
     last_ = id;
@@ -73,8 +73,8 @@ Status RelationScan::start() {
   A3D_TRY(database_->check_statement(statement_));
   const CatalogueEntry* const entry = database_->catalogue().find(layout_->relation());
   if (entry == nullptr || entry->table_number != layout_->table_number())
-    return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted before it was read",
-                 layout_->relation()};
+    return Error{ErrorCode::wrong_usage, "the relation was replaced or deleted before it was read"}.about(
+        layout_->relation());
   time_ = database_->changes().now();
   reader_.emplace(database_, layout_, time_);
   last_ = entry->next_tuple - 1;
@@ -88,8 +88,8 @@ Status RelationScan::read_page() {
   page_.clear(after_);
   position_ = 0;
   if (database_->changes().is_gone(layout_->table_number(), time_))
-    return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted while it was read",
-                 layout_->relation()};
+    return Error{ErrorCode::wrong_usage, "the relation was replaced or deleted while it was read"}.about(
+        layout_->relation());
   A3D_TRY(read_rows());
   A3D_TRY(restore_changed());
   for (const RowPage::Row& row : page_.rows()) sum_ += row.checksum;
@@ -147,8 +147,8 @@ Status RelationScan::restore_changed() {
 
 Status RelationScan::check_end() const {
   if (sum_ == expected_sum_) return {};
-  return Error{ErrorCode::database_corrupt, "{}: the tuples that were read are not all those that were written",
-               layout_->relation()};
+  return Error{ErrorCode::database_corrupt, "the tuples that were read are not all those that were written"}.about(
+      layout_->relation());
 }
 
 }  // namespace queries

@@ -82,7 +82,7 @@ Result<bool> read_level(SqliteConnection& connection, const LevelKey& key,
   if (!has_row) return false;
   const Cell checksum = statement.column(0), bytes = statement.column(1);
   if (!checksum.is(Cell::Kind::integer) || !bytes.is(Cell::Kind::blob) || checksum.integer != key.checksum(bytes.bytes))
-    return Error{ErrorCode::database_corrupt, "{}: a level of detail is not what was written", connection.file()};
+    return Error{ErrorCode::database_corrupt, "a level of detail is not what was written"}.about(connection.file());
   visit(bytes.bytes);
   return true;
 }

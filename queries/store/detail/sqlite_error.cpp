@@ -95,36 +95,40 @@ std::string page_fault_text(const PageFault& fault) {
 }
 
 Error page_fault_error(std::string_view file, const PageFault& fault) {
-  return {ErrorCode::database_corrupt, "{}: {}{}", file, page_fault_text(fault), kPageFaultRemedy};
+  return Error{ErrorCode::database_corrupt, "{}{}", page_fault_text(fault), kPageFaultRemedy}.about(file);
 }
 
 Error sqlite_error(sqlite3* connection, int code, std::string_view file, std::string_view doing) {
   if (code == SQLITE_BUSY_SNAPSHOT)
-    return {ErrorCode::database_busy,
-            "{}: {}: another process changed the database while this statement was reading it; run it again", file,
-            doing};
+    return Error{ErrorCode::database_busy,
+                 "{}: another process changed the database while this statement was reading it; run it again", doing}
+        .about(file);
   const bool is_damage = (code & 0xff) == SQLITE_CORRUPT;
   if (const auto fault = is_damage && connection != nullptr ? take_page_fault(connection) : std::nullopt)
     return page_fault_error(file, *fault);
   const ErrorCode kind = error_code(connection, code);
   if (kind == ErrorCode::database_busy)
-    return {kind, "{}: {}: another process is writing to the database; try again when it has finished", file, doing};
+    return Error{kind, "{}: another process is writing to the database; try again when it has finished", doing}.about(
+        file);
   if (kind == ErrorCode::out_of_memory && take_sqlite_refusal())
-    return {ErrorCode::limit_exceeded,
-            "{}: {}: a stored value needs more than the memory limit leaves (`set \"memory\"` or --memory); raise it",
-            file, doing};
-  if (kind == ErrorCode::disk_full) return {kind, "{}: {}: the disk is full", file, doing};
+    return Error{ErrorCode::limit_exceeded,
+                 "{}: a stored value needs more than the memory limit leaves (`set \"memory\"` or --memory); raise it",
+                 doing}
+        .about(file);
+  if (kind == ErrorCode::disk_full) return Error{kind, "{}: the disk is full", doing}.about(file);
   if (kind == ErrorCode::database_read_only)
-    return {kind,
-            "{}: {}: the file, its folder or a file of SQLite beside it cannot be written; check the permissions, "
-            "or open it with --read-only",
-            file, doing};
+    return Error{kind,
+                 "{}: the file, its folder or a file of SQLite beside it cannot be written; check the permissions, "
+                 "or open it with --read-only",
+                 doing}
+        .about(file);
   if ((code & 0xff) == SQLITE_CANTOPEN)
-    return {kind,
-            "{}: {}: the file, or one of SQLite beside it (-wal, -shm, -journal), cannot be opened or created; check "
-            "the permissions of the file and its folder",
-            file, doing};
-  return {kind, "{}: {}: {}", file, doing, message_of(connection, code)};
+    return Error{kind,
+                 "{}: the file, or one of SQLite beside it (-wal, -shm, -journal), cannot be opened or created; check "
+                 "the permissions of the file and its folder",
+                 doing}
+        .about(file);
+  return Error{kind, "{}: {}", doing, message_of(connection, code)}.about(file);
 }
 
 }  // namespace queries

@@ -116,7 +116,7 @@ Result<Value> StoredObjectValue::load() const {
   A3D_TRY(database_->check_statement(statement_));
   A3D_ASSIGN(const std::string bytes, read_object_bytes(*database_, entry_));
   auto value = algebra3d::decode(type_, bytes, algebra3d::Origin::own_store);
-  if (!value) return Error{value.error().code, "{}: {}", entry_.name, value.error().message};
+  if (!value) return std::move(value).error().about(entry_.name);
   loaded_ = *std::move(value);
   return *loaded_;
 }
@@ -172,7 +172,7 @@ Status SqliteStore::check_storable(const std::string& name, const TypeExpr& type
   }
   if (is_index(type)) return {};
   if (database_->registry().value_type(type) != nullptr) return {};
-  return Error{ErrorCode::type_error, "{}: a value of type {} cannot be stored", name, type.text()};
+  return Error{ErrorCode::type_error, "a value of type {} cannot be stored", type.text()}.about(name);
 }
 
 Status SqliteStore::add(CatalogueEntry entry) {
@@ -226,13 +226,13 @@ Result<Datum> SqliteStore::read(const std::string& name) {
   if (entry->type.is("btree")) return read_ordered_index(*entry);
   const algebra3d::Type* const type = database_->registry().value_type(entry->type);
   if (type == nullptr)
-    return Error{ErrorCode::database_corrupt, "{}: the type {} is not known", name, entry->type.text()};
+    return Error{ErrorCode::database_corrupt, "the type {} is not known", entry->type.text()}.about(name);
   auto large = StoredObjectValue::find(database_, *entry, *type);
-  if (!large) return Error{large.error().code, "{}: {}", name, large.error().message};
+  if (!large) return std::move(large).error().about(name);
   if (*large) return Datum{**std::move(large)};
   A3D_ASSIGN(const std::string bytes, read_object_bytes(*database_, *entry));
   auto value = algebra3d::decode(*type, bytes, algebra3d::Origin::own_store);
-  if (!value) return Error{value.error().code, "{}: {}", name, value.error().message};
+  if (!value) return std::move(value).error().about(name);
   return Datum{*std::move(value)};
 }
 
@@ -251,14 +251,14 @@ Status SqliteStore::assign(const std::string& name, const Datum& value, const al
     if (const auto* index = std::get_if<std::shared_ptr<OrderedIndex>>(&value.content))
       return assign_index(entry, **index);
     if (const auto* plain = std::get_if<Value>(&value.content)) return assign_value(entry, *plain);
-    return Error{ErrorCode::internal, "{}: no value of type {}", name, entry.type.text()};
+    return Error{ErrorCode::internal, "no value of type {}", entry.type.text()}.about(name);
   });
 }
 
 Status SqliteStore::assign_value(CatalogueEntry& entry, const Value& value) {
   if (&value.type() != database_->registry().value_type(entry.type))
-    return Error{ErrorCode::internal, "{}: a value of type {}, expected {}", entry.name, value.type().term().text(),
-                 entry.type.text()};
+    return Error{ErrorCode::internal, "a value of type {}, expected {}", value.type().term().text(), entry.type.text()}
+        .about(entry.name);
   A3D_ASSIGN(const Value loaded, value.loaded());
   A3D_ASSIGN(const std::string bytes, algebra3d::encode_to_store(loaded));
   return write_object_bytes(*database_, entry, bytes);
@@ -277,7 +277,7 @@ Result<std::vector<Finding>> Store::check_damaged(const std::filesystem::path& f
   const auto opened = Database::open_damaged(file, registry);
   const Status begun = opened ? (*opened)->begin(false) : Status(opened.error());
   if (!begun && begun.error().code == ErrorCode::database_corrupt)
-    return std::vector<Finding>{{.message = kCatalogueFinding + begun.error().message + (lost.empty() ? "" : "; ") +
+    return std::vector<Finding>{{.message = kCatalogueFinding + begun.error().text() + (lost.empty() ? "" : "; ") +
                                             lost + "; no object can be found"}};
   A3D_TRY(begun);
   const auto& database = *opened;

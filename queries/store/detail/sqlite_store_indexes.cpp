@@ -112,8 +112,9 @@ class Walk {
 };
 
 Error StoredOrder::damaged() const {
-  return {ErrorCode::database_corrupt, "{}: the index of '{}' does not have the values of the relation",
-          layout_->relation(), layout_->attributes()[attribute_].name};
+  return Error{ErrorCode::database_corrupt, "the index of '{}' does not have the values of the relation",
+               layout_->attributes()[attribute_].name}
+      .about(layout_->relation());
 }
 
 // The key comes from the index, which has it besides the id; the row is found by the id.
@@ -264,7 +265,8 @@ Status SqliteStore::assign_index(CatalogueEntry& entry, const Index& index) {
   }
   const CatalogueEntry* const relation = database_->catalogue().find(index.relation());
   if (relation == nullptr || !relation->type.is_relation())
-    return Error{ErrorCode::unknown_name, "{}: there is no relation '{}' for the index", entry.name, index.relation()};
+    return Error{ErrorCode::unknown_name, "there is no relation '{}' for the index", index.relation()}.about(
+        entry.name);
   entry.index_relation = index.relation();
   entry.has_value = true;
   return make_stored_index(entry, *relation);
@@ -319,15 +321,16 @@ Status SqliteStore::make_stored_indexes(const CatalogueEntry& relation) {
 Result<const CatalogueEntry*> SqliteStore::indexed_relation(const CatalogueEntry& index) {
   const CatalogueEntry* const relation = database_->catalogue().find(index.index_relation);
   if (relation != nullptr && relation->type.is_relation()) return relation;
-  return Error{ErrorCode::database_corrupt, "{}: the index is on the relation '{}', which is not there", index.name,
-               index.index_relation};
+  return Error{ErrorCode::database_corrupt, "the index is on the relation '{}', which is not there",
+               index.index_relation}
+      .about(index.name);
 }
 
 Result<Datum> SqliteStore::read_index(const CatalogueEntry& entry) {
   if (entry.index_relation.empty()) {
     A3D_ASSIGN(const std::string bytes, read_object_bytes(*database_, entry));
     auto tree = decode_tree(bytes);
-    if (!tree) return Error{tree.error().code, "{}: {}", entry.name, tree.error().message};
+    if (!tree) return std::move(tree).error().about(entry.name);
     return Datum{std::make_shared<SpatialIndex>("", entry.index_attribute, *std::move(tree))};
   }
   A3D_ASSIGN(const CatalogueEntry* relation, indexed_relation(entry));
@@ -342,10 +345,10 @@ Result<Datum> SqliteStore::read_ordered_index(const CatalogueEntry& entry) {
   if (entry.index_relation.empty()) {
     const algebra3d::Type* const key_type = ordered_key_type(database_->registry(), entry.type);
     if (key_type == nullptr)
-      return Error{ErrorCode::database_corrupt, "{}: the type {} is not known", entry.name, entry.type.text()};
+      return Error{ErrorCode::database_corrupt, "the type {} is not known", entry.type.text()}.about(entry.name);
     A3D_ASSIGN(const std::string bytes, read_object_bytes(*database_, entry));
     auto tree = decode_order(*key_type, bytes);
-    if (!tree) return Error{tree.error().code, "{}: {}", entry.name, tree.error().message};
+    if (!tree) return std::move(tree).error().about(entry.name);
     return Datum{std::make_shared<OrderedIndex>(entry.index_attribute, *std::move(tree))};
   }
   A3D_ASSIGN(const CatalogueEntry* relation, indexed_relation(entry));
@@ -357,8 +360,8 @@ Result<IndexPlace> SqliteStore::spatial_place(const CatalogueEntry& relation, co
   A3D_ASSIGN(const auto layout, database_->layout_of(relation));
   const std::size_t position = layout->find(attribute);
   if (position == layout->attributes().size() || !layout->attributes()[position].has_box())
-    return Error{ErrorCode::database_corrupt, "{}: there is no spatial attribute '{}' for an index", relation.name,
-                 attribute};
+    return Error{ErrorCode::database_corrupt, "there is no spatial attribute '{}' for an index", attribute}.about(
+        relation.name);
   return IndexPlace{layout, position};
 }
 
@@ -367,7 +370,8 @@ Result<std::shared_ptr<const OrderedEntries>> SqliteStore::ordered_entries_of(co
   A3D_ASSIGN(const auto layout, database_->layout_of(relation));
   const std::size_t position = layout->find(attribute);
   if (position == layout->attributes().size())
-    return Error{ErrorCode::database_corrupt, "{}: there is no attribute '{}' for an index", relation.name, attribute};
+    return Error{ErrorCode::database_corrupt, "there is no attribute '{}' for an index", attribute}.about(
+        relation.name);
   return ordered_entries(database_, layout, position);
 }
 

@@ -11,7 +11,7 @@ Status SqliteStore::assign_relation(CatalogueEntry& entry, const Datum& value, c
   const auto* relation = std::get_if<RelationPtr>(&value.content);
   const auto* stream = std::get_if<TupleStreamPtr>(&value.content);
   if (relation == nullptr && stream == nullptr)
-    return Error{ErrorCode::internal, "{}: neither a relation nor a stream of tuples", entry.name};
+    return Error{ErrorCode::internal, "neither a relation nor a stream of tuples"}.about(entry.name);
   TupleStreamPtr tuples = stream != nullptr ? *stream : nullptr;
   if (tuples == nullptr) {
     A3D_ASSIGN(tuples, (*relation)->scan());

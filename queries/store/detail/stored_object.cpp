@@ -19,7 +19,7 @@ Result<std::string> read_object_bytes(Database& database, const CatalogueEntry& 
     }
   }
   if (checksum_of(bytes) == entry.value_sum) return bytes;
-  return Error{ErrorCode::database_corrupt, "{}: the stored value is not what was written", entry.name};
+  return Error{ErrorCode::database_corrupt, "the stored value is not what was written"}.about(entry.name);
 }
 
 Status write_object_bytes(Database& database, CatalogueEntry& entry, std::string_view bytes) {

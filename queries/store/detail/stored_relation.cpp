@@ -44,8 +44,8 @@ Result<TuplePtr> RelationSelection::next() {
     reader_.emplace(database_, layout_, time_);
   }
   if (database_->changes().is_gone(layout_->table_number(), time_))
-    return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted while it was read",
-                 layout_->relation()};
+    return Error{ErrorCode::wrong_usage, "the relation was replaced or deleted while it was read"}.about(
+        layout_->relation());
   if (position_ == ids_.size()) return TuplePtr();
   const TupleId id = ids_[position_++];
   A3D_ASSIGN(SqliteConnection * source, database_->source_of(*layout_, id, time_));
@@ -64,8 +64,8 @@ Result<const CatalogueEntry*> StoredRelation::entry() const {
   A3D_TRY(database_->check_statement(statement_));
   const CatalogueEntry* const entry = database_->catalogue().find(layout_->relation());
   if (entry != nullptr && entry->table_number == layout_->table_number()) return entry;
-  return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted by the statement that still uses it",
-               layout_->relation()};
+  return Error{ErrorCode::wrong_usage, "the relation was replaced or deleted by the statement that still uses it"}
+      .about(layout_->relation());
 }
 
 Result<std::int64_t> StoredRelation::count() const {
@@ -121,7 +121,7 @@ Result<std::unique_ptr<StoredRelation::OldRow>> StoredRelation::read_row(TupleId
   A3D_ASSIGN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));
   statement.bind(1, id);
   A3D_ASSIGN(const bool has_row, statement.step());
-  if (!has_row) return Error{ErrorCode::unknown_name, "{}: there is no tuple {}", layout_->relation(), id};
+  if (!has_row) return Error{ErrorCode::unknown_name, "there is no tuple {}", id}.about(layout_->relation());
   std::vector<Cell> cells(layout_->small_column_count());
   statement.read_columns(cells);
   auto row = std::make_unique<OldRow>(OldRow{{}, {database_, layout_, database_->changes().now()}});

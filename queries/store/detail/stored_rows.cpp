@@ -49,16 +49,13 @@ Result<std::string> encoded_bytes(const Database& database, const Value& value) 
 }  // namespace
 
 Error RowReader::corrupt(const AttributeColumns& attribute) const {
-  return {ErrorCode::database_corrupt,
-          "{}: tuple {}: '{}' is not a value of type {}",
-          layout_->relation(),
-          id(),
-          attribute.name,
-          attribute.type->name()};
+  return Error{ErrorCode::database_corrupt, "'{}' is not a value of type {}", attribute.name, attribute.type->name()}
+      .about(fmt::format("tuple {}", id()))
+      .about(layout_->relation());
 }
 
 Error damaged_row(const RelationLayout& layout, TupleId id) {
-  return {ErrorCode::database_corrupt, "{}: the row of tuple {} is not what was written", layout.relation(), id};
+  return Error{ErrorCode::database_corrupt, "the row of tuple {} is not what was written", id}.about(layout.relation());
 }
 
 bool append_proved(std::span<Cell> cells, std::string& bytes) {
@@ -189,8 +186,9 @@ Result<std::unique_ptr<RowWriter>> RowWriter::make(Database& database, const Rel
                                                    const Tuple& tuple, const RowReader* old) {
   const auto& attributes = layout.attributes();
   if (tuple.attributes.size() != attributes.size())
-    return Error{ErrorCode::internal, "{}: a tuple of {} attributes, expected {}", layout.relation(),
-                 tuple.attributes.size(), attributes.size()};
+    return Error{ErrorCode::internal, "a tuple of {} attributes, expected {}", tuple.attributes.size(),
+                 attributes.size()}
+        .about(layout.relation());
   std::unique_ptr<RowWriter> writer(new RowWriter(database, layout));
   writer->old_ = old;
   writer->cells_.resize(layout.column_count());
@@ -206,9 +204,9 @@ Result<std::unique_ptr<RowWriter>> RowWriter::make(Database& database, const Rel
 Status RowWriter::add(std::size_t attribute, const Value& value) {
   const AttributeColumns& columns = layout_.attributes()[attribute];
   if (&value.type() != columns.type)
-    return Error{ErrorCode::internal, "{}: a value of type {} for '{}', expected {}",
-                 layout_.relation(),  value.type().term().text(),
-                 columns.name,        columns.type->term().text()};
+    return Error{ErrorCode::internal, "a value of type {} for '{}', expected {}", value.type().term().text(),
+                 columns.name, columns.type->term().text()}
+        .about(layout_.relation());
   if (!value.is_defined()) {
     const bool was_defined =
         old_ != nullptr && columns.has_box() && !old_->cells()[columns.box + kSizeAfterBox].is_null();

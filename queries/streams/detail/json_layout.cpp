@@ -1,7 +1,6 @@
 #include "queries/streams/detail/json_layout.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -133,16 +132,10 @@ Result<JsonOptions> parse_json_options(std::string_view text) {
   return options;
 }
 
-// The tree counts lines from the beginning of the record.
 Result<JsonTree> tree_of_record(const JsonRecord& record, const Context& context) {
-  auto tree = JsonTree::parse(record.text, 1, context.monitor());
-  if (tree) A3D_TRY(check_no_duplicate(*tree, record));
-  if (tree || tree.error().code == ErrorCode::interrupted) return tree;
-  std::string message = tree.error().message;
-  std::size_t line = 1;
-  if (std::sscanf(message.c_str(), "line %zu,", &line) == 1)  // NOLINT(cert-err34-c,*-vararg)
-    message.erase(0, message.find(": ") + 2);
-  return Error{ErrorCode::file_format, "line {}: {}", record.line + line - 1, message};
+  A3D_ASSIGN(JsonTree tree, JsonTree::parse(record.text, 1, context.monitor(), {record.line, false}));
+  A3D_TRY(check_no_duplicate(tree, record));
+  return tree;
 }
 
 Result<JsonLayout> guess_json_layout(const std::filesystem::path& path, const JsonOptions& options,

@@ -26,7 +26,7 @@ Result<TextFile> TextFile::open(const std::filesystem::path& path) {
 
 Status TextFile::check_state(const std::optional<algebra3d::FileState>& earlier) const {
   if (!earlier || *earlier == state()) return {};
-  return Error{ErrorCode::io_error, "{}: the file was changed after its types were guessed", file_.path().string()};
+  return Error{ErrorCode::io_error, "the file was changed after its types were guessed"}.about(file_.path().string());
 }
 
 bool TextFile::fill() {

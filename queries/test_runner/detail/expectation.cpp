@@ -47,7 +47,7 @@ Expectation with_quoted_text(Kind kind, const std::string& written) {
 
 Expectation with_value(Kind kind, const std::string& written) {
   auto parsed = NestedList::parse(written);
-  if (!parsed) return Expectation::with_problem("#yields: " + parsed.error().message);
+  if (!parsed) return Expectation::with_problem("#yields: " + parsed.error().text());
   return {.kind = kind, .value = std::move(parsed).value()};
 }
 
@@ -95,7 +95,7 @@ Verdict judge(const Expectation& expectation, const algebra3d::Result<NestedList
   if (!expectation.problem.empty()) return wrong(expectation.problem);
   if (expectation.kind == Kind::error) {
     if (result) return wrong("expected an error, found " + result->print_short(200));
-    if (result.error().message.find(expectation.text) != std::string::npos) return {};
+    if (result.error().text().find(expectation.text) != std::string::npos) return {};
     return wrong("expected an error that contains " + quoted(expectation.text));
   }
   if (!result) return wrong("expected no error");

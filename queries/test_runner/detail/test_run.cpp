@@ -181,15 +181,15 @@ Expectation TestRun::expectation_from_file(const std::string& name) const {
   const std::string written = algebra3d::with_replaced(name, "$(SCRATCH)", folders_.scratch.string());
   const fs::path file = folders_.file / with_variables(written);
   const auto content = read_text(file, options_.cancel);
-  if (!content) return Expectation::with_problem("#yields: " + content.error().message);
+  if (!content) return Expectation::with_problem("#yields: " + content.error().text());
   auto list = NestedList::parse(with_variables(*content));
-  if (!list) return Expectation::with_problem("#yields: " + file.string() + ": " + list.error().message);
+  if (!list) return Expectation::with_problem("#yields: " + file.string() + ": " + list.error().text());
   return Expectation::of_value(std::move(list).value());
 }
 
 Expectation TestRun::expectation_from_object(const std::string& name) {
   auto result = execute({"query " + name, {}});
-  if (!result) return Expectation::with_problem("query " + name + ": " + result.error().message);
+  if (!result) return Expectation::with_problem("query " + name + ": " + result.error().text());
   return Expectation::of_value(std::move(result).value());
 }
 
@@ -216,10 +216,10 @@ void TestRun::run_command(const CommandText& command) {
   }
   const auto result = execute(command);
   if (result) return;
-  note(command.start.line, result.error().message);
+  note(command.start.line, result.error().text());
   // Errors before the setup and in the teardown do not count.
   if (section_ != Section::setup) return;
-  fail(command.start.line, "the setup failed: " + result.error().message);
+  fail(command.start.line, "the setup failed: " + result.error().text());
   print("    command: " + command.text);
   section_ = Section::broken;
 }
@@ -277,7 +277,7 @@ void TestRun::conclude(const CommandText& command, const Result<NestedList>& res
   if (result)
     print("    found: " + excerpt(*result, verdict.difference.path));
   else
-    print("    found: error: " + result.error().message);
+    print("    found: error: " + result.error().text());
   for (const std::string& line : diagnostics_.summary()) print("    note: " + line);
   expectation_.use_up();
 }

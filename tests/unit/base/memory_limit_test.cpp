@@ -150,7 +150,7 @@ TEST(MemoryLimit, the_error_says_limit_and_remedy) {
   ASSERT_FALSE(caught);
   EXPECT_EQ(caught.error().code, ErrorCode::limit_exceeded);
   EXPECT_EQ(
-      caught.error().message,
+      caught.error().text(),
       "more memory is needed than the memory limit of 64 MB (`set \"memory\"` or --memory) allows; split the work "
       "or raise the limit");
   EXPECT_EQ(memory_error(std::bad_alloc()).code, ErrorCode::out_of_memory);
@@ -164,7 +164,7 @@ TEST(MemoryLimit, known_sizes_are_refused_before_the_work) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::limit_exceeded);
   EXPECT_EQ(
-      refused.error().message,
+      refused.error().text(),
       "work: 2 parts would take about 65 MB, and 64 MB are left of the memory limit of 64 MB (`set \"memory\"` or "
       "--memory); raise it, or ask for less");
 }

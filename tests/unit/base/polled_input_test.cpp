@@ -48,7 +48,7 @@ TEST_F(PolledInputTest, more_than_the_limit_is_an_error) {
   PolledInput input(file->number(), nullptr);
   const auto content = input.read_all(1'000'000, "/dev/zero");
   ASSERT_FALSE(content.ok());
-  EXPECT_EQ(content.error().message, "/dev/zero: more than 1000000 bytes");
+  EXPECT_EQ(content.error().text(), "/dev/zero: more than 1000000 bytes");
 }
 
 // Neither opening nor reading waits without hearing the flag; nobody ever writes.
@@ -83,15 +83,15 @@ TEST_F(PolledInputTest, a_pipe_is_read_when_its_writer_comes_later) {
 TEST_F(PolledInputTest, what_cannot_be_read_is_told) {
   const auto missing = PolledInput::open(path("nothing"));
   ASSERT_FALSE(missing.ok());
-  EXPECT_EQ(missing.error().message, "No such file or directory");
+  EXPECT_EQ(missing.error().text(), "No such file or directory");
   const auto folder = PolledInput::open(folder_->path());
   ASSERT_TRUE(folder.ok());
   PolledInput input(folder->number(), nullptr);
   std::istream stream(&input);
   EXPECT_EQ(stream.get(), std::istream::traits_type::eof());
   EXPECT_TRUE(stream.bad());
-  EXPECT_EQ(PolledInput(folder->number(), nullptr).read_all(10, "it").error().message,
-            "it cannot be read to its end: Is a directory");
+  EXPECT_EQ(PolledInput(folder->number(), nullptr).read_all(10, "it").error().text(),
+            "it: cannot be read to its end: Is a directory");
 }
 
 }  // namespace

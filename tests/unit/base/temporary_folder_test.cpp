@@ -37,7 +37,7 @@ TEST(TemporaryFolder, IsEmptyAndGoesWithItsContent) {
   const ScratchFolder scratch;
   {
     const auto made = TemporaryFolder::make(scratch.path(""));
-    ASSERT_TRUE(made.ok()) << made.error().message;
+    ASSERT_TRUE(made.ok()) << made.error().text();
     EXPECT_TRUE(fs::is_empty(made->path()));
     fill(*made);
     EXPECT_EQ(scratch.file_count(), 1U);
@@ -102,7 +102,7 @@ TEST(TemporaryFolder, WithoutAParentIsAnError) {
   const auto made = TemporaryFolder::make(scratch.path("missing"));
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().code, ErrorCode::io_error);
-  EXPECT_NE(made.error().message.find("missing/algebra3d-"), std::string::npos) << made.error().message;
+  EXPECT_NE(made.error().text().find("missing/algebra3d-"), std::string::npos) << made.error().text();
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST(WorkingFolder, HiddenFilesAreSeenOnlyIfNotConfined) {
     EXPECT_TRUE(confined.hides(name)) << name;
     for (const Error& error : {confined.path_of(name).error(), confined.output_path_of(name).error()}) {
       EXPECT_EQ(error.code, ErrorCode::permission_denied) << name;
-      EXPECT_NE(error.message.find("hidden"), std::string::npos) << error.message;
+      EXPECT_NE(error.text().find("hidden"), std::string::npos) << error.text();
     }
   }
   for (const char* name : {".", "./a", "a.stl", "sub/a."}) EXPECT_TRUE(confined.path_of(name).ok()) << name;
@@ -74,13 +74,13 @@ TEST(WorkingFolder, WritesOnlyWhatItMay) {
   ASSERT_TRUE(adding.output_path_of("new").ok());
   EXPECT_FALSE(adding.output_path_of("new")->may_replace());
   EXPECT_EQ(adding.output_path_of("new")->path(), scratch.path("new"));
-  EXPECT_EQ(adding.output_path_of("there").error().message,
+  EXPECT_EQ(adding.output_path_of("there").error().text(),
             "'there' exists, and no file is replaced here; choose another name");
   const WorkingFolder reading = confined(WorkingFolder::Writing::none);
   EXPECT_TRUE(reading.path_of("there").ok());
   for (const char* name : {"new", "there"}) {
     EXPECT_EQ(reading.output_path_of(name).error().code, ErrorCode::permission_denied);
-    EXPECT_NE(reading.output_path_of(name).error().message.find("only read"), std::string::npos);
+    EXPECT_NE(reading.output_path_of(name).error().text().find("only read"), std::string::npos);
   }
 }
 

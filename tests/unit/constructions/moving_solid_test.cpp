@@ -45,7 +45,7 @@ bool equal(const Region& a, const Region& b) {
 /// The solid between z = 0 and z = 1, which is valid.
 TriangleMesh swept(const MovingPolygons& polygons) {
   const auto solid = swept_solid({&polygons, 0, 1});
-  EXPECT_TRUE(solid.ok() && *solid) << (solid.ok() ? solid->reason() : solid.error().message);
+  EXPECT_TRUE(solid.ok() && *solid) << (solid.ok() ? solid->reason() : solid.error().text());
   if (!solid.ok() || !*solid) return {};
   EXPECT_EQ(prove_volume(**solid)->text(), "");
   return **solid;

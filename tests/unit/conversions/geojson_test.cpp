@@ -22,13 +22,13 @@ std::string repeated(std::string_view text, std::size_t count) {
 }
 std::string json_error(std::string_view text) {
   const auto tree = JsonTree::parse(text);
-  return tree ? "" : tree.error().message;
+  return tree ? "" : tree.error().text();
 }
 
 TEST(JsonTree, parts_are_stretches_of_the_text) {
   const std::string text = "\xef\xbb\xbf {\"a\" : [1.50, -2e3,\ttrue, null ], \"b\\n\": {\"c\": \"x\\\"}\\u00fc\"}} ";
   const auto tree = JsonTree::parse(text);
-  ASSERT_TRUE(tree.ok()) << tree.error().message;
+  ASSERT_TRUE(tree.ok()) << tree.error().text();
   const std::size_t a = *tree->member(0, "a");
   EXPECT_EQ(tree->text(a), "[1.50, -2e3,\ttrue, null ]");
   std::vector<std::string> elements;
@@ -195,7 +195,7 @@ TEST(GeoJson, features_in_their_order) {
     {"type": "Feature", "id": 1.50, "properties": null, "geometry": null},
     {"type": "Polygon", "id": {}, "properties": 7, "coordinates": []}, 5], "type": "FeatureCollection"})";
   const auto features = GeoFeatures::find(text);
-  ASSERT_TRUE(features.ok()) << features.error().message;
+  ASSERT_TRUE(features.ok()) << features.error().text();
   ASSERT_EQ(features->size(), 4U);
   const auto a = features->feature(0);
   EXPECT_EQ(a->id, "a");
@@ -214,7 +214,7 @@ TEST(GeoJson, features_in_their_order) {
 }
 
 TEST(GeoJson, what_is_no_geojson_says_why) {
-  const auto message = [](const char* text) { return GeoFeatures::find(text).error().message; };
+  const auto message = [](const char* text) { return GeoFeatures::find(text).error().text(); };
   EXPECT_EQ(message("\n\n [1]"),
             "line 3, byte 4: found an array, expected a FeatureCollection, a Feature or a geometry");
   EXPECT_EQ(message(R"({"type": "Topology"})"),

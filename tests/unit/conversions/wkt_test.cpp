@@ -139,7 +139,7 @@ TEST(Wkt, every_beginning_of_a_text_is_read_or_refused) {
     const std::string part = whole.substr(0, size);
     const auto polygons = polygons_from_wkt(part);
     ASSERT_FALSE(polygons.ok()) << part;
-    EXPECT_TRUE(polygons.error().message.starts_with("character ")) << part;
+    EXPECT_TRUE(polygons.error().text().starts_with("character ")) << part;
     for (const int byte : std::initializer_list<int>{0, '(', ')', ',', 'e', '1', 0x80, 0xff}) {
       const std::string other = part + static_cast<char>(byte) + whole.substr(size + 1);
       (void)polygons_from_wkt(other);

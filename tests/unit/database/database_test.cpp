@@ -19,19 +19,19 @@ Database numbers() {
   Database database = *Database::temporary();
   const Status status = database.execute(
       "let Numbers = intstream(1, 5) transformstream extend[Square: .Elem * .Elem, Half: .Elem / 2] consume;");
-  EXPECT_TRUE(status.ok()) << status.error().message;
+  EXPECT_TRUE(status.ok()) << status.error().text();
   return database;
 }
 
 std::string all_rows(Result<Rows> rows) {
-  if (!rows) return "error: " + rows.error().message;
+  if (!rows) return "error: " + rows.error().text();
   std::ostringstream text;
   const Status status = rows->for_each([&](const Row& row) { text << row; });
-  return status ? text.str() : text.str() + "error: " + status.error().message;
+  return status ? text.str() : text.str() + "error: " + status.error().text();
 }
 
 std::string shown(const Result<Value>& value) {
-  return value ? value->text() : "error: " + value.error().message;
+  return value ? value->text() : "error: " + value.error().text();
 }
 
 /// A folder of its own, which goes with the test.
@@ -52,14 +52,14 @@ class DatabaseFile : public ::testing::Test {
 TEST(Database, gives_the_tuples_of_a_relation_with_names_and_types) {
   Database database = numbers();
   Result<Rows> rows = database.query("query Numbers");
-  ASSERT_TRUE(rows.ok()) << rows.error().message;
+  ASSERT_TRUE(rows.ok()) << rows.error().text();
   EXPECT_EQ(rows->columns(), (std::vector<Column>{{"Elem", "int"}, {"Square", "int"}, {"Half", "real"}}));
   const std::vector<Row> all = *rows->all();
   ASSERT_EQ(all.size(), 5U);
   EXPECT_EQ(all[2].text(), "(3 9 1.5)");
   EXPECT_EQ(*all[3]["Square"].get<std::int64_t>(), 16);
   EXPECT_EQ(all[3][2], Value(2.0));
-  EXPECT_EQ(all[3]["Sqare"].get<std::int64_t>().error().message,
+  EXPECT_EQ(all[3]["Sqare"].get<std::int64_t>().error().text(),
             "the value is undefined: there is no column 'Sqare', did you mean 'Square'?");
   EXPECT_FALSE(rows->next()->has_value());
 }
@@ -93,7 +93,7 @@ TEST(Database, changes_nothing_when_it_is_asked_for_a_value_that_is_none) {
     const Result<Value> value = database.value(statement);
     ASSERT_FALSE(value.ok()) << statement;
     EXPECT_EQ(value.error().code, ErrorCode::type_error);
-    EXPECT_EQ(value.error().message, "expected a query; other commands have no value");
+    EXPECT_EQ(value.error().text(), "expected a query; other commands have no value");
   }
   EXPECT_EQ(database.value("query b").error().code, ErrorCode::unknown_name);
   // Queries may change something, too.
@@ -128,7 +128,7 @@ TEST(Database, gives_values_of_each_type) {
   };
   for (const auto& [expression, expected] : cases) {
     const Result<Value> value = database.value("query " + expression);
-    ASSERT_TRUE(value.ok()) << expression << ": " << value.error().message;
+    ASSERT_TRUE(value.ok()) << expression << ": " << value.error().text();
     EXPECT_EQ(*value, expected) << expression;
     // The value, given back as a parameter, stored and read.
     EXPECT_EQ(shown(database.value("query $v", {{"v", *value}})), expected.text()) << expression;
@@ -167,7 +167,7 @@ TEST(Database, keeps_a_parameter_in_a_function_that_it_stores) {
   Database database = *Database::temporary();
   const Status status = database.execute("let without = fun(s: volume3d) volume(s minus $solid)",
                                          {{"solid", *Solid::box({0, 0, 0}, {1, 1, 1})}});
-  ASSERT_TRUE(status.ok()) << status.error().message;
+  ASSERT_TRUE(status.ok()) << status.error().text();
   EXPECT_EQ(shown(database.value("query without($s)", {{"s", *Solid::box({0, 0, 0}, {2, 2, 2})}})), "7.0");
 }
 
@@ -260,7 +260,7 @@ TEST(Database, tells_that_it_was_closed_by_a_statement) {
   const Result<Value> count = database.value("query Numbers count");
   ASSERT_FALSE(count.ok());
   EXPECT_EQ(count.error().code, ErrorCode::no_database);
-  EXPECT_EQ(count.error().message, "unknown name 'Numbers': no database is open");
+  EXPECT_EQ(count.error().text(), "unknown name 'Numbers': no database is open");
   EXPECT_EQ(shown(database.value("query 1 + 1")), "2");
 }
 
@@ -303,7 +303,7 @@ TEST(Database, results_do_not_follow_the_rounding_mode_of_the_caller) {
 TEST(Database, gives_inquiries_as_rows) {
   Database database = numbers();
   Result<Rows> rows = database.query("list objects");
-  ASSERT_TRUE(rows.ok()) << rows.error().message;
+  ASSERT_TRUE(rows.ok()) << rows.error().text();
   EXPECT_EQ(rows->columns(), (std::vector<Column>{{"Name", "text"}, {"Type", "text"}}));
   const std::vector<Row> all = *rows->all();
   ASSERT_EQ(all.size(), 1U);
@@ -318,7 +318,7 @@ TEST(Database, shows_functions_and_indexes_by_their_notation) {
   ASSERT_TRUE(database.execute("let twice = fun(n: int) n * 2; let Index = Numbers createbtree[Elem]").ok());
   EXPECT_EQ(database.value("query twice")->get<std::string>().value(), "(fun (n int) (* n 2))");
   Result<Rows> index = database.query("query Index");
-  ASSERT_TRUE(index.ok()) << index.error().message;
+  ASSERT_TRUE(index.ok()) << index.error().text();
   EXPECT_EQ(index->columns().front().name, "value");
   EXPECT_EQ((**index->next())[0], Value::text("(Numbers Elem 5)"));
 }
@@ -407,9 +407,8 @@ TEST_F(DatabaseFile, has_a_name_that_the_system_takes) {
     EXPECT_EQ(Database::open(name).error().code, ErrorCode::file_missing);
     EXPECT_EQ(Database::open(name, {.read_only = true}).error().code, ErrorCode::file_missing);
   }
-  EXPECT_EQ(Database::open("").error().message, "the file name is empty");
-  EXPECT_EQ(Database::open(with_zero).error().message,
-            "the file name has a zero byte behind '" + file().string() + "'");
+  EXPECT_EQ(Database::open("").error().text(), "the file name is empty");
+  EXPECT_EQ(Database::open(with_zero).error().text(), "the file name has a zero byte behind '" + file().string() + "'");
   EXPECT_FALSE(fs::exists(file()));
   EXPECT_EQ(Database::open(file(), {.folder = with_zero}).error().code, ErrorCode::file_missing);
   EXPECT_EQ(Database::open(file(), {.failure_folder = with_zero}).error().code, ErrorCode::file_missing);
@@ -432,7 +431,7 @@ TEST_F(DatabaseFile, that_is_damaged_gives_the_findings_as_notes_of_a_script) {
   const Status status = database.execute("check database");
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::database_corrupt);
-  EXPECT_TRUE(status.error().message.ends_with(" findings; they are in the notes")) << status.error().message;
+  EXPECT_TRUE(status.error().text().ends_with(" findings; they are in the notes")) << status.error().text();
   // The page, by its checksum, and the tuple.
   const auto& notes = database.report().notes;
   EXPECT_TRUE(std::ranges::any_of(notes, [](const std::string& note) { return note.starts_with("Texts: tuple 1: "); }));
@@ -457,7 +456,7 @@ TEST_F(DatabaseFile, a_script_fails_where_a_file_is_missing) {
   EXPECT_EQ(status.error().code, ErrorCode::io_error);
   // As a value it is undefined, with the reason.
   const Result<Value> value = database.value("query importSTL($file)", {{"file", file("none.stl").string()}});
-  ASSERT_TRUE(value.ok()) << value.error().message;
+  ASSERT_TRUE(value.ok()) << value.error().text();
   EXPECT_NE(value->reason().find("none.stl"), std::string_view::npos) << value->reason();
 }
 

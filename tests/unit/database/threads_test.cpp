@@ -22,7 +22,7 @@ Database with_numbers(int count) {
   Database database = *Database::temporary();
   const Status status =
       database.execute("let Numbers = intstream(1, $count) transformstream consume", {{"count", count}});
-  EXPECT_TRUE(status.ok()) << status.error().message;
+  EXPECT_TRUE(status.ok()) << status.error().text();
   return database;
 }
 
@@ -116,7 +116,7 @@ TEST(DatabaseThreads, cancelling_ends_the_waiting_for_another_writer) {
     });
     const Status status = other.execute(statement);
     ASSERT_FALSE(status.ok()) << statement;
-    EXPECT_EQ(status.error().code, ErrorCode::interrupted) << status.error().message;
+    EXPECT_EQ(status.error().code, ErrorCode::interrupted) << status.error().text();
     const auto waited = std::chrono::steady_clock::now() - start;
     EXPECT_GE(waited, 190ms) << statement;
     EXPECT_LT(waited, 2s) << statement;
@@ -134,7 +134,7 @@ TEST(DatabaseThreads, a_second_writer_waits_for_the_first_also_in_the_middle_of_
     EXPECT_TRUE(writer.execute("commit transaction").ok());
   });
   const auto rows = other.query("query Numbers feed Numbers deletedirect")->all();
-  ASSERT_TRUE(rows.ok()) << rows.error().message;
+  ASSERT_TRUE(rows.ok()) << rows.error().text();
   EXPECT_EQ(rows->size(), 10U);
   EXPECT_EQ(other.report().deleted, 10U);
 }

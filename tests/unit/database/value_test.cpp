@@ -72,7 +72,7 @@ TEST(DatabaseValue, of_any_type_is_read_from_its_notation) {
   EXPECT_EQ(plane.type(), "plane3d");
   EXPECT_EQ(plane.text(), "(0.0 0.0 0.0 1.0)");
   EXPECT_EQ(Value::parse("point3d", "(1/3 0 0)")->text(), "(1/3 0.0 0.0)");
-  EXPECT_EQ(Value::parse("volum3d", "()").error().message, "unknown type 'volum3d', did you mean 'volume3d'?");
+  EXPECT_EQ(Value::parse("volum3d", "()").error().text(), "unknown type 'volum3d', did you mean 'volume3d'?");
   EXPECT_EQ(Value::parse("int", "\"x\"").error().code, ErrorCode::invalid_value);
   EXPECT_EQ(Value::parse("int", "(1").error().code, ErrorCode::invalid_value);
   // A single triangle bounds no solid.
@@ -94,17 +94,17 @@ TEST(DatabaseValue, that_the_language_does_not_have_is_undefined) {
 }
 
 TEST(DatabaseValue, of_another_type_or_undefined_is_an_error_with_the_reason) {
-  EXPECT_EQ(Value("1").get<std::int64_t>().error().message, "expected a value of type int, got string");
+  EXPECT_EQ(Value("1").get<std::int64_t>().error().text(), "expected a value of type int, got string");
   EXPECT_EQ(Value("1").get<std::int64_t>().error().code, ErrorCode::type_error);
   EXPECT_EQ(Value(1.0).get<std::int64_t>().error().code, ErrorCode::type_error);
-  EXPECT_EQ(Value(1).get<Vec3>().error().message, "expected a value of type point3d or vector3d, got int");
-  EXPECT_EQ(Value(1).get<std::string>().error().message, "expected a value of type string or text, got int");
+  EXPECT_EQ(Value(1).get<Vec3>().error().text(), "expected a value of type point3d or vector3d, got int");
+  EXPECT_EQ(Value(1).get<std::string>().error().text(), "expected a value of type string or text, got int");
   const Value nothing = *Value::undefined("real");
   EXPECT_EQ(nothing.get<double>().error().code, ErrorCode::not_evaluable);
-  EXPECT_EQ(nothing.get<double>().error().message, "the value is undefined");
+  EXPECT_EQ(nothing.get<double>().error().text(), "the value is undefined");
   EXPECT_EQ(nothing.get_or(4.5), 4.5);
   EXPECT_EQ(Value(2.5).get_or(4.5), 2.5);
-  EXPECT_EQ(Value(Box3()).get<Box3>().error().message, "the value is undefined: an empty or unbounded box");
+  EXPECT_EQ(Value(Box3()).get<Box3>().error().text(), "the value is undefined: an empty or unbounded box");
   EXPECT_EQ(Value::undefined("rael").error().code, ErrorCode::unknown_name);
 }
 
@@ -114,7 +114,7 @@ TEST(DatabaseValue, is_read_as_any_integer_type_that_has_it) {
   EXPECT_EQ(*Value(300).get<long long>(), 300);
   EXPECT_EQ(*Value(-128).get<std::int8_t>(), -128);
   EXPECT_EQ(Value(300).get<std::uint8_t>().error().code, ErrorCode::invalid_value);
-  EXPECT_EQ(Value(300).get<std::uint8_t>().error().message,
+  EXPECT_EQ(Value(300).get<std::uint8_t>().error().text(),
             "the int 300 is not in the range of unsigned integers of 8 bits");
   EXPECT_FALSE(Value(-1).get<unsigned>().ok());
   EXPECT_EQ(Value(1.0).get<int>().error().code, ErrorCode::type_error);
@@ -139,9 +139,9 @@ TEST(DatabaseValue, of_a_relation_is_not_made_outside_of_a_database) {
   for (const char* type : {"rel(tuple([A: int]))", "(rel (tuple ((A int))))", "tuple([A: int])", "rtree3", "map"}) {
     const Result<Value> value = Value::parse(type, "((1))");
     ASSERT_FALSE(value.ok()) << type;
-    EXPECT_EQ(value.error().code, ErrorCode::type_error) << value.error().message;
+    EXPECT_EQ(value.error().code, ErrorCode::type_error) << value.error().text();
   }
-  EXPECT_EQ(Value::undefined("rel(tuple([A: int]))").error().message,
+  EXPECT_EQ(Value::undefined("rel(tuple([A: int]))").error().text(),
             "expected a type that an attribute can have, got 'rel(tuple([A: int]))'; write [const TYPE value NOTATION] "
             "in a statement");
 }

@@ -74,7 +74,7 @@ TEST(ShapeCodec, names_a_newer_version) {
   const auto decoded = decode_shape(bytes);
   ASSERT_FALSE(decoded.ok());
   EXPECT_EQ(decoded.error().code, ErrorCode::database_version);
-  EXPECT_EQ(decoded.error().message, "a stored shape of version 2; this program reads version 1");
+  EXPECT_EQ(decoded.error().text(), "a stored shape of version 2; this program reads version 1");
 }
 
 }  // namespace

@@ -258,7 +258,7 @@ TEST(ShapeOfValue, a_nested_relation_has_the_shapes_of_its_tuples) {
                         *NestedList::parse("(((0 2 0 2 0 2) (((9 9 9) (((8 0 0) (9 0 0) (8 1 0)))) (undefined ())))"
                                            " (undefined undefined) ((10 20 0 2 0 2) (((15 1 1) undefined))))"),
                         context);
-  ASSERT_TRUE(value.ok()) << value.error().message;
+  ASSERT_TRUE(value.ok()) << value.error().text();
   const Result<DrawnShape> shape = shape_of(*value);
   ASSERT_TRUE(shape.ok());
   EXPECT_EQ(shape->kind, "arel");
@@ -286,7 +286,7 @@ TEST(ShapeOfValue, refuses_what_floats_cannot_hold) {
   const Result<DrawnShape> shape = shape_of(value_of<Box3>("(0 1e300 0 1 0 1)"));
   ASSERT_FALSE(shape.ok());
   EXPECT_EQ(shape.error().code, ErrorCode::limit_exceeded);
-  EXPECT_EQ(shape.error().message,
+  EXPECT_EQ(shape.error().text(),
             "nothing of this size can be drawn: it reaches from 0 to 1e+300 along x; at most 1.7e+38 are possible");
 }
 

@@ -46,7 +46,7 @@ class ExchangeSession {
     diagnostics_.clear();
     Context context{diagnostics_, nullptr, folder_.path()};
     const Status status = session_.execute(command, {"test", 1, 1}, presenter, context);
-    return out.str() + (status ? "" : "error: " + status.error().message);
+    return out.str() + (status ? "" : "error: " + status.error().text());
   }
 
   TestFolder folder_;

@@ -39,9 +39,9 @@ TEST(Solid, what_bounds_none_is_an_error) {
   const auto open = Solid::of_triangles(kCorners, std::span(kTetrahedron).first(3));
   ASSERT_FALSE(open.ok());
   EXPECT_EQ(open.error().code, ErrorCode::invalid_value);
-  EXPECT_NE(open.error().message.find("boundary edges"), std::string::npos) << open.error().message;
+  EXPECT_NE(open.error().text().find("boundary edges"), std::string::npos) << open.error().text();
   const std::vector<std::array<std::uint32_t, 3>> wrong{{0, 1, 4}};
-  EXPECT_EQ(Solid::of_triangles(kCorners, wrong).error().message,
+  EXPECT_EQ(Solid::of_triangles(kCorners, wrong).error().text(),
             "triangle 0: there is no point 4; there are 4, numbered from 0");
   EXPECT_EQ(Solid::box({0, 0, 0}, {1, 0, 1}).error().code, ErrorCode::invalid_value);
   EXPECT_EQ(Solid::box({0, 0, 0}, {Box3::kInfinity, 1, 1}).error().code, ErrorCode::invalid_value);
@@ -89,7 +89,7 @@ TEST(Solid, motions) {
   EXPECT_EQ(*unit.scaled({0, 0, 0}, {3, 3, 3}), box(0, 3));
   EXPECT_EQ(*unit.mirrored({0, 0, 0}, {1, 0, 0}), *Solid::box({-1, 0, 0}, {0, 1, 1}));
   EXPECT_EQ(*unit.rotated({0, 0, 0}, {0, 0, 1}, 90), *Solid::box({-1, 0, 0}, {0, 1, 1}));
-  EXPECT_EQ(unit.rotated({0, 0, 0}, {0, 0, 0}, 90).error().message, "rotated: the axis is the zero vector");
+  EXPECT_EQ(unit.rotated({0, 0, 0}, {0, 0, 0}, 90).error().text(), "rotated: the axis is the zero vector");
   EXPECT_EQ(unit.scaled({0, 0, 0}, {1, 0, 1}).error().code, ErrorCode::invalid_value);
 }
 
@@ -109,14 +109,14 @@ TEST(Solid, work_that_is_cancelled_is_an_error) {
 }
 
 TEST(Solid, errors_name_the_function) {
-  EXPECT_EQ(Solid::sphere({0, 0, 0}, -1, 8).error().message, "sphere: the radius is -1; it must be positive");
-  EXPECT_EQ(Solid::box({0, 0, 0}, {1, 0, 1}).error().message,
+  EXPECT_EQ(Solid::sphere({0, 0, 0}, -1, 8).error().text(), "sphere: the radius is -1; it must be positive");
+  EXPECT_EQ(Solid::box({0, 0, 0}, {1, 0, 1}).error().text(),
             "box: the corners have a coordinate in common, so the solid has no extent there");
-  EXPECT_EQ(box(0, 1).scaled({0, 0, 0}, {1, 0, 1}).error().message, "scaled: a zero factor would flatten the shape");
-  EXPECT_EQ(box(0, 1).mirrored({0, 0, 0}, {0, 0, 0}).error().message, "mirrored: the normal is the zero vector");
-  EXPECT_EQ(split(box(0, 1), {0, 0, 0}, {0, 0, 0}).error().message, "split: the normal is the zero vector");
-  EXPECT_EQ(section(box(0, 1), {0, 0, 0}, {0, 0, 0}).error().message, "section: the normal is the zero vector");
-  EXPECT_EQ(Solid().centroid().error().message, "centroid: an empty solid has no centroid");
+  EXPECT_EQ(box(0, 1).scaled({0, 0, 0}, {1, 0, 1}).error().text(), "scaled: a zero factor would flatten the shape");
+  EXPECT_EQ(box(0, 1).mirrored({0, 0, 0}, {0, 0, 0}).error().text(), "mirrored: the normal is the zero vector");
+  EXPECT_EQ(split(box(0, 1), {0, 0, 0}, {0, 0, 0}).error().text(), "split: the normal is the zero vector");
+  EXPECT_EQ(section(box(0, 1), {0, 0, 0}, {0, 0, 0}).error().text(), "section: the normal is the zero vector");
+  EXPECT_EQ(Solid().centroid().error().text(), "centroid: an empty solid has no centroid");
 }
 
 TEST(Solid, of_too_many_points_or_triangles_is_refused_before_they_are_read) {
@@ -194,7 +194,7 @@ TEST(MeshFiles, are_written_and_read_again) {
   std::filesystem::create_directories(folder);
   for (const char* name : {"part.stl", "part.OBJ", "part.off"}) {
     const Status written = write_solid(box(0, 2), folder / name);
-    ASSERT_TRUE(written.ok()) << written.error().message;
+    ASSERT_TRUE(written.ok()) << written.error().text();
     const ReadSolid read = *read_solid(folder / name);
     EXPECT_EQ(read.status, "ok");
     EXPECT_EQ(read.solid, box(0, 2));
@@ -215,7 +215,7 @@ TEST(MeshFiles, that_cannot_be_used_have_the_code_of_the_reason) {
   EXPECT_EQ(read_surface(folder / "wrong.off").error().code, ErrorCode::file_format);
   const Status nowhere = write_solid(box(0, 2), folder / "none" / "part.stl");
   EXPECT_EQ(nowhere.error().code, ErrorCode::file_missing);
-  EXPECT_NE(nowhere.error().message.find("there is no folder"), std::string::npos) << nowhere.error().message;
+  EXPECT_NE(nowhere.error().text().find("there is no folder"), std::string::npos) << nowhere.error().text();
   std::filesystem::create_directories(folder / "folder.stl");
   EXPECT_EQ(write_solid(box(0, 2), folder / "folder.stl").error().code, ErrorCode::io_error);
   ASSERT_TRUE(write_solid(box(0, 2), folder / "part.stl").ok());

@@ -127,12 +127,12 @@ class ImportFolder : public ::testing::Test {
     auto store = Store::open(database(), OpenMode::read_only, registry());
     if (!store || !(*store)->begin(false)) return ADD_FAILURE() << "no database", rows;
     auto datum = (*store)->read(relation);
-    if (!datum) return ADD_FAILURE() << datum.error().message, rows;
+    if (!datum) return ADD_FAILURE() << datum.error().text(), rows;
     auto tuples = datum->relation()->scan();
-    if (!tuples) return ADD_FAILURE() << tuples.error().message, rows;
+    if (!tuples) return ADD_FAILURE() << tuples.error().text(), rows;
     for (;;) {
       auto tuple = (*tuples)->next();
-      if (!tuple) return ADD_FAILURE() << tuple.error().message, rows;
+      if (!tuple) return ADD_FAILURE() << tuple.error().text(), rows;
       if (*tuple == nullptr) break;
       add_row(**tuple, rows);
     }

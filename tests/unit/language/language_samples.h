@@ -25,7 +25,7 @@ inline std::string parsed(const std::string& text) {
   auto expression = parse_expression(text, full_registry());
   if (expression) return to_nested(**expression).print();
   const algebra3d::Error& error = expression.error();
-  return fmt::format("error {}:{} {}", error.place.line, error.place.column, error.message);
+  return fmt::format("error {}:{} {}", error.place.line, error.place.column, error.text());
 }
 
 /// Objects with types and no values.
@@ -66,7 +66,7 @@ inline TypesOnly sample_objects() {
 /// The type of an expression over `sample_objects`, or `error LINE:COLUMN MESSAGE`.
 inline std::string type_of(const std::string& text) {
   const auto shown = [](const algebra3d::Error& error) {
-    return fmt::format("error {}:{} {}", error.place.line, error.place.column, error.message);
+    return fmt::format("error {}:{} {}", error.place.line, error.place.column, error.text());
   };
   auto expression = parse_expression(text, full_registry());
   if (!expression) return shown(expression.error());

@@ -17,7 +17,7 @@ std::string repeated(std::string_view part, std::size_t count) {
 void expect_limit(const std::string& text) {
   const auto expression = parse_expression(text, full_registry());
   ASSERT_FALSE(expression.ok()) << text.substr(0, 40);
-  EXPECT_EQ(expression.error().code, algebra3d::ErrorCode::limit_exceeded) << expression.error().message;
+  EXPECT_EQ(expression.error().code, algebra3d::ErrorCode::limit_exceeded) << expression.error().text();
 }
 
 constexpr std::size_t kMany = 100'000;
@@ -113,7 +113,7 @@ const std::vector<std::string>& valid_commands() {
 void survive(const std::string& text) {
   const auto command = parse_command(text, full_registry());
   if (!command) {
-    EXPECT_FALSE(command.error().message.empty());
+    EXPECT_FALSE(command.error().text().empty());
     return;
   }
   const auto* query = std::get_if<Query>(&command->content);

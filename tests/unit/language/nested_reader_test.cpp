@@ -12,15 +12,15 @@ namespace {
 
 std::string nested_of(const std::string& text) {
   const auto expression = parse_expression(text, full_registry());
-  return expression ? to_nested(**expression).print() : "error " + expression.error().message;
+  return expression ? to_nested(**expression).print() : "error " + expression.error().text();
 }
 
 // From the printed list back to a tree, and to a list again.
 std::string read_and_written(const std::string& nested) {
   const auto list = NestedList::parse(nested);
-  if (!list) return "error " + list.error().message;
+  if (!list) return "error " + list.error().text();
   const auto expression = NestedReader(full_registry(), {"", 1, 1}).expression(*list);
-  return expression ? to_nested(**expression).print() : "error " + expression.error().message;
+  return expression ? to_nested(**expression).print() : "error " + expression.error().text();
 }
 
 TEST(NestedReader, reads_what_was_written_for_every_example) {

@@ -11,13 +11,13 @@ std::string command_error(const std::string& text) {
   const auto command = parse_command(text, full_registry());
   if (command) return "no error";
   const algebra3d::Error& error = command.error();
-  return fmt::format("{}:{} {}", error.place.line, error.place.column, error.message);
+  return fmt::format("{}:{} {}", error.place.line, error.place.column, error.text());
 }
 
 template <typename Content>
 Content content_of(const std::string& text) {
   auto command = parse_command(text, full_registry());
-  EXPECT_TRUE(command.ok()) << (command ? "" : command.error().message);
+  EXPECT_TRUE(command.ok()) << (command ? "" : command.error().text());
   return std::get<Content>(command->content);
 }
 
@@ -204,7 +204,7 @@ TEST(SyntaxErrors, bytes_that_are_no_text_have_their_place_wherever_they_stand) 
   EXPECT_EQ(parsed("1 \0 + 2"s), "error 1:3 expected text, found a zero byte");
   const auto nested = parse_command("(query \"\0\")"s, full_registry(), {"f", 7, 4});
   ASSERT_FALSE(nested.ok());
-  EXPECT_EQ(nested.error().message, "expected text, found a zero byte");
+  EXPECT_EQ(nested.error().text(), "expected text, found a zero byte");
   EXPECT_EQ(nested.error().place.line, 7);
   EXPECT_EQ(nested.error().place.column, 12);
 }
@@ -271,7 +271,7 @@ TEST(Commands, nested_lists_are_the_words_of_the_text) {
 TEST(Commands, names_in_nested_lists_are_names) {
   const auto refused = [](const std::string& command) {
     const auto parsed_command = parse_command(command, full_registry());
-    return parsed_command ? std::string("accepted") : parsed_command.error().message;
+    return parsed_command ? std::string("accepted") : parsed_command.error().text();
   };
   EXPECT_EQ(refused("(let abc = 1)"), "accepted");
   for (const char* name : {"%%", "1/3", "<file>a</file--->"}) {

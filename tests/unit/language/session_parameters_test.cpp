@@ -22,7 +22,7 @@ SessionParameters given(const std::string& name, SessionParameter parameter) {
 // The nested list of `query $p`, without the command word; or the error.
 std::string operand(const SessionParameters& parameters) {
   const auto command = parse_command("query $p", full_registry(), {"", 1, 1}, &parameters);
-  if (!command) return command.error().message;
+  if (!command) return command.error().text();
   return to_nested(*std::get<Query>(command->content).value).print();
 }
 
@@ -49,13 +49,13 @@ TEST(SessionParameters, that_are_numbers_out_of_range_are_no_strings) {
     const auto parameter = parse_session_parameter(std::string("x=") + number, full_registry());
     ASSERT_FALSE(parameter.ok()) << number;
     EXPECT_EQ(parameter.error().code, ErrorCode::wrong_usage);
-    EXPECT_EQ(parameter.error().message,
+    EXPECT_EQ(parameter.error().text(),
               fmt::format("-p \"x={0}\": the number is out of range; if it is to be a string, write x:string=\"{0}\"",
                           number));
   }
   for (const char* text : {"x:string=1e999", "x=007", "x=+5", "x=1e", "x=-", "x="}) {
     const auto parameter = parse_session_parameter(text, full_registry());
-    ASSERT_TRUE(parameter.ok()) << text << ": " << parameter.error().message;
+    ASSERT_TRUE(parameter.ok()) << text << ": " << parameter.error().text();
     EXPECT_EQ(std::get<WrittenConstant>(parameter->second).type, "string") << text;
   }
 }
@@ -63,10 +63,10 @@ TEST(SessionParameters, that_are_numbers_out_of_range_are_no_strings) {
 TEST(SessionParameters, stand_for_names_of_files) {
   const SessionParameters file = given("p", Value::of<std::string>("a b.list"));
   const auto command = parse_command("save Parts to $p", full_registry(), {"", 1, 1}, &file);
-  ASSERT_TRUE(command.ok()) << command.error().message;
+  ASSERT_TRUE(command.ok()) << command.error().text();
   EXPECT_EQ(std::get<SaveObject>(command->content).file, "a b.list");
   const SessionParameters number = given("p", Value::of<double>(1));
-  EXPECT_EQ(parse_command("save Parts to $p", full_registry(), {"", 1, 1}, &number).error().message,
+  EXPECT_EQ(parse_command("save Parts to $p", full_registry(), {"", 1, 1}, &number).error().text(),
             "'$p': expected a string or a text, got real");
 }
 

@@ -25,11 +25,11 @@ class FileContentTest : public ::testing::Test {
   void expect_error(const std::filesystem::path& path, ErrorCode code, const std::string& reason) {
     const auto file = FileContent::read(path);
     ASSERT_FALSE(file);
-    EXPECT_EQ(file.error().message, path.string() + ": " + reason);
+    EXPECT_EQ(file.error().text(), path.string() + ": " + reason);
     EXPECT_EQ(file.error().code, code);
     const auto read = mesh_formats::read_stl_file(path);
     ASSERT_FALSE(read);
-    EXPECT_EQ(read.error().message, path.string() + ": " + reason);
+    EXPECT_EQ(read.error().text(), path.string() + ": " + reason);
     EXPECT_EQ(read.error().code, code);
   }
 
@@ -55,7 +55,7 @@ TEST_F(FileContentTest, an_empty_file_is_no_bytes_but_no_stl_file) {
   EXPECT_EQ(file->bytes(), "");
   const auto read = mesh_formats::read_stl_file(folder_.path("empty.stl"));
   ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().message, folder_.path("empty.stl").string() + ": empty file; expected an STL file");
+  EXPECT_EQ(read.error().text(), folder_.path("empty.stl").string() + ": empty file; expected an STL file");
 }
 
 TEST_F(FileContentTest, missing_files_and_folders_are_named) {
@@ -87,7 +87,7 @@ TEST_F(FileContentTest, large_files_go_through_a_temporary_file) {
   const auto file = algebra3d::InputFile::open(folder_.path("a"));
   ASSERT_TRUE(file);
   auto content = FileContent::read(*file, nullptr, 1000);
-  ASSERT_TRUE(content) << content.error().message;
+  ASSERT_TRUE(content) << content.error().text();
   folder_.write("a", "changed afterwards");
   EXPECT_EQ(content->bytes(), bytes);
   EXPECT_EQ(folder_.file_count(), 1U);
@@ -113,7 +113,7 @@ std::string reason_after(const ScratchFolder& folder, const std::function<void(c
   });
   if (status) return "no error";
   EXPECT_EQ(status.error().code, ErrorCode::io_error);
-  return status.error().message.substr(folder.path("a").string().size());
+  return status.error().text().substr(folder.path("a").string().size());
 }
 
 TEST_F(FileContentTest, a_file_that_changes_while_it_is_read_is_an_error) {
@@ -143,10 +143,10 @@ TEST_F(FileContentTest, what_was_never_written_is_counted_and_refused) {
   if (sparse->hole_bytes(1) == 0) GTEST_SKIP() << "the file system does not tell holes";
   const auto refused = mesh_formats::refuse_unwritten(*sparse);
   ASSERT_FALSE(refused);
-  EXPECT_TRUE(refused.error().message.starts_with(
+  EXPECT_TRUE(refused.error().text().starts_with(
       folder_.path("a.stl").string() +
       ": header announces 2 triangles (184 bytes), file has 1099511627776 bytes, of which "))
-      << refused.error().message;
+      << refused.error().text();
 }
 
 TEST_F(FileContentTest, files_are_read_from_disk_as_from_memory) {

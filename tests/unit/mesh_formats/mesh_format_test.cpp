@@ -77,7 +77,7 @@ TEST(MeshFormatTest, content_decides_before_the_name) {
   for (const auto& table : {told_by_content(), told_by_name()}) {
     for (const Detected& file : table) {
       const auto format = known_mesh_formats().detect(file.bytes, file.name);
-      ASSERT_TRUE(format) << format.error().message;
+      ASSERT_TRUE(format) << format.error().text();
       EXPECT_EQ((*format)->name, file.format) << file.name << "\n" << file.bytes;
     }
   }
@@ -85,7 +85,7 @@ TEST(MeshFormatTest, content_decides_before_the_name) {
 
 TEST(MeshFormatTest, what_is_no_text_and_has_no_ending_is_binary_stl) {
   const auto format = known_mesh_formats().detect(kBinaryStl + "x", "a.bin");
-  ASSERT_TRUE(format) << format.error().message;
+  ASSERT_TRUE(format) << format.error().text();
   EXPECT_EQ((*format)->name, "STL");
 }
 
@@ -103,7 +103,7 @@ TEST(MeshFormatTest, files_of_other_programs_are_refused_whatever_their_name) {
       const auto format = known_mesh_formats().detect(bytes, name);
       ASSERT_FALSE(format);
       EXPECT_EQ(format.error().code, ErrorCode::file_format);
-      EXPECT_EQ(format.error().message, name + ": it is " + what + "; expected an STL, OBJ or OFF file");
+      EXPECT_EQ(format.error().text(), name + ": it is " + what + "; expected an STL, OBJ or OFF file");
     }
   }
   const auto exact = known_mesh_formats().detect(stl_bytes::header("%PDF", 1) + stl_bytes::facets(1), "a");
@@ -117,7 +117,7 @@ TEST(MeshFormatTest, anything_else_is_an_error) {
       const auto format = known_mesh_formats().detect(bytes, name);
       ASSERT_FALSE(format);
       EXPECT_EQ(format.error().code, ErrorCode::file_format);
-      EXPECT_EQ(format.error().message,
+      EXPECT_EQ(format.error().text(),
                 name + ": neither content nor name is that of a mesh file; expected STL, OBJ or OFF");
     }
   }
@@ -127,7 +127,7 @@ TEST(MeshFormatTest, files_are_examined_by_their_path) {
   const ScratchFolder folder;
   folder.write("a", "OFF\n0 0 0\n");
   const auto format = known_mesh_formats().detect_file(folder.path("a"));
-  ASSERT_TRUE(format) << format.error().message;
+  ASSERT_TRUE(format) << format.error().text();
   EXPECT_EQ((*format)->name, "OFF");
   const auto missing = known_mesh_formats().detect_file(folder.path("b.obj"));
   ASSERT_FALSE(missing);
@@ -185,7 +185,7 @@ TEST(MeshFormatTest, a_format_is_known_by_its_line_in_the_table) {
   EXPECT_EQ(formats.of_content("tri 000100010")->name, "TRI");
   EXPECT_EQ((*formats.detect("tri 000100010", "a.obj"))->name, "TRI");
   EXPECT_EQ((*formats.detect("000100010", "a.tri"))->name, "TRI");
-  EXPECT_EQ(formats.detect("000100010", "a").error().message,
+  EXPECT_EQ(formats.detect("000100010", "a").error().text(),
             "a: neither content nor name is that of a mesh file; expected STL, OBJ, OFF or TRI");
   EXPECT_EQ(kTri.form(Encoding::binary), nullptr);
 }
@@ -194,7 +194,7 @@ TEST(MeshFormatTest, a_format_reads_and_writes_by_its_functions) {
   const MeshFormats formats = with_tri();
   const ScratchFolder folder;
   const auto read = formats.named("TRI")->read("tri 001200010", "a.tri", nullptr);
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   ASSERT_TRUE(formats.named("TRI")->write(folder.path("b.tri"), read->facets, "", Encoding::ascii));
   EXPECT_EQ(folder.bytes("b.tri"), "tri 001200010");
   // The facets in a format that existed before.

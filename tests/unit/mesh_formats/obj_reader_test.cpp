@@ -142,7 +142,7 @@ TEST(ObjReader, reads_what_the_format_allows) {
     for (const AcceptedObj& file : table) {
       SCOPED_TRACE(file.label);
       const auto read = read_obj(file.bytes, "a.obj");
-      ASSERT_TRUE(read) << read.error().message;
+      ASSERT_TRUE(read) << read.error().text();
       EXPECT_EQ(read->soup.points, file.points);
       EXPECT_EQ(faces_of(read->soup), file.faces);
       EXPECT_EQ(read->soup.name, file.name);
@@ -154,7 +154,7 @@ TEST(ObjReader, reads_what_the_format_allows) {
 TEST(ObjReader, numbers_are_the_nearest_doubles) {
   const auto read = read_obj(
       "v +1.5 -2 .5\nv 5. -.5e1 1E+2\nv 0.1 1e-400 -0\nv 4.9e-324 123456789012345678901234567890 1e308", "a.obj");
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->soup.points,
             (std::vector<Vec3>{Vec3{1.5, -2, 0.5}, Vec3{5, -5, 100}, Vec3{0x1.999999999999ap-4, 0, 0},
                                Vec3{0x1p-1074, 0x1.8ee90ff6c373ep+96, 1e308}}));
@@ -235,7 +235,7 @@ TEST(ObjReader, refuses_what_is_wrong_with_its_place) {
     for (const RefusedObj& file : table) {
       const auto read = read_obj(file.bytes, "a.obj");
       ASSERT_FALSE(read) << file.message;
-      EXPECT_EQ(read.error().message, "a.obj: " + file.message);
+      EXPECT_EQ(read.error().text(), "a.obj: " + file.message);
       EXPECT_EQ(read.error().code, ErrorCode::file_format);
     }
   }
@@ -249,7 +249,7 @@ TEST(ObjReader, refuses_the_same_before_a_long_rest) {
       if (file.message.ends_with("found end of file")) continue;
       const auto read = read_obj(file.bytes + rest, "a.obj");
       ASSERT_FALSE(read) << file.message;
-      EXPECT_EQ(read.error().message, "a.obj: " + file.message);
+      EXPECT_EQ(read.error().text(), "a.obj: " + file.message);
     }
   }
 }
@@ -258,7 +258,7 @@ TEST(ObjReader, an_empty_file_is_an_error) {
   for (const std::string& bytes : {std::string(), std::string(" \r\n\t"), std::string(100, '\0')}) {
     const auto read = read_obj(bytes, "a.obj");
     ASSERT_FALSE(read);
-    EXPECT_EQ(read.error().message, "a.obj: empty file; expected an OBJ file");
+    EXPECT_EQ(read.error().text(), "a.obj: empty file; expected an OBJ file");
   }
 }
 
@@ -269,7 +269,7 @@ TEST(ObjReader, every_beginning_of_a_file_is_read_or_refused) {
     const std::vector<char> bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
     for (const auto wanted : {mesh_formats::ObjWanted::shape, mesh_formats::ObjWanted::attributes}) {
       const auto read = read_obj({bytes.data(), bytes.size()}, "a.obj", nullptr, wanted);
-      EXPECT_TRUE(read || read.error().message.starts_with("a.obj: byte ")) << size;
+      EXPECT_TRUE(read || read.error().text().starts_with("a.obj: byte ")) << size;
     }
   }
 }
@@ -277,7 +277,7 @@ TEST(ObjReader, every_beginning_of_a_file_is_read_or_refused) {
 TEST(ObjReader, the_shape_is_the_same_with_attributes) {
   for (const AcceptedObj& accepted : obj_layouts()) {
     const auto read = read_obj(accepted.bytes, "a.obj", nullptr, mesh_formats::ObjWanted::attributes);
-    ASSERT_TRUE(read) << accepted.label << ": " << read.error().message;
+    ASSERT_TRUE(read) << accepted.label << ": " << read.error().text();
     EXPECT_EQ(read->soup.points, accepted.points) << accepted.label;
     EXPECT_EQ(faces_of(read->soup), accepted.faces) << accepted.label;
   }
@@ -289,7 +289,7 @@ TEST(ObjReader, attributes_are_those_of_corners_and_faces) {
       "vt 0 \\\n 1#c\nvt 2 3 4\nvn 0 0 1 # up\ng a b\nusemtl m\nf 1/1/1 2/-1/-1 3//1\ng\nf 1 2\nf 1/3 2/2/ 3/-9\n"
       "usemtl n\\\n  o\nf 1 2 4\n";
   const auto read = read_obj(bytes, "a.obj", nullptr, mesh_formats::ObjWanted::attributes);
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   constexpr std::uint32_t none = 0xFFFFFFFF;
   using Numbers = std::vector<std::uint32_t>;
   ASSERT_NE(read->soup.attributes, nullptr);
@@ -314,7 +314,7 @@ TEST(ObjReader, many_vertices_and_faces) {
   for (int i = 1; i <= 99'998; ++i)
     text += "f " + std::to_string(i) + "/1 " + std::to_string(i + 1) + "/2 " + std::to_string(i + 2) + "/3\n";
   const auto read = read_obj(text, "a.obj");
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   ASSERT_EQ(read->soup.points.size(), 100'000U);
   ASSERT_EQ(read->soup.face_count(), 99'998U);
   for (std::uint32_t i = 0; i < 99'998; ++i) {
@@ -331,19 +331,19 @@ TEST(ObjReader, stops_when_asked) {
   const auto read = read_obj(text, "a.obj", &cancel);
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::interrupted);
-  EXPECT_EQ(read.error().message, "a.obj: interrupted");
+  EXPECT_EQ(read.error().text(), "a.obj: interrupted");
 }
 
 TEST(ObjReader, files_are_read_by_their_path) {
   const ScratchFolder folder;
   folder.write("a.obj", kObjTetrahedron);
   const auto read = mesh_formats::read_obj_file(folder.path("a.obj"));
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(faces_of(read->soup), kObjTetrahedronFaces);
   const auto missing = mesh_formats::read_obj_file(folder.path("b.obj"));
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::file_missing);
-  EXPECT_EQ(missing.error().message, folder.path("b.obj").string() + ": No such file or directory");
+  EXPECT_EQ(missing.error().text(), folder.path("b.obj").string() + ": No such file or directory");
 }
 
 }  // namespace

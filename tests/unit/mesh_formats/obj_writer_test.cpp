@@ -27,7 +27,7 @@ class ObjWriter : public ::testing::Test {
  protected:
   std::string written(const PolygonSoup& soup, std::string_view name) {
     const auto status = write_obj_file(folder_.path("out.obj"), soup, name);
-    EXPECT_TRUE(status) << status.error().message;
+    EXPECT_TRUE(status) << status.error().text();
     return folder_.bytes("out.obj");
   }
 
@@ -36,7 +36,7 @@ class ObjWriter : public ::testing::Test {
     const std::size_t before = folder_.file_count();
     const auto status = write_obj_file(path, soup, "part");
     ASSERT_FALSE(status) << message;
-    EXPECT_EQ(status.error().message, message);
+    EXPECT_EQ(status.error().text(), message);
     EXPECT_EQ(status.error().code, code);
     EXPECT_EQ(folder_.file_count(), before) << "the temporary file was left behind";
   }
@@ -69,7 +69,7 @@ TEST_F(ObjWriter, names_become_one_line) {
 TEST_F(ObjWriter, nothing_reads_back) {
   EXPECT_EQ(written(polygon_soup({}, {}), ""), "# no vertices\n");
   const auto read = mesh_formats::read_obj_file(folder_.path("out.obj"));
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   EXPECT_TRUE(read->soup.points.empty());
 }
 
@@ -78,7 +78,7 @@ TEST_F(ObjWriter, awkward_names_read_back) {
   for (const std::string name : {"path\\", "# 1", "o", "v 1 2 3", "a  b", "\\"}) {
     written(soup, name);
     const auto read = mesh_formats::read_obj_file(folder_.path("out.obj"));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->soup.name, name);
     EXPECT_EQ(read->soup.points, soup.points);
     EXPECT_TRUE(read->remarks.empty());
@@ -89,7 +89,7 @@ TEST_F(ObjWriter, what_is_written_reads_back_for_any_doubles) {
   const PolygonSoup soup = random_polygons(20'000);
   written(soup, "any");
   const auto read = mesh_formats::read_obj_file(folder_.path("out.obj"));
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->soup.points, soup.points);
   EXPECT_EQ(read->soup.face_starts, soup.face_starts);
   EXPECT_EQ(read->soup.corners, soup.corners);

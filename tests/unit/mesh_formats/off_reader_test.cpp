@@ -180,7 +180,7 @@ TEST(OffReader, reads_what_the_format_allows) {
     for (const AcceptedOff& file : table) {
       SCOPED_TRACE(file.label);
       const auto read = read_off(file.bytes, "a.off");
-      ASSERT_TRUE(read) << read.error().message;
+      ASSERT_TRUE(read) << read.error().text();
       EXPECT_EQ(read->soup.points, file.points);
       EXPECT_EQ(faces_of(read->soup), file.faces);
       EXPECT_EQ(read->soup.name, "");
@@ -191,7 +191,7 @@ TEST(OffReader, reads_what_the_format_allows) {
 
 TEST(OffReader, numbers_are_the_nearest_doubles) {
   const auto read = read_off("OFF 3 0 0\n+1.5 -2 .5\n5. -.5e1 1E+2\n0.1 1e-400 4.9e-324", "a.off");
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->soup.points,
             (std::vector<Vec3>{Vec3{1.5, -2, 0.5}, Vec3{5, -5, 100}, Vec3{0x1.999999999999ap-4, 0, 0x1p-1074}}));
 }
@@ -203,7 +203,7 @@ TEST(OffReader, byte_order_is_told_where_the_counts_allow_both) {
     for (std::uint32_t i = 0; i < 65536; ++i) bytes += floats(order, {static_cast<float>(i), 1, 2});
     for (std::uint32_t i = 0; i < 131072; ++i) bytes += words(order, {3, i % 65536, 1, 65535, 0});
     const auto read = read_off(bytes, "a.off");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().text();
     ASSERT_EQ(read->soup.points.size(), 65536U);
     ASSERT_EQ(read->soup.face_count(), 131072U);
     EXPECT_EQ(read->soup.points.back(), (Vec3{65535, 1, 2}));
@@ -303,7 +303,7 @@ TEST(OffReader, refuses_what_is_wrong_with_its_place) {
     for (const RefusedOff& file : table) {
       const auto read = read_off(file.bytes, "a.off");
       ASSERT_FALSE(read) << file.message;
-      EXPECT_EQ(read.error().message, "a.off: " + file.message);
+      EXPECT_EQ(read.error().text(), "a.off: " + file.message);
       EXPECT_EQ(read.error().code, ErrorCode::file_format);
     }
   }
@@ -316,7 +316,7 @@ TEST(OffReader, refuses_the_same_before_a_long_rest) {
     if (file.message.ends_with("found end of file")) continue;
     const auto read = read_off(file.bytes + rest, "a.off");
     ASSERT_FALSE(read) << file.message;
-    EXPECT_EQ(read.error().message, "a.off: " + file.message);
+    EXPECT_EQ(read.error().text(), "a.off: " + file.message);
   }
 }
 
@@ -324,7 +324,7 @@ TEST(OffReader, an_empty_file_is_an_error) {
   for (const std::string& bytes : {std::string(), std::string(" \r\n\t"), std::string(100, '\0')}) {
     const auto read = read_off(bytes, "a.off");
     ASSERT_FALSE(read);
-    EXPECT_EQ(read.error().message, "a.off: empty file; expected an OFF file");
+    EXPECT_EQ(read.error().text(), "a.off: empty file; expected an OFF file");
   }
 }
 
@@ -332,7 +332,7 @@ TEST(OffReader, more_vertices_than_indices_can_name_are_refused) {
   const auto read = read_off("OFF\n4294967296 1 0\n", "a.off");
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::limit_exceeded);
-  EXPECT_EQ(read.error().message, "a.off: byte 16, line 2: 4294967296 vertices announced; expected at most 4294967295");
+  EXPECT_EQ(read.error().text(), "a.off: byte 16, line 2: 4294967296 vertices announced; expected at most 4294967295");
 }
 
 TEST(OffReader, every_truncation_is_an_error) {
@@ -349,7 +349,7 @@ TEST(OffReader, every_truncation_is_an_error) {
         EXPECT_GE(size + 6, whole.size());
         continue;
       }
-      EXPECT_TRUE(read.error().message.starts_with("a.off: byte ")) << read.error().message;
+      EXPECT_TRUE(read.error().text().starts_with("a.off: byte ")) << read.error().text();
     }
   }
 }
@@ -363,7 +363,7 @@ TEST(OffReader, stops_when_asked) {
     const auto read = read_off(bytes, "a.off", &cancel);
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::interrupted);
-    EXPECT_EQ(read.error().message, "a.off: interrupted");
+    EXPECT_EQ(read.error().text(), "a.off: interrupted");
   }
 }
 
@@ -371,12 +371,12 @@ TEST(OffReader, files_are_read_by_their_path) {
   const ScratchFolder folder;
   folder.write("a.off", kOffTetrahedron);
   const auto read = mesh_formats::read_off_file(folder.path("a.off"));
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(faces_of(read->soup), kOffFaces);
   const auto missing = mesh_formats::read_off_file(folder.path("b.off"));
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::file_missing);
-  EXPECT_EQ(missing.error().message, folder.path("b.off").string() + ": No such file or directory");
+  EXPECT_EQ(missing.error().text(), folder.path("b.off").string() + ": No such file or directory");
 }
 
 }  // namespace

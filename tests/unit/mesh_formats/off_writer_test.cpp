@@ -27,7 +27,7 @@ class OffWriter : public ::testing::Test {
  protected:
   std::string written(const PolygonSoup& soup, Encoding format) {
     const auto status = write_off_file(folder_.path("out.off"), soup, format);
-    EXPECT_TRUE(status) << status.error().message;
+    EXPECT_TRUE(status) << status.error().text();
     return folder_.bytes("out.off");
   }
 
@@ -36,7 +36,7 @@ class OffWriter : public ::testing::Test {
     const std::size_t before = folder_.file_count();
     const auto status = write_off_file(path, soup, format);
     ASSERT_FALSE(status) << message;
-    EXPECT_EQ(status.error().message, message);
+    EXPECT_EQ(status.error().text(), message);
     EXPECT_EQ(status.error().code, code);
     EXPECT_EQ(folder_.file_count(), before) << "the temporary file was left behind";
   }
@@ -76,7 +76,7 @@ TEST_F(OffWriter, binary_coordinates_are_rounded_once_to_the_nearest_float) {
       polygon_soup({Vec3{half, half + 0x1p-52, half - 0x1p-53}, Vec3{0x1.fffffefffffffp127, 0x1p-150, 0x1.8p-150}}, {}),
       Encoding::binary);
   const auto read = mesh_formats::read_off_file(folder_.path("out.off"));
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->soup.points, (std::vector<Vec3>{Vec3{1, 1 + 0x1p-23, 1}, Vec3{0x1.fffffep127, 0, 0x1p-149}}));
 }
 
@@ -86,7 +86,7 @@ TEST_F(OffWriter, what_is_written_reads_back) {
         format == Encoding::ascii ? random_polygons<double>(20'000) : random_polygons<float>(20'000);
     written(soup, format);
     const auto read = mesh_formats::read_off_file(folder_.path("out.off"));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->soup.points, soup.points);
     EXPECT_EQ(read->soup.face_starts, soup.face_starts);
     EXPECT_EQ(read->soup.corners, soup.corners);

@@ -44,10 +44,10 @@ TEST(PolygonCorpus, every_file_has_the_triangle_and_vertex_count_of_the_manifest
     const auto path = std::filesystem::path(folder) / row["file"];
     const auto read = row["fmt"] == "obj" ? mesh_formats::read_obj_file(path) : mesh_formats::read_off_file(path);
     if (row["class"].starts_with("malformed")) {
-      EXPECT_TRUE(read || read.error().message.find(", line ") != std::string::npos);
+      EXPECT_TRUE(read || read.error().text().find(", line ") != std::string::npos);
       continue;
     }
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().text();
     if (row["class"].starts_with("binary_off")) continue;  // the manifest's reader could not read it
     EXPECT_EQ(std::to_string(triangle_count(read->soup)), row["triangles"]);
     EXPECT_EQ(std::to_string(corner_place_count(read->soup)), row["uniqverts"]);
@@ -62,7 +62,7 @@ TEST(PolygonCorpus, binary_files_of_pmp_library_are_read) {
   for (auto& row : corpus_manifest(folder)) {
     if (row["source_path"] != "data/off/beetle.off") continue;
     const auto read = mesh_formats::read_off_file(std::filesystem::path(folder) / row["file"]);
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().text();
     // Its bytes f1 13 00 00 and c0 25 00 00.
     EXPECT_EQ(read->soup.points.size(), 0x13f1U);
     EXPECT_EQ(read->soup.face_count(), 0x25c0U);
@@ -77,7 +77,7 @@ TEST(PolygonCorpus, every_file_has_the_format_of_the_manifest) {
   for (auto& row : corpus_manifest(folder)) {
     SCOPED_TRACE(row["file"]);
     const auto format = mesh_formats::known_mesh_formats().detect_file(std::filesystem::path(folder) / row["file"]);
-    ASSERT_TRUE(format) << format.error().message;
+    ASSERT_TRUE(format) << format.error().text();
     const std::string_view expected = row["fmt"] == "obj" ? "OBJ" : row["fmt"] == "off" ? "OFF" : "STL";
     EXPECT_EQ((*format)->name, expected);
   }

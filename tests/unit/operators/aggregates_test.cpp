@@ -58,7 +58,7 @@ class Division {
     Diagnostics diagnostics;
     Context context{diagnostics, nullptr, {}};
     const auto value = all.finish(context);
-    if (!value) return {value.error().message, {}};
+    if (!value) return {value.error().text(), {}};
     return {value->to_nested().print(), diagnostics.summary()};
   }
 

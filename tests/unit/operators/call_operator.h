@@ -48,7 +48,7 @@ inline std::vector<Value> first_column(RowSource& rows, Context& context) {
   std::vector<Value> cells;
   while (true) {
     auto row = rows.next(context);
-    if (!row) throw std::runtime_error(row.error().message);
+    if (!row) throw std::runtime_error(row.error().text());
     if (!*row) return cells;
     cells.push_back(std::move((**row).front()));
   }
@@ -62,18 +62,18 @@ inline Answer call_values(const std::string& name, const std::vector<Value>& arg
   for (const Value& argument : arguments) types.emplace_back(argument.type().name());
   const Operator* op = registry.find_operator(name);
   const auto resolved = registry.resolve(*op, types);
-  if (!resolved) throw std::runtime_error(resolved.error().message);
+  if (!resolved) throw std::runtime_error(resolved.error().text());
   Diagnostics diagnostics;
   Context context{.diagnostics = diagnostics, .cancel = nullptr, .folder = folder};
   std::vector<Value> values = arguments;
   if (resolved->overload->kind() == OperatorKind::table) {
     auto rows = Registry::rows(*resolved, values, context);
-    if (!rows) throw std::runtime_error(rows.error().message);
+    if (!rows) throw std::runtime_error(rows.error().text());
     std::vector<Value> elements = first_column(**rows, context);
     return {std::move(elements), diagnostics.summary()};
   }
   auto outcome = Registry::call(*resolved, values, context);
-  if (!outcome) throw std::runtime_error(outcome.error().message);
+  if (!outcome) throw std::runtime_error(outcome.error().text());
   return {*std::move(outcome), diagnostics.summary()};
 }
 

@@ -108,7 +108,7 @@ std::vector<ExampleTerm> parsed(const std::vector<std::string>& texts) {
   std::vector<ExampleTerm> terms;
   for (const std::string& text : texts) {
     auto term = ExampleTerm::parse(text, examples_registry());
-    EXPECT_TRUE(term.ok()) << text << ": " << term.error().message;
+    EXPECT_TRUE(term.ok()) << text << ": " << term.error().text();
     if (term) terms.push_back(*std::move(term));
   }
   return terms;
@@ -121,9 +121,9 @@ TEST(Examples, give_what_they_say_without_any_language) {
       SCOPED_TRACE(op->name + list_text(example.arguments) + " as " + example.view);
       Host host;
       auto answer = host.call(*op, parsed(example.arguments));
-      ASSERT_TRUE(answer.ok()) << answer.error().message;
+      ASSERT_TRUE(answer.ok()) << answer.error().text();
       const auto found = host.viewed(parsed({example.view}).front(), *std::move(answer));
-      ASSERT_TRUE(found.ok()) << found.error().message;
+      ASSERT_TRUE(found.ok()) << found.error().text();
       EXPECT_EQ(*found, example.result);
       ++count;
     }
@@ -136,7 +136,7 @@ TEST(Examples, errors_say_what_they_say) {
       Host host;
       const auto answer = host.call(*op, parsed(example.arguments));
       ASSERT_FALSE(answer.ok()) << op->name << list_text(example.arguments);
-      EXPECT_NE(answer.error().message.find(example.message), std::string::npos) << answer.error().message;
+      EXPECT_NE(answer.error().text().find(example.message), std::string::npos) << answer.error().text();
     }
 }
 

@@ -312,7 +312,7 @@ TEST(ImportCorpus, clean_files_are_solids_as_the_manifest_says_and_others_have_a
     if (!row["fmt"].starts_with("stl_")) continue;
     SCOPED_TRACE(row["file"]);
     const auto imported = import_solid(std::filesystem::path(folder) / row["file"]);
-    ASSERT_TRUE(imported) << imported.error().message;
+    ASSERT_TRUE(imported) << imported.error().text();
     if (row["class"].starts_with("clean_")) {
       ++clean_count;
       expect_as_in_manifest(row, *imported);

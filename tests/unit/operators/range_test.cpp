@@ -87,8 +87,8 @@ std::vector<Value> answer(const Operator& op, const Overload& overload, const st
   Context context{.diagnostics = diagnostics, .cancel = nullptr, .folder = folder.path};
   auto found = results({&op, &overload}, arguments, context);
   if (found) return *std::move(found);
-  EXPECT_FALSE(found.error().message.empty()) << op.name;
-  EXPECT_NE(found.error().code, ErrorCode::internal) << op.name << ": " << found.error().message;
+  EXPECT_FALSE(found.error().text().empty()) << op.name;
+  EXPECT_NE(found.error().code, ErrorCode::internal) << op.name << ": " << found.error().text();
   if (overload.result == nullptr) return {};
   return {Value(*overload.result)};
 }
@@ -96,7 +96,7 @@ std::vector<Value> answer(const Operator& op, const Overload& overload, const st
 /// Read from bytes that nobody trusts, a value is proved again.
 void expect_sound(const Value& value) {
   const auto again = decode(value.type(), encode(value), Origin::elsewhere);
-  ASSERT_TRUE(again.ok()) << again.error().message;
+  ASSERT_TRUE(again.ok()) << again.error().text();
   EXPECT_EQ(compare(*again, value), std::strong_ordering::equal);
   EXPECT_TRUE(!value.is_defined() || value.type().name() != "real" || std::isfinite(value.get<double>()));
 }

@@ -22,7 +22,7 @@ using plane_shapes::star;
 
 Region region(const std::vector<plane_shapes::Face>& faces) {
   const auto proved = Region::prove(plane_shapes::polygons_of(faces));
-  EXPECT_TRUE(proved.ok() && *proved) << (proved.ok() ? proved->reason() : proved.error().message);
+  EXPECT_TRUE(proved.ok() && *proved) << (proved.ok() ? proved->reason() : proved.error().text());
   return **proved;
 }
 

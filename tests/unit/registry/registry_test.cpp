@@ -111,7 +111,7 @@ TEST_F(RegistryTest, wrong_types_are_an_error_that_says_what_is_possible) {
   add("f", {overload<&half>("x"), overload<&both>("a", "b")});
   const auto result = call("f", {Value::of<bool>(true)});
   ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().message, "f: expected (real) or (int int), got (bool)");
+  EXPECT_EQ(result.error().text(), "f: expected (real) or (int int), got (bool)");
 }
 
 TEST_F(RegistryTest, of_many_overloads_those_that_fit_best_are_told) {
@@ -128,7 +128,7 @@ TEST_F(RegistryTest, of_many_overloads_those_that_fit_best_are_told) {
   add("f", std::move(overloads));
   const auto result = call("f", {Value::of<std::int64_t>(1), Value::of<std::int64_t>(2)});
   ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().message, "f: expected (int bool), (real real real) or (bool), got (int int)");
+  EXPECT_EQ(result.error().text(), "f: expected (int bool), (real real real) or (bool), got (int int)");
 }
 
 TEST_F(RegistryTest, undefined_in_gives_undefined_out_without_a_new_reason) {
@@ -154,7 +154,7 @@ TEST_F(RegistryTest, an_optional_parameter_takes_undefined) {
 
 TEST_F(RegistryTest, errors_stay_errors) {
   add("f", {overload<&failing>("x")});
-  EXPECT_EQ(call("f", {Value::of<double>(1)}).error().message, "the disk is gone");
+  EXPECT_EQ(call("f", {Value::of<double>(1)}).error().text(), "the disk is gone");
 }
 
 using Texts = std::vector<std::string>;

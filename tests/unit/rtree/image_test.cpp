@@ -124,7 +124,7 @@ TEST(Image, payloads_of_32_bits) {
   EXPECT_EQ(again->entries(), tree.entries());
   const auto other = Tree::from_image(parts.header, inner, leaves);
   ASSERT_FALSE(other);
-  EXPECT_EQ(other.error().message, "image of an R-tree: payloads of 4 bytes and nodes of 16 slots");
+  EXPECT_EQ(other.error().text(), "image of an R-tree: payloads of 4 bytes and nodes of 16 slots");
 }
 
 // The same bytes in whatever order they are written down here: what the format says of one entry.

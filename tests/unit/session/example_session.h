@@ -57,7 +57,7 @@ class TestSession : public Presenter {
     diagnostics_.clear();
     Context context{diagnostics_, nullptr, folder_};
     const Status status = session_.execute(command, {"test", 1, 1}, *this, context);
-    return status ? answer_ : "error: " + status.error().message;
+    return status ? answer_ : "error: " + status.error().text();
   }
   std::string notes() const {
     std::string text;

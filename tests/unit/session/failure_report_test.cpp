@@ -233,7 +233,7 @@ TEST_F(FailureReport, has_a_folder_that_is_made_or_refused_before_anything_runs)
     const Status status = prepare_failure_folder(wrong);
     ASSERT_FALSE(status.ok()) << wrong;
     EXPECT_EQ(status.error().code, ErrorCode::io_error);
-    EXPECT_EQ(status.error().message,
+    EXPECT_EQ(status.error().text(),
               "no reports can be written to '" + wrong.string() + "': '" + file.string() + "' is a file, not a folder");
   }
 }

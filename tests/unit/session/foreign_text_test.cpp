@@ -25,7 +25,7 @@ class ForeignText : public testing::Test {
     Context context{diagnostics, nullptr, folder_.path()};
     const Status status = session_.session().execute(command, {"test", 1, 1}, session_, context);
     if (status) return "no error";
-    return fmt::format("{}:{} {}", status.error().place.line, status.error().place.column, status.error().message);
+    return fmt::format("{}:{} {}", status.error().place.line, status.error().place.column, status.error().text());
   }
 
   TestFolder folder_;
@@ -56,7 +56,7 @@ TEST_F(ForeignText, an_environment_variable_with_it_fails) {
 TEST_F(ForeignText, a_parameter_with_it_is_refused_with_its_place) {
   const auto failure_of = [&](std::string_view given) {
     const auto parameter = parse_session_parameter(given, session_.session().registry());
-    return parameter ? "no error" : parameter.error().message;
+    return parameter ? "no error" : parameter.error().text();
   };
   EXPECT_EQ(failure_of("a=caf\xE9"), R"(-p "a=caf\xe9": 1:6: expected UTF-8, found the byte 0xe9)");
   EXPECT_EQ(failure_of("a:text=\xC3\xBC\n\xC3\xBC\xFF"),

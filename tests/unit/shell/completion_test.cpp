@@ -117,7 +117,7 @@ TEST(CommandTable, the_parser_or_the_shell_knows_every_command) {
     if (is_shell_command(word) || word == "{") continue;  // { holds commands of its own
     const auto parsed = parse_command(word + " ?", registry);
     ASSERT_FALSE(parsed) << word;
-    EXPECT_EQ(parsed.error().message.find("expected a command"), std::string::npos) << parsed.error().message;
+    EXPECT_EQ(parsed.error().text().find("expected a command"), std::string::npos) << parsed.error().text();
   }
 }
 
@@ -127,7 +127,7 @@ TEST(CommandTable, help_finds_operators_and_commands_and_suggests_the_nearest) {
   EXPECT_NE(shell_help("let", registry).value().find("let NAME = EXPRESSION"), std::string::npos);
   const auto unknown = shell_help("volumme", registry);
   ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().message,
+  EXPECT_EQ(unknown.error().text(),
             "there is no operator or command 'volumme', and no description has the word; did you mean 'volume'?");
 }
 

@@ -124,7 +124,7 @@ TEST(StlAsciiReader, reads_every_layout) {
     for (const Accepted& file : table) {
       SCOPED_TRACE(file.label);
       const auto read = read_stl(file.bytes, "a.stl");
-      ASSERT_TRUE(read) << read.error().message;
+      ASSERT_TRUE(read) << read.error().text();
       EXPECT_EQ(read->format, mesh_formats::Encoding::ascii);
       EXPECT_EQ(read->soup.triangles, (std::vector<TriangleSoup::Triangle>(file.triangle_count, kTriangle)));
       EXPECT_EQ(read->soup.normals, (std::vector<Vec3>(file.triangle_count, Vec3{0, 0, 1})));
@@ -162,7 +162,7 @@ TEST(StlAsciiReader, numbers_are_the_nearest_doubles) {
   };
   for (const Number& number : numbers) {
     const auto read = read_stl(replaced(kAscii, "vertex 1 0 0", "vertex 1 0 " + number.text), "a.stl");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->soup.triangles.at(0)[1], (Vec3{1, 0, number.value})) << number.text;
   }
 }
@@ -172,7 +172,7 @@ TEST(StlAsciiReader, normals_that_are_not_finite_become_zero) {
        {"nan", "-nan", "NaN", "nan(ind)", "-nan(ind)", "inf", "-Infinity", "1.#QNAN", "-1.#IND", "1.#INF00", "1e999"}) {
     const auto read =
         read_stl(replaced(kAscii + kAscii, "normal 0 0 1", std::string("normal 0 ") + text + " 1"), "a.stl");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->soup.normals, (std::vector<Vec3>{{0, 0, 0}, {0, 0, 0}})) << text;
     EXPECT_EQ(read->remarks, std::vector<std::string>{"2 facets have a normal that is not finite, read as zero"});
   }
@@ -225,7 +225,7 @@ TEST(StlAsciiReader, refuses_with_byte_line_found_and_expected) {
   for (const Refused& file : wrong_words()) {
     const auto read = read_stl(file.bytes, "a.stl");
     ASSERT_FALSE(read) << file.message;
-    EXPECT_EQ(read.error().message, "a.stl: " + file.message);
+    EXPECT_EQ(read.error().text(), "a.stl: " + file.message);
     EXPECT_EQ(read.error().code, ErrorCode::file_format);
   }
 }
@@ -241,7 +241,7 @@ TEST(StlAsciiReader, refuses_coordinates_that_are_not_finite) {
   for (const Refused& number : files) {
     const auto read = read_stl(kAscii + with("vertex 1 0 0", "vertex 1 " + number.bytes + " 0"), "a.stl");
     ASSERT_FALSE(read);
-    EXPECT_EQ(read.error().message, "a.stl: byte 222, line 14: facet 2, corner 2: y is " + number.message);
+    EXPECT_EQ(read.error().text(), "a.stl: byte 222, line 14: facet 2, corner 2: y is " + number.message);
   }
 }
 
@@ -278,7 +278,7 @@ TEST(StlAsciiReader, every_facet_may_have_a_layout_of_its_own) {
   }
   bytes += "endsolid a\n";
   const auto read = read_stl(bytes, "a.stl");
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->soup.triangles, (std::vector<TriangleSoup::Triangle>(count, kTriangle)));
   EXPECT_EQ(read->soup.normals, (std::vector<Vec3>(count, Vec3{0, 0, 1})));
 }
@@ -294,7 +294,7 @@ TEST(StlAsciiReader, what_is_wrong_is_found_in_later_facets_too) {
                                           std::array{"1 0 0", "1 1e999 0", "y is '1e999'; expected a number within"}}) {
     const auto read = read_stl(wrong(what, by), "a.stl");
     ASSERT_FALSE(read) << message;
-    EXPECT_NE(read.error().message.find(message), std::string::npos) << read.error().message;
+    EXPECT_NE(read.error().text().find(message), std::string::npos) << read.error().text();
   }
 }
 
@@ -308,7 +308,7 @@ TEST(StlAsciiReader, lines_with_very_many_names_take_linear_time) {
     ends += "solid b ";
   }
   const auto many = read_stl(solids, "a.stl");
-  ASSERT_TRUE(many) << many.error().message;
+  ASSERT_TRUE(many) << many.error().text();
   EXPECT_EQ(many->solid_count, 100'000U);
   EXPECT_TRUE(read_stl(ends, "a.stl"));
   EXPECT_TRUE(read_stl(words + "\n" + kAsciiFacet, "a.stl"));

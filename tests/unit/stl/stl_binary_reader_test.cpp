@@ -105,7 +105,7 @@ TEST(StlBinaryReader, accepts_what_programs_write_and_says_what_it_tolerated) {
   for (const AcceptedBytes& file : accepted_files()) {
     SCOPED_TRACE(file.label);
     const auto read = read_stl(file.bytes, "a.stl");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->format, mesh_formats::Encoding::binary);
     EXPECT_EQ(read->soup.triangles.size(), file.triangle_count);
     EXPECT_EQ(read->soup.normals.size(), file.triangle_count);
@@ -149,7 +149,7 @@ TEST(StlBinaryReader, refuses_with_the_byte_and_the_expectation) {
   for (const RefusedBytes& file : files) {
     const auto read = read_stl(file.bytes, "a.stl");
     ASSERT_FALSE(read) << file.message;
-    EXPECT_EQ(read.error().message, file.message);
+    EXPECT_EQ(read.error().text(), file.message);
     EXPECT_EQ(read.error().code, ErrorCode::file_format);
   }
 }
@@ -193,7 +193,7 @@ TEST(StlBinaryReader, large_files_are_read_and_their_errors_located) {
   bytes.replace(84 + 50 * 9'000, 50, wrong);
   const auto refused = read_stl(bytes, "a.stl");
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message, "a.stl: byte 450100: facet 9001, corner 1: y is nan; expected a finite number");
+  EXPECT_EQ(refused.error().text(), "a.stl: byte 450100: facet 9001, corner 1: y is nan; expected a finite number");
 }
 
 TEST(StlBinaryReader, every_truncation_is_an_error_or_has_a_remark) {
@@ -213,7 +213,7 @@ TEST(StlBinaryReader, stops_when_cancelled) {
   const auto read = read_stl(header("", 1) + facets(1), "a.stl", &cancel);
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::interrupted);
-  EXPECT_EQ(read.error().message, "a.stl: interrupted");
+  EXPECT_EQ(read.error().text(), "a.stl: interrupted");
 }
 
 }  // namespace

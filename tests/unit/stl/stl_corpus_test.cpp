@@ -19,10 +19,10 @@ TEST(StlCorpus, every_file_has_the_format_and_triangle_count_of_the_manifest) {
     ++file_count;
     const auto read = mesh_formats::read_stl_file(std::filesystem::path(folder) / row["file"]);
     if (row["class"].starts_with("malformed") && !read) {
-      EXPECT_NE(read.error().message.find(" byte "), std::string::npos) << read.error().message;
+      EXPECT_NE(read.error().text().find(" byte "), std::string::npos) << read.error().text();
       continue;
     }
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->format, row["fmt"] == "stl_bin" ? mesh_formats::Encoding::binary : mesh_formats::Encoding::ascii);
     EXPECT_EQ(std::to_string(read->soup.triangles.size()), row["triangles"]);
     EXPECT_EQ(read->solid_count > 1, row["fmtflags"].find("multi_solid") != std::string::npos);

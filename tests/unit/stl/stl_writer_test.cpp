@@ -40,7 +40,7 @@ class StlWriter : public ::testing::Test {
  protected:
   std::string written(const TriangleSoup& soup, std::string_view name, Encoding format) {
     const auto status = write_stl_file(folder_.path("out.stl"), soup, name, format);
-    EXPECT_TRUE(status) << status.error().message;
+    EXPECT_TRUE(status) << status.error().text();
     return folder_.bytes("out.stl");
   }
 
@@ -50,7 +50,7 @@ class StlWriter : public ::testing::Test {
       const std::size_t before = folder_.file_count();
       const auto status = write_stl_file(path, soup, "part", format);
       ASSERT_FALSE(status) << message;
-      EXPECT_EQ(status.error().message, message);
+      EXPECT_EQ(status.error().text(), message);
       EXPECT_EQ(status.error().code, code);
       EXPECT_EQ(folder_.file_count(), before) << "the temporary file was left behind";
     }
@@ -118,7 +118,7 @@ TEST_F(StlWriter, awkward_names_read_back) {
     TriangleSoup soup = kOne;
     written(soup, name, Encoding::ascii);
     const auto read = mesh_formats::read_stl_file(folder_.path("out.stl"));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->soup.name, name);
     EXPECT_EQ(read->soup.triangles, soup.triangles);
   }
@@ -158,7 +158,7 @@ TEST_F(StlWriter, what_is_written_reads_back_for_any_floats) {
   for (const Encoding format : {Encoding::binary, Encoding::ascii}) {
     written(soup, "any", format);
     const auto read = mesh_formats::read_stl_file(folder_.path("out.stl"));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->format, format);
     EXPECT_EQ(read->soup.triangles, soup.triangles);
     EXPECT_EQ(read->soup.name, "any");
@@ -298,7 +298,7 @@ TEST_F(StlWriter, a_database_is_never_replaced) {
   folder_.write("parts.db", bytes);
   const auto file = algebra3d::AtomicFile::create(folder_.path("parts.db"));
   ASSERT_FALSE(file.ok());
-  EXPECT_EQ(file.error().message,
+  EXPECT_EQ(file.error().text(),
             folder_.path("parts.db").string() + ": this file is a database, which no other file may replace");
   EXPECT_EQ(folder_.bytes("parts.db"), bytes);
 }
@@ -321,7 +321,7 @@ TEST_F(StlWriter, a_name_without_folder_means_the_working_directory) {
   std::filesystem::current_path(folder_.path(""));
   const auto status = write_stl_file(std::filesystem::path("here.stl"), {}, "", Encoding::ascii);
   std::filesystem::current_path(before);
-  ASSERT_TRUE(status) << status.error().message;
+  ASSERT_TRUE(status) << status.error().text();
   EXPECT_EQ(folder_.bytes("here.stl"), "solid\nendsolid\n");
 }
 

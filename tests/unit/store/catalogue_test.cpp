@@ -21,7 +21,7 @@ class StoredCatalogue : public StoreTest {
   static void expect_error(const Status& status, ErrorCode code, const std::string& message) {
     ASSERT_FALSE(status.ok());
     EXPECT_EQ(status.error().code, code);
-    EXPECT_EQ(status.error().message, message);
+    EXPECT_EQ(status.error().text(), message);
   }
 };
 
@@ -270,7 +270,7 @@ TEST_F(OlderVersion, a_version_that_becomes_newer_while_the_file_is_open_is_refu
   reopen(OpenMode::read_write);
   sql("PRAGMA user_version = 5");
   EXPECT_EQ(
-      store_->begin(true).error().message,
+      store_->begin(true).error().text(),
       path().string() + ": the database has version 5, this program reads versions up to 4; use a newer algebra3d");
 }
 

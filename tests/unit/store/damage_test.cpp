@@ -84,7 +84,7 @@ TEST_F(StoreDamage, a_thousand_random_bits_and_truncations_give_an_error_or_the_
   let_everything(25);
   const std::string whole = bytes(path());
   const auto expected = contents();
-  ASSERT_TRUE(expected.ok()) << expected.error().message;
+  ASSERT_TRUE(expected.ok()) << expected.error().text();
   std::mt19937 random(11);
   int errors = 0;
   for (int round = 0; round < 1000; ++round) {
@@ -102,8 +102,8 @@ TEST_F(StoreDamage, a_thousand_random_bits_and_truncations_give_an_error_or_the_
     const auto found = status ? contents(**store) : Result<std::string>(status.error());
     const auto checked = status ? (*store)->check(context_, {}) : Result<std::vector<Finding>>(status.error());
     EXPECT_TRUE(found ? *found == *expected : is_fair(found.error().code))
-        << where << ": " << (found ? *found : found.error().message);
-    EXPECT_TRUE(checked || is_fair(checked.error().code)) << where << ": " << checked.error().message;
+        << where << ": " << (found ? *found : found.error().text());
+    EXPECT_TRUE(checked || is_fair(checked.error().code)) << where << ": " << checked.error().text();
     EXPECT_TRUE(found || !checked || !checked->empty()) << where << " is damage that the check does not see";
     errors += found ? 0 : 1;
     if (HasFailure()) return;
@@ -119,34 +119,34 @@ TEST_F(StoreDamage, a_changed_value_is_named) {
   auto found = contents();
   ASSERT_FALSE(found.ok());
   EXPECT_EQ(found.error().code, ErrorCode::database_corrupt);
-  EXPECT_EQ(found.error().message, "R: the row of tuple 7 is not what was written");
+  EXPECT_EQ(found.error().text(), "R: the row of tuple 7 is not what was written");
 }
 
 TEST_F(StoreDamage, exchanged_geometry_is_found) {
   let_everything();
   const std::string table = sql("SELECT name FROM sqlite_schema WHERE name LIKE 'rel_%_R'");
   sql("UPDATE " + table + " SET a3_Solid = (SELECT a3_Solid FROM " + table + " WHERE id = 2) WHERE id = 5");
-  EXPECT_EQ(contents().error().message, "R: tuple 5: the bytes of 'Solid' are not what was written");
+  EXPECT_EQ(contents().error().text(), "R: tuple 5: the bytes of 'Solid' are not what was written");
 }
 
 TEST_F(StoreDamage, lost_tuples_are_missed) {
   let_everything();
   const std::string table = sql("SELECT name FROM sqlite_schema WHERE name LIKE 'rel_%_R'");
   sql("DELETE FROM " + table + " WHERE id = 5");
-  EXPECT_EQ(contents().error().message, "R: the tuples that were read are not all those that were written");
+  EXPECT_EQ(contents().error().text(), "R: the tuples that were read are not all those that were written");
 }
 
 TEST_F(StoreDamage, a_changed_catalogue_is_named) {
   let_everything();
   sql("UPDATE catalogue SET function_text = 'fun(x: int) x + 2' WHERE name = 'f'");
-  EXPECT_EQ(contents().error().message,
+  EXPECT_EQ(contents().error().text(),
             path().string() + ": the catalogue's row of the object 'f' is not what was written");
 }
 
 TEST_F(StoreDamage, lost_objects_are_missed) {
   let_everything();
   sql("DELETE FROM catalogue WHERE name = 'v'");
-  EXPECT_EQ(contents().error().message,
+  EXPECT_EQ(contents().error().text(),
             path().string() + ": the catalogue is not what was written: objects are missing or there are too many");
 }
 

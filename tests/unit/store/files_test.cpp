@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 class StoreFiles : public StoreTest {
  protected:
   void expect_error(const Error& error, ErrorCode code, const std::string& message) {
-    EXPECT_EQ(error.code, code) << error.message;
-    EXPECT_EQ(error.message, message);
+    EXPECT_EQ(error.code, code) << error.text();
+    EXPECT_EQ(error.text(), message);
   }
   std::string name(std::string_view file = "test.db") const { return path(file).string(); }
 };
@@ -83,7 +83,7 @@ TEST_F(StoreFiles, the_file_has_a_log_and_the_mark_of_algebra3d) {
 TEST_F(StoreFiles, names_that_mean_something_to_sqlite_are_names) {
   for (const char* file : {"file:x.db", "a?mode=memory#b%41.db", ":memory:"}) {
     const auto store = Store::open(path(file), OpenMode::create, registry_);
-    ASSERT_TRUE(store.ok()) << store.error().message;
+    ASSERT_TRUE(store.ok()) << store.error().text();
     EXPECT_TRUE(fs::exists(path(file)));
   }
 }
@@ -125,7 +125,7 @@ TEST_F(StoreFiles, an_unchanging_file_is_read_without_any_other_file) {
   write([&] { let_parts(2); });
   store_.reset();
   const auto connection = SqliteConnection::open(path(), SqliteConnection::Access::immutable, 0);
-  ASSERT_TRUE(connection.ok()) << connection.error().message;
+  ASSERT_TRUE(connection.ok()) << connection.error().text();
   EXPECT_EQ(*(*connection)->integer("SELECT object_count FROM meta"), 1);
   EXPECT_FALSE(fs::exists(name() + "-shm"));
 }
@@ -142,7 +142,7 @@ TEST_F(StoreFiles, a_truncated_file_is_corrupt) {
     write_bytes(path(), whole.substr(0, size));
     const auto store = Store::open(path(), OpenMode::read_write, registry_);
     if (!store) {
-      EXPECT_EQ(store.error().code, ErrorCode::database_corrupt) << size << " " << store.error().message;
+      EXPECT_EQ(store.error().code, ErrorCode::database_corrupt) << size << " " << store.error().text();
       continue;
     }
     ok((*store)->begin(false));
@@ -152,7 +152,7 @@ TEST_F(StoreFiles, a_truncated_file_is_corrupt) {
     auto next = stream->next();
     while (next && *next != nullptr) next = stream->next();
     ASSERT_FALSE(next.ok()) << size;
-    EXPECT_EQ(next.error().code, ErrorCode::database_corrupt) << size << " " << next.error().message;
+    EXPECT_EQ(next.error().code, ErrorCode::database_corrupt) << size << " " << next.error().text();
   }
 }
 

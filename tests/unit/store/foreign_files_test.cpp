@@ -53,8 +53,8 @@ TEST_F(ForeignFiles, a_journal_that_names_another_file_is_refused) {
        {OpenMode::read_write, OpenMode::open_or_create, OpenMode::read_only, OpenMode::read_damaged}) {
     const Error error = open_error(path(), mode);
     EXPECT_EQ(error.code, ErrorCode::database_foreign);
-    EXPECT_TRUE(error.message.starts_with(beside("-journal").string() + ": the journal names another file"))
-        << error.message;
+    EXPECT_TRUE(error.text().starts_with(beside("-journal").string() + ": the journal names another file"))
+        << error.text();
     EXPECT_TRUE(fs::exists(victim()));
   }
   fs::remove(beside("-journal"));
@@ -87,7 +87,7 @@ TEST_F(ForeignFiles, links_pipes_and_folders_beside_it_are_refused) {
       for (const OpenMode mode : {OpenMode::read_write, OpenMode::read_only}) {
         const Error error = open_error(path(), mode);
         EXPECT_EQ(error.code, ErrorCode::database_foreign);
-        EXPECT_EQ(error.message,
+        EXPECT_EQ(error.text(),
                   file.string() + ": not a regular file, as SQLite's files beside a database are; remove it");
       }
     }

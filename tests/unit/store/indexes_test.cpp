@@ -33,7 +33,7 @@ class StoredIndexes : public StoreTest {
   /// The tree of an index.
   static SpatialIndex::Tree& tree_of(const SpatialIndex& index) {
     const auto tree = index.tree();
-    EXPECT_TRUE(tree.ok()) << (tree ? "" : tree.error().message);
+    EXPECT_TRUE(tree.ok()) << (tree ? "" : tree.error().text());
     return **tree;
   }
   /// The index gives for random windows what a scan gives.

@@ -43,7 +43,7 @@ class StoreIntegrity : public StoreTest {
     ok(store.begin(false));
     const auto found = store.check(context_, {});
     store.rollback();
-    EXPECT_TRUE(found.ok()) << found.error().message;
+    EXPECT_TRUE(found.ok()) << found.error().text();
     std::vector<std::string> result;
     if (found)
       for (const Finding& each : *found) result.push_back(each.text());
@@ -242,7 +242,7 @@ TEST_F(StoreIntegrity, a_damaged_catalogue_does_not_hide_the_rest) {
   sql("UPDATE catalogue SET name = 'other' WHERE name = 'v'");
   sql("UPDATE " + table() + " SET a1_No = 77 WHERE id = 4");
   const auto found = Store::check_damaged(path(), registry_, context_, {});
-  ASSERT_TRUE(found.ok()) << found.error().message;
+  ASSERT_TRUE(found.ok()) << found.error().text();
   Texts texts;
   for (const Finding& each : *found) texts.push_back(each.text());
   ASSERT_GE(texts.size(), 3U);

@@ -28,12 +28,12 @@ class Levels : public StoreTest {
   }
   static std::string level(const Value& value, std::uint64_t number) {
     const auto found = level_of(value, number);
-    EXPECT_TRUE(found.ok()) << (found ? "" : found.error().message);
+    EXPECT_TRUE(found.ok()) << (found ? "" : found.error().text());
     return found && *found ? **found : "nothing";
   }
   static bool keep(const Value& value, std::uint64_t number, std::string_view bytes) {
     const auto kept = keep_level(value, number, bytes);
-    EXPECT_TRUE(kept.ok()) << (kept ? "" : kept.error().message);
+    EXPECT_TRUE(kept.ok()) << (kept ? "" : kept.error().text());
     return kept && *kept;
   }
   /// Keeps a level of each part.
@@ -46,7 +46,7 @@ class Levels : public StoreTest {
     std::vector<std::string> texts;
     read([&] {
       const auto found = store_->check(context_, {});
-      ASSERT_TRUE(found.ok()) << found.error().message;
+      ASSERT_TRUE(found.ok()) << found.error().text();
       for (const Finding& each : *found) texts.push_back(each.text());
     });
     return texts;
@@ -83,7 +83,7 @@ class Levels : public StoreTest {
   }
   Value object(const std::string& name) {
     const auto datum = store_->read(name);
-    EXPECT_TRUE(datum.ok()) << (datum ? "" : datum.error().message);
+    EXPECT_TRUE(datum.ok()) << (datum ? "" : datum.error().text());
     return datum->value();
   }
 };
@@ -264,7 +264,7 @@ TEST_F(Levels, of_large_objects) {
     EXPECT_EQ(sphere.header().box, solid.header().box);
     EXPECT_TRUE(keep(sphere, 20000, "coarse"));
     const auto loaded = sphere.loaded();
-    ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+    ASSERT_TRUE(loaded.ok()) << loaded.error().text();
     EXPECT_EQ(compare(*loaded, solid), std::strong_ordering::equal);
     const auto restored = sphere.deferred()->source()->value(std::string(1, '\0'));
     EXPECT_EQ(compare(*restored.loaded(), solid), std::strong_ordering::equal);
@@ -310,7 +310,7 @@ TEST_F(Levels, damage_of_a_large_object_is_found_when_it_is_loaded) {
   read([&] {
     const auto loaded = object("sphere").loaded();
     ASSERT_FALSE(loaded.ok());
-    EXPECT_EQ(loaded.error().message, "sphere: the stored value is not what was written");
+    EXPECT_EQ(loaded.error().text(), "sphere: the stored value is not what was written");
   });
 }
 

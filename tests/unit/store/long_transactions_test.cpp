@@ -145,7 +145,7 @@ TEST_F(LongTransactions, a_scan_sees_the_relation_as_at_its_beginning) {
     for (int id = 1; id <= 600; ++id) ok(id % 3 == 0 ? parts->erase(id) : parts->update(id, part(2000 + id)));
     while (true) {
       const auto next = stream->next();
-      ASSERT_TRUE(next.ok()) << next.error().message;
+      ASSERT_TRUE(next.ok()) << next.error().text();
       if (*next == nullptr) break;
       found.push_back(text(**next));
     }
@@ -168,7 +168,7 @@ TEST_F(LongTransactions, wrong_use_is_an_error_that_says_so) {
   const auto expect_error = [](const Status& status, const std::string& message) {
     ASSERT_FALSE(status.ok());
     EXPECT_EQ(status.error().code, ErrorCode::wrong_usage);
-    EXPECT_EQ(status.error().message, message);
+    EXPECT_EQ(status.error().text(), message);
   };
   expect_error(store_->commit_transaction(), "no transaction is running; begin one with begin transaction");
   expect_error(store_->abort_transaction(), "no transaction is running; begin one with begin transaction");
@@ -183,8 +183,8 @@ TEST_F(LongTransactions, a_second_writer_waits_and_is_then_told_while_readers_go
   ok(store_->begin_transaction());
   const std::string busy =
       path().string() + ": writing: another process is writing to the database; try again when it has finished";
-  EXPECT_EQ(other->begin_transaction().error().message, busy);
-  EXPECT_EQ(other->begin(true).error().message, busy);
+  EXPECT_EQ(other->begin_transaction().error().text(), busy);
+  EXPECT_EQ(other->begin(true).error().text(), busy);
   EXPECT_FALSE(other->is_in_explicit_transaction());
   expect_rows(*other, {0});
   ok(store_->commit_transaction());
@@ -235,9 +235,9 @@ TEST_F(LongTransactions, a_full_disk_undoes_the_statement_and_never_half_of_the_
     ok(store_->commit_transaction());
     expect_rows({2});
   } else {
-    EXPECT_EQ(next.error().message, path().string() +
-                                        ": the transaction was undone when a statement in it failed; use "
-                                        "abort transaction, then begin again");
+    EXPECT_EQ(next.error().text(), path().string() +
+                                       ": the transaction was undone when a statement in it failed; use "
+                                       "abort transaction, then begin again");
     EXPECT_FALSE(store_->commit_transaction().ok());
     expect_rows({0, 1, 2});
   }
@@ -289,7 +289,7 @@ TEST_F(LongTransactions, random_statements_agree_with_a_model) {
       if (loaded)
         EXPECT_EQ(text(*loaded), text(part(old_number).attributes[1]));
       else
-        EXPECT_EQ(loaded.error().code, ErrorCode::wrong_usage) << loaded.error().message;
+        EXPECT_EQ(loaded.error().code, ErrorCode::wrong_usage) << loaded.error().text();
     }
     if (random() % 4 == 0) {
       store_->rollback();

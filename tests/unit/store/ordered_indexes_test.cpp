@@ -14,7 +14,7 @@ class StoredOrderedIndexes : public StoreTest {
 
   std::shared_ptr<OrderedIndex> ordered(const std::string& name) {
     auto datum = store_->read(name);
-    EXPECT_TRUE(datum.ok()) << (datum ? "" : datum.error().message);
+    EXPECT_TRUE(datum.ok()) << (datum ? "" : datum.error().text());
     return datum ? datum->ordered_index() : nullptr;
   }
   void let_ordered(const std::string& name, const std::string& relation_name, const std::string& attribute,
@@ -58,7 +58,7 @@ class StoredOrderedIndexes : public StoreTest {
   }
   void expect_sound() {
     const auto found = store_->check(context_, {});
-    ASSERT_TRUE(found.ok()) << found.error().message;
+    ASSERT_TRUE(found.ok()) << found.error().text();
     EXPECT_TRUE(found->empty()) << found->front().text();
   }
 };
@@ -162,7 +162,7 @@ TEST_F(StoredOrderedIndexes, a_frozen_copy_keeps_its_entries_and_its_damage_is_f
   store_.reset();
   sql("UPDATE object_values SET value = substr(value, 1, length(value) - 1) || x'00'");
   reopen();
-  read([&] { EXPECT_EQ(store_->read("F").error().message, "F: the stored value is not what was written"); });
+  read([&] { EXPECT_EQ(store_->read("F").error().text(), "F: the stored value is not what was written"); });
 }
 
 // The index lies in the file: SQLite has it as its own, and an answer does not read the other rows.
@@ -245,7 +245,7 @@ TEST_F(StoredOrderedIndexes, damaged_pages_are_found_and_made_anew) {
         for (const TuplePtr& each : stored) sorted.emplace(each->attributes[0].get<std::int64_t>(), each->id);
         for (auto at = sorted.lower_bound(low); at != sorted.upper_bound(low + 3); ++at) expected.push_back(at->second);
         const auto ids = ordered("N")->entries().range(from, to);
-        ASSERT_TRUE(ids.ok()) << ids.error().message;
+        ASSERT_TRUE(ids.ok()) << ids.error().text();
         EXPECT_EQ(*ids, expected) << "byte " << byte << " from " << low;
       }
     });

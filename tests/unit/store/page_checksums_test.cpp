@@ -87,7 +87,7 @@ TEST_F(PageChecksums, a_flipped_bit_is_told_with_the_number_of_its_page) {
   write_bytes(path(), content);
   const Error error = scan_error();
   EXPECT_EQ(error.code, ErrorCode::database_corrupt);
-  EXPECT_EQ(error.message, wrong_page(number));
+  EXPECT_EQ(error.text(), wrong_page(number));
 }
 
 TEST_F(PageChecksums, what_another_program_writes_is_told) {
@@ -152,8 +152,8 @@ TEST_F(PageChecksums, nothing_is_written_behind_a_page_of_another_program) {
   ok(store_->create("y", "int"));
   const Status status = store_->commit();
   ASSERT_FALSE(status.ok());
-  EXPECT_NE(status.error().message.find("in the log (-wal) is not what algebra3d has written"), std::string::npos)
-      << status.error().message;
+  EXPECT_NE(status.error().text().find("in the log (-wal) is not what algebra3d has written"), std::string::npos)
+      << status.error().text();
 }
 
 }  // namespace

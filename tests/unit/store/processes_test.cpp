@@ -111,7 +111,7 @@ TEST_F(StoreProcesses, two_write_and_others_read_whole_statements_without_waitin
   int last = 0;
   for (int round = 0; last < expected && round < 100'000; ++round) {
     const auto seen = consistent_count(*reader);
-    ASSERT_TRUE(seen.ok()) << seen.error().message;
+    ASSERT_TRUE(seen.ok()) << seen.error().text();
     ASSERT_GE(*seen, last);
     last = *seen;
     ::usleep(1000);
@@ -179,7 +179,7 @@ class FullDisk : public StoreProcesses {
   void expect_sound() {
     ok(store_->begin(false));
     const auto found = store_->check(context_, {});
-    ASSERT_TRUE(found.ok()) << found.error().message;
+    ASSERT_TRUE(found.ok()) << found.error().text();
     EXPECT_TRUE(found->empty()) << found->front().text();
     store_->rollback();
   }
@@ -237,7 +237,7 @@ TEST_F(FullDisk, a_statement_is_wholly_absent_and_later_ones_work) {
     const std::string after = contents();
     make_room();
     if (!status) {
-      EXPECT_EQ(status.error().code, ErrorCode::disk_full) << status.error().message;
+      EXPECT_EQ(status.error().code, ErrorCode::disk_full) << status.error().text();
       EXPECT_EQ(after, before);
       ++full;
     }
@@ -263,7 +263,7 @@ TEST_F(FullDisk, a_transaction_that_cannot_be_committed_is_wholly_absent) {
   const Status status = store_->commit_transaction();
   make_room();
   ASSERT_FALSE(status.ok());
-  EXPECT_EQ(status.error().code, ErrorCode::disk_full) << status.error().message;
+  EXPECT_EQ(status.error().code, ErrorCode::disk_full) << status.error().text();
   EXPECT_FALSE(store_->is_in_explicit_transaction());
   EXPECT_EQ(contents(), before);
   expect_sound();
@@ -285,18 +285,18 @@ TEST_F(FullDisk, a_transaction_that_is_undone_in_the_middle_says_so_until_it_end
       if (const auto inserted = relation("Parts")->insert(part(i)); !inserted) status = inserted.error();
     make_room();
     ASSERT_FALSE(status.ok());
-    EXPECT_EQ(status.error().code, ErrorCode::disk_full) << status.error().message;
+    EXPECT_EQ(status.error().code, ErrorCode::disk_full) << status.error().text();
     store_->rollback();
     const std::string undone = path().string() +
                                ": the transaction was undone when a statement in it failed; use abort "
                                "transaction, then begin again";
     for (int round = 0; round < 2; ++round) {
-      EXPECT_EQ(store_->begin(true).error().message, undone);
-      EXPECT_EQ(store_->objects().error().message, undone);
+      EXPECT_EQ(store_->begin(true).error().text(), undone);
+      EXPECT_EQ(store_->objects().error().text(), undone);
     }
     EXPECT_TRUE(store_->is_in_explicit_transaction());
     if (ends_with_commit)
-      EXPECT_EQ(store_->commit_transaction().error().message, undone);
+      EXPECT_EQ(store_->commit_transaction().error().text(), undone);
     else
       ok(store_->abort_transaction());
     EXPECT_FALSE(store_->is_in_explicit_transaction());
@@ -310,7 +310,7 @@ TEST_F(FullDisk, a_database_that_cannot_be_made_leaves_nothing) {
   const auto store = Store::open(path(), OpenMode::create, registry_);
   make_room();
   ASSERT_FALSE(store.ok());
-  EXPECT_EQ(store.error().code, ErrorCode::disk_full) << store.error().message;
+  EXPECT_EQ(store.error().code, ErrorCode::disk_full) << store.error().text();
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
@@ -321,7 +321,7 @@ TEST_F(FullDisk, an_upgrade_that_cannot_be_written_leaves_the_version_before) {
   const auto store = Store::open(path(), OpenMode::read_write, registry_);
   make_room();
   ASSERT_FALSE(store.ok());
-  EXPECT_EQ(store.error().code, ErrorCode::disk_full) << store.error().message;
+  EXPECT_EQ(store.error().code, ErrorCode::disk_full) << store.error().text();
   EXPECT_EQ(sql("PRAGMA user_version"), "1");
   reopen(OpenMode::read_write);
   read([&] { EXPECT_EQ(rows("Parts").size(), 2U); });

@@ -23,7 +23,7 @@ TEST(RelationLayout, types_say_how_large_their_values_are) {
                                       {"D", "vector3d"},
                                       {"N", "int"}});
   const auto layout = RelationLayout::make(registry, tuple, "r", 1);
-  ASSERT_TRUE(layout) << layout.error().message;
+  ASSERT_TRUE(layout) << layout.error().text();
   std::vector<AttributeForm> forms;
   for (const AttributeColumns& attribute : (*layout)->attributes()) forms.push_back(attribute.form);
   EXPECT_EQ(forms, (std::vector<AttributeForm>{AttributeForm::large, AttributeForm::large, AttributeForm::large,

@@ -47,9 +47,9 @@ TEST_F(StoredRelations, insert_erase_and_update_change_what_a_scan_gives) {
 TEST_F(StoredRelations, an_error_names_the_tuple_that_is_not_there) {
   write([&] { let_numbers(1); });
   ok(store_->begin(true));
-  EXPECT_EQ(relation("N")->erase(7).error().message, "N: there is no tuple 7");
+  EXPECT_EQ(relation("N")->erase(7).error().text(), "N: there is no tuple 7");
   // A statement in which a change failed cannot be committed.
-  EXPECT_EQ(store_->commit().error().message, "N: there is no tuple 7");
+  EXPECT_EQ(store_->commit().error().text(), "N: there is no tuple 7");
 }
 
 TEST_F(StoredRelations, ids_are_not_used_again) {
@@ -208,7 +208,7 @@ TEST_F(StoredRelations, what_was_made_and_changed_in_one_statement_is_an_error_n
   ok(parts->update(1, part(5)));
   const Value between = (*parts->fetch(1))->attributes[1];
   ok(parts->update(1, part(6)));
-  EXPECT_EQ(between.loaded().error().message,
+  EXPECT_EQ(between.loaded().error().text(),
             "Parts: tuple 1 was made and changed again by the statement that still reads it; use two statements");
   store_->rollback();
 }
@@ -233,7 +233,7 @@ TEST_F(StoredRelations, a_relation_of_too_many_attributes_is_refused) {
   write([&] {
     const auto status = store_->create("R", TypeExpr::rel(type(tuple_type + "))")));
     ASSERT_FALSE(status.ok());
-    EXPECT_EQ(status.error().message, "R: the 300 attributes need 2702 columns, a table has at most 1900");
+    EXPECT_EQ(status.error().text(), "R: the 300 attributes need 2702 columns, a table has at most 1900");
   });
 }
 

@@ -47,7 +47,7 @@ class StoreTest : public testing::Test {
 
   std::unique_ptr<Store> opened(OpenMode mode = OpenMode::open_or_create, const StoreOptions& options = {}) {
     auto store = open_store(path(), mode, registry_, options);
-    EXPECT_TRUE(store.ok()) << (store ? "" : store.error().message);
+    EXPECT_TRUE(store.ok()) << (store ? "" : store.error().text());
     return store ? *std::move(store) : nullptr;
   }
   void reopen(OpenMode mode = OpenMode::open_or_create, const StoreOptions& options = {}) {
@@ -75,7 +75,7 @@ class StoreTest : public testing::Test {
 
   static std::string text(const Value& value) {
     const auto loaded = value.loaded();
-    return loaded ? loaded->to_nested().print() : loaded.error().message;
+    return loaded ? loaded->to_nested().print() : loaded.error().text();
   }
   static std::string text(const Tuple& tuple) {
     std::string result;
@@ -106,16 +106,16 @@ class StoreTest : public testing::Test {
     work();
     ok(store_->commit());
   }
-  static void ok(const Status& status) { ASSERT_TRUE(status.ok()) << status.error().message; }
+  static void ok(const Status& status) { ASSERT_TRUE(status.ok()) << status.error().text(); }
 
   RelationPtr relation(const std::string& name) {
     auto datum = store_->read(name);
-    EXPECT_TRUE(datum.ok()) << (datum ? "" : datum.error().message);
+    EXPECT_TRUE(datum.ok()) << (datum ? "" : datum.error().text());
     return datum ? datum->relation() : nullptr;
   }
   std::shared_ptr<SpatialIndex> index(const std::string& name) {
     auto datum = store_->read(name);
-    EXPECT_TRUE(datum.ok()) << (datum ? "" : datum.error().message);
+    EXPECT_TRUE(datum.ok()) << (datum ? "" : datum.error().text());
     return datum ? datum->index() : nullptr;
   }
   static std::vector<TuplePtr> tuples(Relation& relation) {
@@ -124,7 +124,7 @@ class StoreTest : public testing::Test {
     std::vector<TuplePtr> result;
     while (true) {
       auto tuple = (*stream)->next();
-      EXPECT_TRUE(tuple.ok()) << (tuple ? "" : tuple.error().message);
+      EXPECT_TRUE(tuple.ok()) << (tuple ? "" : tuple.error().text());
       if (!tuple || *tuple == nullptr) return result;
       result.push_back(*tuple);
     }

@@ -57,7 +57,7 @@ class StoredTrees : public StoreTest {
       for (const TuplePtr& each : stored)
         if (each->attributes[1].get<Box3>().intersects(window)) expected.insert(static_cast<std::uint64_t>(each->id));
       const auto ids = found(*spatial, window);
-      ASSERT_TRUE(ids.ok()) << ids.error().message;
+      ASSERT_TRUE(ids.ok()) << ids.error().text();
       EXPECT_EQ(*ids, expected);
     }
   }
@@ -77,7 +77,7 @@ class StoredTrees : public StoreTest {
   void expect_sound() {
     read([&] {
       const auto findings = store_->check(context_, {});
-      ASSERT_TRUE(findings.ok()) << findings.error().message;
+      ASSERT_TRUE(findings.ok()) << findings.error().text();
       EXPECT_TRUE(findings->empty()) << findings->front().text();
     });
   }
@@ -292,12 +292,12 @@ TEST_F(StoredTrees, a_window_reads_only_what_it_returns) {
   sql("DELETE FROM chunks WHERE tuple NOT IN (11, 12, 13)");
   read([&] {
     const auto ids = found(*index("P"), {{95, 0, 0}, {120, 1, 1}});
-    ASSERT_TRUE(ids.ok()) << ids.error().message;
+    ASSERT_TRUE(ids.ok()) << ids.error().text();
     EXPECT_EQ(*ids, (Ids{11, 12, 13}));
     const RelationPtr stored = relation("Parts");
     for (const std::uint64_t id : *ids) {
       const auto tuple = stored->fetch(static_cast<TupleId>(id));
-      ASSERT_TRUE(tuple.ok()) << tuple.error().message;
+      ASSERT_TRUE(tuple.ok()) << tuple.error().text();
       EXPECT_EQ(text(**tuple), text(part(static_cast<int>(id) - 1)));
     }
     EXPECT_EQ(store_->geometry_loads(), 3U);

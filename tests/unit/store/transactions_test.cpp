@@ -118,9 +118,9 @@ TEST_F(StoreTransactions, one_writes_and_the_other_is_told_to_wait) {
   const auto status = other->begin(true);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::database_busy);
-  EXPECT_EQ(status.error().message, path().string() +
-                                        ": writing: another process is writing to the database; try again when it has "
-                                        "finished");
+  EXPECT_EQ(status.error().text(), path().string() +
+                                       ": writing: another process is writing to the database; try again when it has "
+                                       "finished");
   store_->rollback();
   ok(other->begin(true));
   other->rollback();
@@ -134,7 +134,7 @@ TEST_F(StoreTransactions, a_reader_that_turns_writer_too_late_is_told_to_run_aga
   const auto inserted = other->read("Parts")->relation()->insert(part(2));
   ASSERT_FALSE(inserted.ok());
   EXPECT_EQ(inserted.error().code, ErrorCode::database_busy);
-  EXPECT_NE(inserted.error().message.find("run it again"), std::string::npos) << inserted.error().message;
+  EXPECT_NE(inserted.error().text().find("run it again"), std::string::npos) << inserted.error().text();
   EXPECT_FALSE(other->commit().ok());
   ok(other->begin(false));
   EXPECT_EQ(*other->read("Parts")->relation()->count(), 0);
@@ -153,7 +153,7 @@ TEST_F(StoreTransactions, a_full_disk_changes_nothing) {
   }
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::disk_full);
-  EXPECT_EQ(status.error().message, path().string() + ": writing: the disk is full");
+  EXPECT_EQ(status.error().text(), path().string() + ": writing: the disk is full");
   EXPECT_FALSE(store_->create("x", "int").ok());
   EXPECT_EQ(store_->commit().error().code, ErrorCode::disk_full);
   read([&] { EXPECT_EQ(rows("Parts").size(), 3U); });
@@ -183,7 +183,7 @@ TEST_F(StoreTransactions, wherever_the_disk_is_full_a_statement_is_whole_or_abse
       const Status status = is_in_transaction ? replaced_in_transaction(60) : replaced(60);
       refused += status ? 0 : 1;
       if (!status) {
-        EXPECT_EQ(status.error().code, ErrorCode::disk_full) << status.error().message;
+        EXPECT_EQ(status.error().code, ErrorCode::disk_full) << status.error().text();
       }
       reopen(OpenMode::read_write);
       EXPECT_EQ(rows_now().size(), status ? 60U : before.size());

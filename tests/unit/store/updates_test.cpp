@@ -36,7 +36,7 @@ class StoredUpdates : public StoreTest {
   void expect_sound() {
     read([&] {
       const auto findings = store_->check(context_, {});
-      ASSERT_TRUE(findings.ok()) << findings.error().message;
+      ASSERT_TRUE(findings.ok()) << findings.error().text();
       EXPECT_TRUE(findings->empty()) << findings->front().text();
     });
   }

@@ -63,7 +63,7 @@ TEST_F(StoredValues, objects_of_every_type_come_back_after_reopening) {
   read([&] {
     for (std::size_t i = 0; i < kValues.size(); ++i) {
       const auto datum = store_->read("o" + std::to_string(i));
-      ASSERT_TRUE(datum.ok()) << datum.error().message;
+      ASSERT_TRUE(datum.ok()) << datum.error().text();
       EXPECT_EQ(datum->value().type().name(), kValues[i].first);
       EXPECT_EQ(text(datum->value()), text(value(kValues[i].first, kValues[i].second)));
     }
@@ -142,7 +142,7 @@ TEST_F(StoredValues, functions_keep_their_text_and_objects_their_types) {
     const auto later = store_->read("later");
     ASSERT_FALSE(later.ok());
     EXPECT_EQ(later.error().code, ErrorCode::not_evaluable);
-    EXPECT_EQ(later.error().message, "the object 'later' has no value yet; give it one with update");
+    EXPECT_EQ(later.error().text(), "the object 'later' has no value yet; give it one with update");
   });
 }
 
@@ -154,7 +154,7 @@ TEST_F(StoredValues, a_name_is_given_once_and_free_again_after_removal) {
     EXPECT_EQ(again.error().code, ErrorCode::name_exists);
     ok(store_->remove("x"));
     ok(store_->create("x", "real"));
-    EXPECT_EQ(store_->remove("y").error().message, "there is no object 'y'");
+    EXPECT_EQ(store_->remove("y").error().text(), "there is no object 'y'");
     EXPECT_EQ(store_->create("s", type("(stream int)")).error().code, ErrorCode::type_error);
     EXPECT_EQ(store_->create("r", type("(rel (tuple ((A (stream int)))))")).error().code, ErrorCode::type_error);
   });

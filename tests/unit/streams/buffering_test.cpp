@@ -148,8 +148,7 @@ TEST_F(Buffering, a_merge_join_refuses_what_is_not_sorted) {
   const TupleStreamPtr joined = merge_join(stream({{1, 1}}), stream({{2, 1}, {1, 2}}), parameters, context);
   const auto next = joined->next();
   ASSERT_FALSE(next.ok());
-  EXPECT_EQ(next.error().message,
-            "join: the second stream is not sorted by B; write `sortby[B]`, or use sortmergejoin");
+  EXPECT_EQ(next.error().text(), "join: the second stream is not sorted by B; write `sortby[B]`, or use sortmergejoin");
 }
 
 }  // namespace

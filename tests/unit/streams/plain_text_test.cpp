@@ -55,7 +55,7 @@ class Records : public testing::Test {
     std::string text;
     while (true) {
       const auto more = reader.next(record);
-      if (!more) return text + more.error().message;
+      if (!more) return text + more.error().text();
       if (!*more) return text;
       text += std::to_string(record.line) + ":";
       for (const CsvCell& cell : record.cells) text += (cell.is_quoted ? "q[" : "[") + cell.text + "]";
@@ -68,7 +68,7 @@ class Records : public testing::Test {
     std::string text;
     while (true) {
       const auto more = records.next(record);
-      if (!more) return text + more.error().message;
+      if (!more) return text + more.error().text();
       if (!*more) return text;
       text += std::to_string(record.line) + ":" + record.text + " ";
     }

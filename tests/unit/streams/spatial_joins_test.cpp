@@ -54,7 +54,7 @@ class SpatialJoins : public StreamTest {
                           tuple->attributes[kSize + kNumber].get<std::int64_t>());
       return {};
     });
-    EXPECT_TRUE(status.ok()) << (status.ok() ? "" : status.error().message);
+    EXPECT_TRUE(status.ok()) << (status.ok() ? "" : status.error().text());
     return result;
   }
   Numbers self_joined(const std::vector<Box3>& boxes) {

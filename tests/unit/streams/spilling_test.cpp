@@ -245,7 +245,7 @@ TEST_F(Spilling, a_folder_that_is_not_there_is_an_error_with_a_remedy) {
   context.memory = &nowhere;
   const auto result = sorted(*stream(random_rows(5000, 10)), {{0, false}}, context);
   ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().message,
+  EXPECT_EQ(result.error().text(),
             "temporary file in /no/such/folder: No such file or directory; the environment variable TMPDIR names "
             "another folder, and `set \"memory\" = ...` the megabytes to keep in memory");
 }

@@ -39,7 +39,7 @@ class StreamTest : public testing::Test {
       result.push_back(row(*tuple));
       return {};
     });
-    EXPECT_TRUE(status.ok()) << (status.ok() ? "" : status.error().message);
+    EXPECT_TRUE(status.ok()) << (status.ok() ? "" : status.error().text());
     return result;
   }
 

@@ -30,7 +30,7 @@ inline SampleRun run_sample(const std::string& content, TestOptions options = {}
   if (outcome)
     result.outcome = std::move(outcome).value();
   else
-    result.error = outcome.error().message;
+    result.error = outcome.error().text();
   return result;
 }
 

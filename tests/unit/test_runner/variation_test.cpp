@@ -111,7 +111,7 @@ std::string varied_function() {
 
 std::string moved(const Variation& variation, const std::string& command) {
   auto result = variation.moved_command(command, {"/no/such/folder", "/no/such/scratch"});
-  return result ? std::move(result).value() : "error: " + result.error().message;
+  return result ? std::move(result).value() : "error: " + result.error().text();
 }
 
 TEST(Variation, literals_are_moved_in_the_text) {

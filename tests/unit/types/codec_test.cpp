@@ -133,7 +133,7 @@ TEST(codec, every_type_comes_back_equal_from_either_origin) {
     EXPECT_EQ(bytes, encode(value));
     for (const Origin origin : {Origin::own_store, Origin::elsewhere}) {
       const auto decoded = decode(*type, bytes, origin);
-      ASSERT_TRUE(decoded.ok()) << text << ": " << decoded.error().message;
+      ASSERT_TRUE(decoded.ok()) << text << ": " << decoded.error().text();
       EXPECT_EQ(compare(*decoded, value), std::strong_ordering::equal);
       EXPECT_EQ(decoded->to_nested(), value.to_nested());
       EXPECT_EQ(encode(*decoded), bytes);
@@ -144,7 +144,7 @@ TEST(codec, every_type_comes_back_equal_from_either_origin) {
 TEST(codec, undefined_comes_back_undefined) {
   for (const Type* type : all_types()) {
     const auto decoded = decode(*type, encode(Value(*type)), Origin::elsewhere);
-    ASSERT_TRUE(decoded.ok()) << decoded.error().message;
+    ASSERT_TRUE(decoded.ok()) << decoded.error().text();
     EXPECT_FALSE(decoded->is_defined());
     EXPECT_EQ(&decoded->type(), type);
   }
@@ -170,7 +170,7 @@ TEST(codec, the_same_mesh_comes_back_index_by_index) {
     const TriangleMesh mesh = random_mesh(random, point_count, random() % 600, round % 3 == 0);
     const Value value = Value::of(Volume3d::trusted(mesh));
     const auto decoded = decode(value.type(), encode(value), Origin::own_store);
-    ASSERT_TRUE(decoded.ok()) << decoded.error().message;
+    ASSERT_TRUE(decoded.ok()) << decoded.error().text();
     expect_same_mesh(decoded->get<Volume3d>().mesh(), mesh);
   }
 }
@@ -180,7 +180,7 @@ TEST(codec, isolated_points_and_points_out_of_order_are_kept) {
                           std::vector<Triangle>{{3, 1, 2}, {2, 1, 3}});
   const Value value = Value::of(Surface3d::trusted(mesh));
   const auto decoded = decode(value.type(), encode(value), Origin::own_store);
-  ASSERT_TRUE(decoded.ok()) << decoded.error().message;
+  ASSERT_TRUE(decoded.ok()) << decoded.error().text();
   expect_same_mesh(decoded->get<Surface3d>().mesh(), mesh);
 }
 
@@ -199,7 +199,7 @@ TEST(codec, extreme_doubles_and_long_rationals_are_kept) {
   write_points(writer, points);
   ByteReader reader(bytes, "points");
   const PointArray again = read_points(reader);
-  ASSERT_TRUE(reader.finish().ok()) << reader.status().error().message;
+  ASSERT_TRUE(reader.finish().ok()) << reader.status().error().text();
   EXPECT_EQ(again, points);
 }
 
@@ -209,7 +209,7 @@ TEST(codec, content_that_compresses_without_end_keeps_its_ratio) {
   EXPECT_GE(bytes.size(), 10'000'000U / 1024);
   EXPECT_LT(bytes.size(), 10'000'000U / 1024 + 1000);
   const auto decoded = decode(value.type(), bytes, Origin::elsewhere);
-  ASSERT_TRUE(decoded.ok()) << decoded.error().message;
+  ASSERT_TRUE(decoded.ok()) << decoded.error().text();
   EXPECT_EQ(compare(*decoded, value), std::strong_ordering::equal);
 }
 
@@ -240,7 +240,7 @@ TEST(codec, the_dump_of_the_page_is_the_value_it_says) {
   const std::string bytes = bytes_of_dump();
   ASSERT_EQ(bytes.size(), 153U);
   const auto decoded = decode(TypeOf<Surface3d>::type(), bytes, Origin::elsewhere);
-  ASSERT_TRUE(decoded.ok()) << decoded.error().message;
+  ASSERT_TRUE(decoded.ok()) << decoded.error().text();
   EXPECT_EQ(decoded->to_nested().print(), "(((0.0 0.0 0.0) (1.0 0.0 0.0) (0.0 1.0 0.0)))");
   EXPECT_EQ(encode(*decoded), bytes);
 }
@@ -284,7 +284,7 @@ TEST(codec, damaged_bodies_never_crash_and_cut_ones_are_errors) {
       if (decoded.ok()) {
         EXPECT_EQ(compare(*decoded, *decoded), std::strong_ordering::equal);
       } else {
-        EXPECT_TRUE(decoded.error().message.starts_with("volume3d: byte ")) << decoded.error().message;
+        EXPECT_TRUE(decoded.error().text().starts_with("volume3d: byte ")) << decoded.error().text();
       }
     }
   }
@@ -309,7 +309,7 @@ TEST(codec, damaged_nested_relations_never_crash) {
         if (decoded.ok())
           EXPECT_EQ(compare(*decoded, *decoded), std::strong_ordering::equal);
         else
-          EXPECT_EQ(decoded.error().code, ErrorCode::database_corrupt) << decoded.error().message;
+          EXPECT_EQ(decoded.error().code, ErrorCode::database_corrupt) << decoded.error().text();
       }
     }
   }
@@ -319,7 +319,7 @@ TEST(codec, nested_relations_name_the_tuple_and_attribute_that_is_damaged) {
   const Type& type = *nested("(tuple ((A bool) (B bool)))");
   const auto message = [&](std::string_view body) {
     const auto decoded = type.decode(body, true);
-    return decoded.ok() ? std::string("no error") : decoded.error().message;
+    return decoded.ok() ? std::string("no error") : decoded.error().text();
   };
   using namespace std::string_view_literals;
   EXPECT_EQ(message("\1\0\0"sv), "no error");
@@ -338,8 +338,8 @@ TEST(codec, a_solid_in_a_nested_relation_from_elsewhere_is_proved) {
   const auto refused = decode(type, encode(relation), Origin::elsewhere);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, ErrorCode::database_corrupt);
-  EXPECT_TRUE(refused.error().message.starts_with("arel: tuple 1, attribute V: volume3d: no valid solid: "))
-      << refused.error().message;
+  EXPECT_TRUE(refused.error().text().starts_with("arel: tuple 1, attribute V: volume3d: no valid solid: "))
+      << refused.error().text();
 }
 
 TEST(codec, a_newer_version_is_refused_before_all_else) {
@@ -348,14 +348,14 @@ TEST(codec, a_newer_version_is_refused_before_all_else) {
   const auto decoded = decode(TypeOf<double>::type(), bytes, Origin::own_store);
   ASSERT_FALSE(decoded.ok());
   EXPECT_EQ(decoded.error().code, ErrorCode::database_version);
-  EXPECT_EQ(decoded.error().message, "stored value: format version 2, this program reads versions up to 1");
+  EXPECT_EQ(decoded.error().text(), "stored value: format version 2, this program reads versions up to 1");
 }
 
 TEST(codec, errors_name_the_byte_and_the_expectation) {
   const std::string bytes = encode(read(TypeOf<double>::type(), "1.5"));
   const auto message = [&](std::string changed, const Type& type = TypeOf<double>::type()) {
     const auto decoded = decode(type, changed, Origin::own_store);
-    return decoded.ok() ? std::string("no error") : decoded.error().message;
+    return decoded.ok() ? std::string("no error") : decoded.error().text();
   };
   const auto with = [&](std::size_t offset, char byte) {
     std::string changed = bytes;
@@ -380,7 +380,7 @@ TEST(codec, a_mesh_from_elsewhere_is_proved) {
   const auto decoded = decode(TypeOf<Volume3d>::type(), bytes, Origin::elsewhere);
   ASSERT_FALSE(decoded.ok());
   EXPECT_EQ(decoded.error().code, ErrorCode::database_corrupt);
-  EXPECT_TRUE(decoded.error().message.starts_with("volume3d: no valid solid: ")) << decoded.error().message;
+  EXPECT_TRUE(decoded.error().text().starts_with("volume3d: no valid solid: ")) << decoded.error().text();
 
   // Two points in one place would hide that triangles meet.
   const TriangleMesh doubled(PointArray(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}),
@@ -388,7 +388,7 @@ TEST(codec, a_mesh_from_elsewhere_is_proved) {
   const std::string twice = encode(Value::of(Surface3d::trusted(doubled)));
   const auto refused = decode(TypeOf<Surface3d>::type(), twice, Origin::elsewhere);
   ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().message, "surface3d: expected points that differ from each other");
+  EXPECT_EQ(refused.error().text(), "surface3d: expected points that differ from each other");
 }
 
 TEST(codec, a_large_regular_mesh_takes_few_bytes) {
@@ -433,7 +433,7 @@ TEST(binary_io, counts_beyond_the_bytes_are_refused) {
   bytes += "abc";
   ByteReader reader(bytes, "test");
   EXPECT_EQ(reader.count(1), 0U);
-  EXPECT_EQ(reader.status().error().message,
+  EXPECT_EQ(reader.status().error().text(),
             "test: byte 9 of the body: expected a count of at most 3, found 1152921504606846976");
   ByteReader overlong("\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x02", "test");
   EXPECT_EQ(overlong.varint(), 0U);

@@ -34,7 +34,7 @@ class FileAtom : public testing::Test {
   std::string content(const std::string& path) {
     const auto value = value_from_nested(TypeOf<Text>::type(), file_atom(path), context_);
     return value ? value->get<Text>().content
-                 : fmt::format("{}: {}", describe(value.error().code).name, value.error().message);
+                 : fmt::format("{}: {}", describe(value.error().code).name, value.error().text());
   }
 
   std::filesystem::path folder_;

@@ -74,7 +74,7 @@ TEST(geometry_text, malformed_lists_are_errors_that_name_the_triangle) {
     const Reading reading = reading_of(volume(), text);
     ASSERT_FALSE(reading.value.ok()) << text;
     EXPECT_EQ(reading.value.error().code, ErrorCode::invalid_value);
-    EXPECT_TRUE(reading.value.error().message.starts_with(message)) << reading.value.error().message;
+    EXPECT_TRUE(reading.value.error().text().starts_with(message)) << reading.value.error().text();
     EXPECT_TRUE(reading.diagnostics.empty());
   }
 }

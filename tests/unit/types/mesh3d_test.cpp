@@ -26,7 +26,7 @@ Value mesh_of(std::string_view text) {
 }
 std::string mesh_error(std::string_view text) {
   const Reading reading = reading_of(mesh_type(), text);
-  return reading.value.ok() ? "no error" : reading.value.error().message;
+  return reading.value.ok() ? "no error" : reading.value.error().text();
 }
 
 TEST(mesh3d_text, what_is_printed_is_what_was_read) {
@@ -150,7 +150,7 @@ TEST(mesh3d_codec, meshes_come_back_number_by_number) {
         Value::of(random_mesh(random, 1 + static_cast<std::uint32_t>(random() % 300),
                               static_cast<std::uint32_t>(random() % 400), round % 3 == 0, round % 2 == 0));
     const auto decoded = decode(mesh_type(), encode(value), Origin::elsewhere);
-    ASSERT_TRUE(decoded.ok()) << decoded.error().message;
+    ASSERT_TRUE(decoded.ok()) << decoded.error().text();
     ASSERT_EQ(compare(*decoded, value), std::strong_ordering::equal);
     ASSERT_EQ(decoded->header().box, value.header().box);
     ASSERT_TRUE(audit(decoded->get<Mesh3d>().mesh()).empty());
@@ -160,7 +160,7 @@ TEST(mesh3d_codec, meshes_come_back_number_by_number) {
 TEST(mesh3d_codec, attributes_come_back_and_damage_never_crashes) {
   const Value value = mesh_of(kWithAttributes);
   const auto decoded = decode(mesh_type(), encode(value), Origin::elsewhere);
-  ASSERT_TRUE(decoded.ok()) << decoded.error().message;
+  ASSERT_TRUE(decoded.ok()) << decoded.error().text();
   EXPECT_EQ(decoded->to_nested().print(), kWithAttributes);
   std::string body;
   mesh_type().encode(value, body);
@@ -191,7 +191,7 @@ TEST(mesh3d_codec, damaged_bodies_never_crash_and_cut_ones_are_errors) {
       if (decoded.ok()) {
         ASSERT_TRUE(audit(decoded->get<Mesh3d>().mesh()).empty());
       } else {
-        ASSERT_TRUE(decoded.error().message.starts_with("mesh3d: byte ")) << decoded.error().message;
+        ASSERT_TRUE(decoded.error().text().starts_with("mesh3d: byte ")) << decoded.error().text();
       }
     }
   }

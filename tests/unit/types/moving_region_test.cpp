@@ -23,7 +23,7 @@ Reading read(const std::string& text) {
 template <typename T>
 Value value_of(const std::string& text) {
   const auto reading = read<T>(text);
-  EXPECT_TRUE(reading.value.ok()) << text << ": " << (reading.value.ok() ? "" : reading.value.error().message);
+  EXPECT_TRUE(reading.value.ok()) << text << ": " << (reading.value.ok() ? "" : reading.value.error().text());
   if (!reading.value.ok()) return Value(TypeOf<T>::type());
   EXPECT_TRUE(reading.value->is_defined())
       << text << ": " << (reading.diagnostics.empty() ? "" : reading.diagnostics[0].text);
@@ -42,7 +42,7 @@ std::string error_of(const std::string& text) {
   const auto reading = read<T>(text);
   if (reading.value.ok()) return "no error";
   EXPECT_EQ(reading.value.error().code, ErrorCode::invalid_value);
-  return reading.value.error().message;
+  return reading.value.error().text();
 }
 
 template <typename T>
@@ -181,7 +181,7 @@ TEST(moving_region, bytes_read_back_equal) {
     for (const Value* value : {&unit, &moving})
       for (const Origin origin : {Origin::own_store, Origin::elsewhere}) {
         const auto decoded = decode(value->type(), encode(*value), origin);
-        ASSERT_TRUE(decoded.ok()) << decoded.error().message;
+        ASSERT_TRUE(decoded.ok()) << decoded.error().text();
         EXPECT_TRUE(std::is_eq(compare(*decoded, *value)));
         EXPECT_EQ(decoded->to_nested().print(), value->to_nested().print());
         EXPECT_GT(heap_bytes(*value), 300U);

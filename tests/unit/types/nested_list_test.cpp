@@ -17,7 +17,7 @@ using List = NestedList;
 
 List parsed(std::string_view source) {
   auto result = List::parse(source);
-  EXPECT_TRUE(result.ok()) << source << ": " << (result.ok() ? "" : result.error().message);
+  EXPECT_TRUE(result.ok()) << source << ": " << (result.ok() ? "" : result.error().text());
   return result.ok() ? std::move(result).value() : List();
 }
 
@@ -26,7 +26,7 @@ std::string error_of(std::string_view source) {
   const auto result = List::parse(source);
   if (result.ok()) return "no error, but " + result->print();
   const auto& error = result.error();
-  return fmt::format("{}:{} {}: {}", error.place.line, error.place.column, describe(error.code).name, error.message);
+  return fmt::format("{}:{} {}: {}", error.place.line, error.place.column, describe(error.code).name, error.text());
 }
 
 TEST(nested_list, atoms_have_the_kind_that_their_spelling_says) {

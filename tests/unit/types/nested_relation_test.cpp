@@ -50,7 +50,7 @@ TEST(NestedRelation, threads_get_the_same_type) {
 }
 
 TEST(NestedRelation, refused_tuple_types) {
-  const auto message = [](const TypeExpr& tuple) { return NestedRelationType::of(tuple).error().message; };
+  const auto message = [](const TypeExpr& tuple) { return NestedRelationType::of(tuple).error().text(); };
   EXPECT_EQ(message(TypeExpr::tuple({})), "arel: expected a tuple type with attributes, got (tuple ())");
   EXPECT_EQ(message(TypeExpr::tuple({{"R", TypeExpr::rel(pair_of_ints())}})),
             "arel: an attribute cannot be of type (rel (tuple ((A int) (B int))))");
@@ -104,11 +104,10 @@ TEST(NestedRelation, lists_are_read_and_written) {
   EXPECT_EQ(reading.value->to_nested().print(), "((1 2) (undefined 3))");
   EXPECT_EQ(reading.value->header().size, 2U);
   EXPECT_TRUE(reading.value->header().box.is_empty());
-  EXPECT_EQ(reading_of(pairs(), "5").value.error().message, "arel: expected a list of tuples, got 5");
-  EXPECT_EQ(reading_of(pairs(), "((1 2) 3)").value.error().message,
-            "arel: tuple 2: expected a list of 2 values, got 3");
+  EXPECT_EQ(reading_of(pairs(), "5").value.error().text(), "arel: expected a list of tuples, got 5");
+  EXPECT_EQ(reading_of(pairs(), "((1 2) 3)").value.error().text(), "arel: tuple 2: expected a list of 2 values, got 3");
   EXPECT_TRUE(
-      reading_of(pairs(), "((1 2) (1 x))").value.error().message.starts_with("arel: tuple 2, attribute B: int: "));
+      reading_of(pairs(), "((1 2) (1 x))").value.error().text().starts_with("arel: tuple 2, attribute B: int: "));
 }
 
 TEST(NestedRelation, memory_grows_with_the_content) {

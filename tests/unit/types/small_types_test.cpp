@@ -36,7 +36,7 @@ Reading read(std::string_view type, std::string_view text) {
 Value value_of(std::string_view type, std::string_view text) {
   auto reading = read(type, text);
   EXPECT_TRUE(reading.value.ok()) << type << " " << text << ": "
-                                  << (reading.value.ok() ? "" : reading.value.error().message);
+                                  << (reading.value.ok() ? "" : reading.value.error().text());
   if (!reading.value.ok()) return Value(type_named(type));
   EXPECT_TRUE(reading.value->is_defined()) << type << " " << text;
   return *reading.value;
@@ -158,7 +158,7 @@ TEST(small_types, what_is_printed_and_what_is_stored_reads_back_equal) {
         EXPECT_EQ(value_of(type, printed).to_nested().print(), printed);
         for (const bool trusted : {false, true}) {
           const auto decoded = value.type().decode(bytes_of(value), trusted);
-          ASSERT_TRUE(decoded.ok()) << type << " " << text << ": " << decoded.error().message;
+          ASSERT_TRUE(decoded.ok()) << type << " " << text << ": " << decoded.error().text();
           EXPECT_EQ(decoded->to_nested().print(), printed);
           EXPECT_EQ(compare(*decoded, value), std::strong_ordering::equal) << printed;
           EXPECT_EQ(bytes_of(*decoded), bytes_of(value));
@@ -227,7 +227,7 @@ TEST(small_types, malformed_lists_are_errors_that_say_what_was_expected) {
     const auto reading = read(type, text);
     ASSERT_FALSE(reading.value.ok()) << type << " " << text;
     EXPECT_EQ(reading.value.error().code, ErrorCode::invalid_value);
-    EXPECT_EQ(reading.value.error().message, message);
+    EXPECT_EQ(reading.value.error().text(), message);
   }
 }
 
@@ -235,7 +235,7 @@ TEST(small_types, fractions_beyond_the_range_of_real_are_no_coordinates) {
   const auto huge = "1" + std::string(400, '0') + "/3";
   const auto reading = read("point3d", "(" + huge + " 0 0)");
   ASSERT_FALSE(reading.value.ok());
-  EXPECT_EQ(reading.value.error().message,
+  EXPECT_EQ(reading.value.error().text(),
             "point3d: expected coordinates within the range of real, got (1" + std::string(58, '0') + "...");
   // A plane has no such limit: it is not drawn, it is computed with.
   const auto plane = value_of("plane3d", "((" + huge + " 0 0) (1 0 0))");
@@ -337,7 +337,7 @@ TEST(small_types, bad_bytes_are_errors_with_the_byte) {
     const auto value = type_named(type).decode(bytes, false);
     if (value.ok()) return "no error, but " + value->to_nested().print();
     EXPECT_EQ(value.error().code, ErrorCode::database_corrupt);
-    return value.error().message;
+    return value.error().text();
   };
   using namespace std::string_literals;
   const auto infinity = "\0\0\0\0\0\0\xF0\x7F"s;
@@ -461,7 +461,7 @@ TEST(value, deferred_values_know_their_header_and_load_when_asked) {
   EXPECT_EQ(loaded->to_nested().print(), "(1.0 2.0 3.0)");
   EXPECT_EQ(loaded->loaded()->to_nested().print(), "(1.0 2.0 3.0)");
   deferred->fails = true;
-  EXPECT_EQ(value.loaded().error().message, "gone");
+  EXPECT_EQ(value.loaded().error().text(), "gone");
 }
 
 TEST(value, undefined_values_keep_their_type) {

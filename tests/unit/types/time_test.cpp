@@ -37,13 +37,13 @@ void expect_error(std::string_view text, std::string_view message) {
   const auto reading = read<T>(text);
   ASSERT_FALSE(reading.value.ok()) << text;
   EXPECT_EQ(reading.value.error().code, ErrorCode::invalid_value);
-  EXPECT_EQ(reading.value.error().message, message) << text;
+  EXPECT_EQ(reading.value.error().text(), message) << text;
 }
 
 template <typename T>
 void expect_undefined(std::string_view text, std::string_view reason) {
   const auto reading = read<T>(text);
-  ASSERT_TRUE(reading.value.ok()) << text << ": " << reading.value.error().message;
+  ASSERT_TRUE(reading.value.ok()) << text << ": " << reading.value.error().text();
   EXPECT_FALSE(reading.value->is_defined()) << text;
   ASSERT_EQ(reading.diagnostics.size(), 1U) << text;
   EXPECT_EQ(reading.diagnostics[0].text, reason);
@@ -311,7 +311,7 @@ std::string body(std::initializer_list<std::int64_t> numbers, int closed = -1) {
 TEST(time_types, bodies_out_of_range_are_errors) {
   const auto refused = [](const Type& type, const std::string& bytes) {
     const auto decoded = type.decode(bytes, true);
-    return decoded.ok() ? "" : decoded.error().message;
+    return decoded.ok() ? "" : decoded.error().text();
   };
   const Type& instant = TypeOf<Instant>::type();
   EXPECT_EQ(refused(instant, body({Instant::kFirst})), "");

@@ -17,7 +17,7 @@ TEST(type_expr, reads_what_it_prints) {
         "(rel (tuple ((Name string) (Vol volume3d))))", "(stream (tuple ((A int))))", "(tuple ())",
         "(rtree3 (tuple ((Name string) (Vol volume3d))) volume3d FALSE)", "(set (vector (array TRUE)))"}) {
     const auto type = read(text);
-    ASSERT_TRUE(type.ok()) << text << ": " << type.error().message;
+    ASSERT_TRUE(type.ok()) << text << ": " << type.error().text();
     EXPECT_EQ(type->text(), text);
     EXPECT_EQ(type->to_nested(), *NestedList::parse(text));
   }
@@ -62,7 +62,7 @@ TEST(type_expr, equality_is_structural) {
 TEST(type_expr, what_is_no_type_is_named) {
   const auto error_of = [](std::string_view text) {
     const auto type = read(text);
-    return type.ok() ? "no error" : std::string(describe(type.error().code).name) + ": " + type.error().message;
+    return type.ok() ? "no error" : std::string(describe(type.error().code).name) + ": " + type.error().text();
   };
   EXPECT_EQ(error_of("5"), "invalid_value: type: expected a name or (constructor type ...), got 5");
   EXPECT_EQ(error_of("()"), "invalid_value: type: expected a name or (constructor type ...), got ()");

@@ -21,7 +21,7 @@ std::invoke_result_t<const Work&> guarded(const Operator& op, const Work& work) 
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& exception) {
-    return Error(ErrorCode::internal, "{}: unexpected exception: {}", op.name, exception.what());
+    return Error(ErrorCode::internal, "unexpected exception: {}", exception.what()).about(op.name);
   }
 }
 
