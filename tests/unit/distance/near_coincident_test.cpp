@@ -189,9 +189,38 @@ void expect_bounds_with(const TriangleSet& from, const TriangleSet& to, bool is_
   for (std::size_t f = 0; f < upper.size(); ++f) EXPECT_LE(sampled[f], upper[f] + rounding);
 }
 
+/// Comparisons of parts with triangles for each face, for bounds that exceed the distances of the vertices.
+double comparisons_per_face(const TriangleSet& from, const TriangleSet& to) {
+  double enough = 0;
+  std::vector<FaceId> nearest;
+  for (const Vec3& p : from.mesh.points().approx()) {
+    const TriangleSet place({p}, {{0, 0, 0}});
+    const auto closest = *closest_points(place.operand(), to.operand());
+    nearest.push_back(closest->second_face);
+    enough = std::max(enough, closest->squared_distance.nearest_root());
+  }
+  const Box3 box = unite(from.hierarchy.bounds(), to.hierarchy.bounds());
+  const distances::LargeFacets facets(to.mesh, distances::half_scale_for(box));
+  distances::FaceBounds<Vec3> bounds(from.mesh, to.operand(), facets, box, enough * (1 + 0x1p-30) + 0x1p-43);
+  for (std::size_t f = 0; f < from.mesh.face_count(); ++f) {
+    const auto [a, b, c] = from.mesh.triangle(FaceId(f));
+    bounds.of(FaceId(f), {nearest[a], nearest[b], nearest[c]});
+  }
+  return static_cast<double>(bounds.comparison_count()) / static_cast<double>(from.mesh.face_count());
+}
+
 void expect_bounds(const TriangleSet& from, const TriangleSet& to, bool is_tight) {
   expect_bounds_with<Vec3>(from, to, is_tight);
   expect_bounds_with<WideVec3>(from, to, is_tight);
+}
+
+TEST(FaceBounds, WorkDoesNotGrowWhereSetsAreNear) {
+  for (const double radians : {1e-3, 1e-6, 1e-9})
+    for (const std::uint32_t n : {12U, 24U}) {
+      const TriangleSet a = sphere(n, 2, {2.0 / 7, 3.0 / 7, 6.0 / 7}, 0),
+                        b = sphere(n, 2, {2.0 / 7, 3.0 / 7, 6.0 / 7}, radians);
+      EXPECT_LE(comparisons_per_face(a, b), 300) << radians << ' ' << n;
+    }
 }
 
 TEST(FaceBounds, OfSurfacesThatNearlyCoincide) {

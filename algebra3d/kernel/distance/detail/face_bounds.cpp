@@ -132,11 +132,19 @@ auto FaceBounds<Vector>::distance(const Vector& point, const Target& target) -> 
 
 template <typename Vector>
 auto FaceBounds<Vector>::farthest(const Part& part, const Target& target) -> Farthest {
-  Farthest result{-1, {}};
+  Farthest result{0, -1, {}};
   for (std::uint32_t i = 0; i < part.size; ++i)
-    if (const Number own = distance(part.corners[i], target); own > result.upper) result = {own, part.corners[i]};
-  result.upper = (result.upper + (kOfDistance<Number> + part.deviation)) * kGrown<Number>;
+    if (const Number own = distance(part.corners[i], target); own > result.distance) result = {0, own, part.corners[i]};
+  result.upper = (result.distance + (kOfDistance<Number> + part.deviation)) * kGrown<Number>;
   return result;
+}
+
+/// True if this distance of the farthest corner from another triangle shows that the bound is not tight: if the corner
+/// is not farther than is enough, or clearly nearer than the bound.
+template <typename Vector>
+bool FaceBounds<Vector>::is_clearly_nearer(Number distance, const Farthest& bound) const {
+  constexpr Number kClearly = 0.875;
+  return distance + kOfDistance<Number> < bound.distance && distance < std::max(kClearly * bound.upper, enough_);
 }
 
 template <typename Vector>
@@ -204,6 +212,7 @@ FaceBound FaceBounds<Vector>::of(FaceId face, const std::array<FaceId, 3>& neare
     else
       take(farthest(part, target(hint_)), hint_);
   }
+  comparison_count_ += work_;
   if (best_.upper <= enough_) return {};
   return {unscaled(best_.upper), unscaled(best_.where), best_near_};
 }
@@ -297,11 +306,9 @@ void FaceBounds<Vector>::visit(const Part& part) {
   Farthest bound = farthest(part, target(near.face));
   const auto is_bounded = [&] { return bound.upper <= irrelevant() || lies_over_facet(part, near.face); };
   if (is_bounded()) return;
-  if (near.distance > irrelevant()) {
-    near = nearest(centre, near.face);
-    bound = farthest(part, target(near.face));
-    if (is_bounded()) return;
-  }
+  near = nearest(centre, near.face);
+  bound = farthest(part, target(near.face));
+  if (is_bounded()) return;
   const bool has_few =
       gather(part, std::min(bound.upper, (near.distance + radius + kOfDistance<Number>)*kGrown<Number>));
   hint_ = near.face;
@@ -370,12 +377,11 @@ void FaceBounds<Vector>::divide(const Part& part, const Target& target, std::vec
     std::ranges::copy(inside.halves(), std::back_inserter(left));
 }
 
-/// The candidate that is nearest to the farthest corner, if it shows that the bound is not tight: that the corner is
-/// not farther than is enough, or clearly nearer than the bound.
+/// The candidate that is nearest to the farthest corner, if it shows that the bound is not tight.
 template <typename Vector>
 auto FaceBounds<Vector>::clearly_nearer(const Farthest& bound) const -> std::optional<Target> {
   const Target* nearest = nullptr;
-  Number least = bound.upper;
+  Number least = bound.distance;
   for (const Target& candidate : candidates_) {
     const Number own = distance(bound.where, candidate);
     if (own < least) nearest = &candidate;
@@ -387,8 +393,7 @@ auto FaceBounds<Vector>::clearly_nearer(const Farthest& bound) const -> std::opt
 /// The same, of all triangles of the set.
 template <typename Vector>
 auto FaceBounds<Vector>::clearly_nearer_of_all(const Farthest& bound) -> std::optional<Target> {
-  Near near = walk(bound.where, hint_);
-  if (!is_clearly_nearer(near.distance, bound)) near = nearest(bound.where, near.face);
+  const Near near = nearest(bound.where, walk(bound.where, hint_).face);
   return is_clearly_nearer(near.distance, bound) ? std::optional(target(near.face)) : std::nullopt;
 }
 
@@ -415,7 +420,7 @@ bool FaceBounds<Vector>::divide_between(const Part& part, const Vector& point, c
 /// Takes the least bound of the part that a candidate gives.
 template <typename Vector>
 void FaceBounds<Vector>::take_least(const Part& part) {
-  Farthest least{kUnbounded, {}};
+  Farthest least{kUnbounded, kUnbounded, {}};
   FaceId of_least;
   for (const Target& candidate : candidates_)
     if (const Farthest bound = farthest(part, candidate); bound.upper < least.upper) {

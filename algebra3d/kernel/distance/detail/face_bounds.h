@@ -49,13 +49,13 @@ class FaceBounds {
   /// True if a part of a face lies over the large facet of a face of the set, and so near it that its bound is enough.
   /// The corners are those of the part, within 2^-46 of the largest coordinate.
   bool is_over_facet(const std::array<Vec3, 3>& corners, FaceId face) const;
+  /// How often a part was compared with a triangle, for all faces so far: a measure of work.
+  std::size_t comparison_count() const { return comparison_count_; }
 
  private:
   static constexpr std::size_t kNoLimit = static_cast<std::size_t>(-1);
   using Number = decltype(Vector::x);
   using Part = FacePart<Vector>;
-  /// A bound is tight if its corner is no nearer to another triangle than this share of it.
-  static constexpr Number kClearly = 0.875;
 
   /// A triangle by a corner and two edges.
   struct Target {
@@ -68,7 +68,7 @@ class FaceBounds {
   };
   /// The corner of a part that is farthest from a triangle, and a bound for the part.
   struct Farthest {
-    Number upper;
+    Number upper, distance;  ///< the distance is that of the corner, rounded
     Vector where;
   };
 
@@ -90,9 +90,7 @@ class FaceBounds {
   void cover(const Part& part);
   template <typename Nearer>
   void divide(const Part& part, const Target& target, std::vector<Part>& left, Nearer nearer);
-  bool is_clearly_nearer(Number distance, const Farthest& bound) const {
-    return distance < std::max(kClearly * bound.upper, enough_);
-  }
+  bool is_clearly_nearer(Number distance, const Farthest& bound) const;
   std::optional<Target> clearly_nearer(const Farthest& bound) const;
   std::optional<Target> clearly_nearer_of_all(const Farthest& bound);
   bool divide_between(const Part& part, const Vector& point, const Target& first, const Target& second,
@@ -111,6 +109,7 @@ class FaceBounds {
   Farthest best_{};
   FaceId best_near_, hint_;
   std::size_t work_ = 0;  // comparisons for the face
+  std::size_t comparison_count_ = 0;
   std::vector<Part> waiting_, uncovered_;
   std::vector<Target> candidates_;
 };
