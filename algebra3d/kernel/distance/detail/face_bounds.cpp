@@ -23,6 +23,8 @@ constexpr Number kGrown = 1 + 4 * std::numeric_limits<Number>::epsilon();
 constexpr std::size_t kManyCandidates = 64;
 /// After so many parts of a face those that are left are bounded by one triangle each.
 constexpr std::size_t kMaxParts = 1 << 14;
+/// So many parts of a face that are left when the steps for the part that they are of are used up are visited anew.
+constexpr std::size_t kMaxRenewed = 64;
 /// Parts are not divided more often, which halves two of their sides as often as there are digits, and more.
 template <typename Number>
 constexpr std::uint32_t kMaxDepth = sizeof(Number) > sizeof(double) ? 192 : 96;
@@ -202,7 +204,7 @@ FaceBound FaceBounds<Vector>::of(FaceId face, const std::array<FaceId, 3>& neare
   }
   normal_ = cross(whole.corners[1] - whole.corners[0], whole.corners[2] - whole.corners[0]);
   best_ = {};
-  work_ = 0;
+  work_ = renewed_count_ = 0;
   waiting_.assign(1, whole);
   for (std::size_t count = 0; !waiting_.empty() && !monitor_.is_cancelled(); ++count) {
     const Part part = waiting_.back();
@@ -320,7 +322,8 @@ void FaceBounds<Vector>::visit(const Part& part) {
     take(bound, near.face);
 }
 
-/// Covers the part with the cells of the candidates.
+/// Covers the part with the cells of the candidates. One corner where roundings hide which cell it is in may use up all
+/// steps; so some of what is left then is visited anew.
 template <typename Vector>
 void FaceBounds<Vector>::cover(const Part& part) {
   std::size_t steps = 4 * candidates_.size() + 32;
@@ -339,6 +342,11 @@ void FaceBounds<Vector>::cover(const Part& part) {
     }
     const Farthest bound = farthest(next, *near);
     if (bound.upper <= irrelevant() || lies_over_facet(next, near->face)) continue;
+    if (steps == 0 && next.depth < kMaxDepth<Number> / 2 && renewed_count_ < kMaxRenewed) {
+      ++renewed_count_;
+      waiting_.push_back(next);
+      continue;
+    }
     if (steps == 0 || next.depth >= kMaxDepth<Number>) {
       take_least(next);
       continue;

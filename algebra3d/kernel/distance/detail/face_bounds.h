@@ -109,7 +109,7 @@ class FaceBounds {
   Farthest best_{};
   FaceId best_near_, hint_;
   std::size_t work_ = 0;  // comparisons for the face
-  std::size_t comparison_count_ = 0;
+  std::size_t comparison_count_ = 0, renewed_count_ = 0;
   std::vector<Part> waiting_, uncovered_;
   std::vector<Target> candidates_;
 };
