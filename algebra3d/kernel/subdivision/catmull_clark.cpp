@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "algebra3d/kernel/subdivision/detail/edge_numbers.h"
+#include "algebra3d/kernel/subdivision/detail/edge_enumeration.h"
 #include "algebra3d/kernel/subdivision/detail/refined_mesh.h"
 #include "algebra3d/kernel/subdivision/detail/steps.h"
 #include "base/propagate.h"
@@ -103,7 +103,7 @@ class CatmullClark {
   View view_;
   Monitor monitor_;
   Stage stage_;
-  EdgeNumbers<View> edges_;
+  EdgeEnumeration<View> edges_;
   std::uint32_t first_face_point_;
   RefinedMesh refined_;
   LargeVector<std::uint32_t> edge_vertices_;  // per half-edge

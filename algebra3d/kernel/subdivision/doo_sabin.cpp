@@ -1,7 +1,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/kernel/subdivision/detail/edge_numbers.h"
+#include "algebra3d/kernel/subdivision/detail/edge_enumeration.h"
 #include "algebra3d/kernel/subdivision/detail/refined_mesh.h"
 #include "algebra3d/kernel/subdivision/detail/ring_masks.h"
 #include "algebra3d/kernel/subdivision/detail/steps.h"
@@ -144,7 +144,7 @@ class DooSabin {
   View view_;
   Monitor monitor_;
   Stage stage_;
-  EdgeNumbers<View> edges_;
+  EdgeEnumeration<View> edges_;
   std::uint32_t first_of_vertices_;
   std::vector<Place> vertex_faces_;          // per block of vertices, and the end
   LargeVector<std::uint32_t> starts_;        // per face of the result, and the end

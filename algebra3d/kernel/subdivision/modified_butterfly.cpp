@@ -14,7 +14,7 @@ namespace {
 /// the mean of both. Regular are vertices with six triangles, and boundary vertices with three.
 class EdgePoints {
  public:
-  EdgePoints(const TriangleView& view, const Stage& stage, const EdgeNumbers<TriangleView>& edges)
+  EdgePoints(const TriangleView& view, const Stage& stage, const EdgeEnumeration<TriangleView>& edges)
       : view_(view), stage_(stage) {
     points_.resize(edges.count());
     numbers_.resize(view.halfedge_count());
@@ -91,7 +91,7 @@ Result<PolygonMesh> modified_butterfly_step(const PolygonMesh& mesh, const Monit
   const TriangleView view(mesh);
   const Stage stage(monitor, what + ", edges",
                     2 * block_count(view.halfedge_count()) + 3 * block_count(view.vertex_count()));
-  const EdgeNumbers edges(view, Edges::all, stage);
+  const EdgeEnumeration edges(view, Edges::all, stage);
   A3D_TRY(monitor.check());
   const LargeVector<Vec3> points = EdgePoints(view, stage, edges).take();
   A3D_TRY(monitor.check());

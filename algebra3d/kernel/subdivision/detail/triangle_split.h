@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "algebra3d/kernel/subdivision/detail/edge_numbers.h"
+#include "algebra3d/kernel/subdivision/detail/edge_enumeration.h"
 #include "algebra3d/kernel/subdivision/detail/refined_mesh.h"
 #include "base/propagate.h"
 
@@ -64,7 +64,7 @@ Result<PolygonMesh> split_triangles(const PolygonMesh& mesh, const Monitor& moni
   const std::uint32_t vertex_count = view.vertex_count(), halfedge_count = view.halfedge_count();
   const Stage stage(monitor, what,
                     2 * block_count(halfedge_count) + block_count(view.face_count()) + block_count(vertex_count));
-  const EdgeNumbers edges(view, Edges::all, stage);
+  const EdgeEnumeration edges(view, Edges::all, stage);
   A3D_TRY(monitor.check());
   RefinedMesh refined(std::size_t{vertex_count} + edges.count(), std::size_t{4} * halfedge_count);
   LargeVector<std::uint32_t> edge_vertices;

@@ -14,10 +14,10 @@ enum class Edges : std::uint8_t { all, interior };
 
 /// Numbers of edges, in the order of their first half-edges.
 template <typename View>
-class EdgeNumbers {
+class EdgeEnumeration {
  public:
   /// Steps of the stage: block_count(half-edges).
-  EdgeNumbers(const View& view, Edges edges, const Stage& stage)
+  EdgeEnumeration(const View& view, Edges edges, const Stage& stage)
       : view_(view), edges_(edges), starts_(block_count(view.halfedge_count()) + 1, 0) {
     for_each_block(view_.halfedge_count(), stage, [&](std::size_t block, std::uint32_t begin, std::uint32_t end) {
       std::uint32_t found = 0;
