@@ -33,8 +33,9 @@ void audit_points(const PairContact& pair, Violations& violations) {
   const TriangleContact& contact = pair.contact;
   for (std::size_t i = 0; i < std::min<std::size_t>(contact.count, 2); ++i) {
     const ContactPoint& point = contact.points[i];
-    violations.expect(is_place(point.first) && is_place(point.second), "faces {} and {}: end {} is at no place",
-                      pair.first_face.index(), pair.second_face.index(), i);
+    violations.expect(is_place(point.first) && is_place(point.second),
+                      "faces {} and {}: end {} has a place that does not exist", pair.first_face.index(),
+                      pair.second_face.index(), i);
     violations.expect(runs_consistently(point.first, point.first_runs_along, contact.first_edge) &&
                           runs_consistently(point.second, point.second_runs_along, contact.second_edge),
                       "faces {} and {}: end {} runs along another edge than the contact", pair.first_face.index(),
@@ -52,11 +53,10 @@ std::vector<std::string> audit(const Operands& operands, const PairContacts& con
                            "faces {} and {}: no such face", first.index(), second.index()))
       continue;
     violations.expect(operands.operand_of(first) < operands.operand_of(second),
-                      "faces {} and {} are of operands {} and {}", first.index(), second.index(),
-                      operands.operand_of(first).index(), operands.operand_of(second).index());
+                      "faces {} and {} are of operands {} and {}; expected ascending ones", first.index(),
+                      second.index(), operands.operand_of(first).index(), operands.operand_of(second).index());
     violations.expect(is_right(contact, operands.corners(first), operands.corners(second)),
-                      "faces {} and {}: the common part is another one than the contact says", first.index(),
-                      second.index());
+                      "faces {} and {}: the common part is not the one in the contact", first.index(), second.index());
     audit_points(pair, violations);
   }
   return violations.take();

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "algebra3d/kernel/arrangement/detail/cell_above.h"
 #include "algebra3d/kernel/arrangement/detail/faces_above.h"
+#include "algebra3d/kernel/arrangement/detail/id_tree.h"
 #include "algebra3d/kernel/arrangement/detail/radial_order.h"
 #include "algebra3d/kernel/exact/vertical_line.h"
 #include "algebra3d/kernel/search/boxes.h"
@@ -74,50 +78,7 @@ std::vector<OperandId> PointLocation::operands_meeting(const Box3& box) {
   return result;
 }
 
-/// Front windings at single places, for operands that are closed only together: no face says on which side of its
-/// operand the inside is, so all windings come from the cell above a point (faces_above.h). The cell above an edge lies
-/// beside one half-plane there; from this to the half-plane that is asked for the difference is known from `linked`, in
-/// which linking has united both. Exact. Cost of each: an upward ray through all operands.
-class SeedFromAbove {
- public:
-  SeedFromAbove(const Subdivision& subdivision, const WindingJumps& jumps, PointLocation& location,
-                LinkedWindings& linked)
-      : subdivision_(subdivision), jumps_(jumps), location_(location), linked_(linked) {}
-
-  /// The front winding at the half-plane of the seed.
-  WindingVector at_place(const SeedPlace& seed);
-  /// The front winding of the patch.
-  WindingVector at_patch(PatchId patch);
-
- private:
-  const Subdivision& subdivision_;
-  const WindingJumps& jumps_;
-  PointLocation& location_;
-  LinkedWindings& linked_;
-};
-
 /// The exact centre of a face.
-ExactPoint centroid(const Operands& operands, InputFaceId face);
-
-WindingVector SeedFromAbove::at_place(const SeedPlace& seed) {
-  std::vector<SubEdgeSide> around;
-  half_planes_with_jumps(jumps_, seed.sub_edges, around);
-  sort_around_space_edge(subdivision_, around);
-  const SubEdgeSide below = half_plane_before_cell_above(subdivision_, around);
-  const auto [u, v] = subdivision_.sub_edges[below.sub_edge()].ends;
-  const WindingVector front =
-      location_.windings_above(subdivision_.complex.nodes.middle(u, v)) - excess_after(jumps_, below);
-  const auto from = linked_.sets.find(linked_.ids.of(below)), to = linked_.sets.find(linked_.ids.of(seed.half_plane));
-  return front - from.difference + to.difference;
-}
-
-WindingVector SeedFromAbove::at_patch(PatchId patch) {
-  const auto& [operand, first_face] = subdivision_.patches[patch];
-  const WindingVector above = location_.windings_above(centroid(subdivision_.operands, first_face));
-  if (is_cell_above_in_front(subdivision_.operands.corners(first_face))) return above;
-  return above - WindingVector::of_group(subdivision_.operands.group(operand), 1);
-}
-
 ExactPoint centroid(const Operands& operands, InputFaceId face) {
   const TriangleRef corners = operands.corners(face);
   return ExactPoint(Rational(1, 3) * (corners[0].rational() + corners[1].rational() + corners[2].rational()));
@@ -126,6 +87,12 @@ ExactPoint centroid(const Operands& operands, InputFaceId face) {
 /// If no more operands than this may surround a patch, they are looked at one by one.
 constexpr std::size_t kMany = 8;
 
+/// Links sets with patches that more than eight operands may surround to the next patch or the cell above them: an
+/// upward ray from the highest face of each set hits a patch of another set, to which this one is linked, or leads to
+/// the unbounded cell, whose windings are 0. So each set looks at one other, and none needs more than the way to it,
+/// however many are around it. Sets whose rays hit faces that are in no patch are left to be seeded. For operands of
+/// which each is closed alone. Gives the windings of those sets of which a ray leads to the unbounded cell, directly or
+/// by way of the sets that are linked now. Exact. Errors: interrupted.
 class UpwardLinker {
  public:
   UpwardLinker(const Subdivision& subdivision, LinkedWindings& linked, PointLocation& location)
@@ -222,8 +189,8 @@ std::optional<UpwardLinker::RayEnd> UpwardLinker::shoot_up(InputFaceId start) {
   return end;
 }
 
-/// A set that is linked to others is one with them from then on; since each takes one step that links two sets or ends
-/// in the unbounded cell, one of those that are linked together has ended there.
+/// Sets that are linked are one set from then on. Each set takes one step, which links it to another or ends in the
+/// unbounded cell; so of the sets that became one, one has ended there.
 Result<SetWindings> UpwardLinker::run(const Monitor& monitor) {
   SetWindings known;
   if (operands_.count() <= kMany) return known;
@@ -243,17 +210,6 @@ Result<SetWindings> UpwardLinker::run(const Monitor& monitor) {
     known.try_emplace(set, -excess - difference);
   }
   return known;
-}
-
-/// Links sets with patches that more than eight operands may surround to the next patch or the cell above them: an
-/// upward ray from the highest face of each set hits a patch of another set, to which this one is linked, or leads to
-/// the unbounded cell, whose windings are 0. So each set looks at one other, and none needs more than the way to it,
-/// however many are around it. Sets whose rays hit faces that are in no patch are left to be seeded. For operands of
-/// which each is closed alone. Gives the windings of those sets of which a ray leads to the unbounded cell, directly or
-/// by way of the sets that are linked now. Exact. Errors: interrupted.
-Result<SetWindings> link_upwards(const Subdivision& subdivision, LinkedWindings& linked, PointLocation& location,
-                                 const Monitor& monitor) {
-  return UpwardLinker(subdivision, linked, location).run(monitor);
 }
 
 /// Front windings at single places, for operands of which each is closed alone: an operand that has a face there is
@@ -330,6 +286,47 @@ WindingVector SeedFromFaces::at_patch(PatchId patch) {
   return windings;
 }
 
+/// Front windings at single places, for operands that are closed only together: no face says on which side of its
+/// operand the inside is, so all windings come from the cell above a point (faces_above.h). The cell above an edge lies
+/// beside one half-plane there; from this to the half-plane that is asked for the difference is known from `linked`, in
+/// which linking has united both. Exact. Cost of each: an upward ray through all operands.
+class SeedFromAbove {
+ public:
+  SeedFromAbove(const Subdivision& subdivision, const WindingJumps& jumps, PointLocation& location,
+                LinkedWindings& linked)
+      : subdivision_(subdivision), jumps_(jumps), location_(location), linked_(linked) {}
+
+  /// The front winding at the half-plane of the seed.
+  WindingVector at_place(const SeedPlace& seed);
+  /// The front winding of the patch.
+  WindingVector at_patch(PatchId patch);
+
+ private:
+  const Subdivision& subdivision_;
+  const WindingJumps& jumps_;
+  PointLocation& location_;
+  LinkedWindings& linked_;
+};
+
+WindingVector SeedFromAbove::at_place(const SeedPlace& seed) {
+  std::vector<SubEdgeSide> around;
+  half_planes_with_jumps(jumps_, seed.sub_edges, around);
+  sort_around_space_edge(subdivision_, around);
+  const SubEdgeSide below = half_plane_before_cell_above(subdivision_, around);
+  const auto [u, v] = subdivision_.sub_edges[below.sub_edge()].ends;
+  const WindingVector front =
+      location_.windings_above(subdivision_.complex.nodes.middle(u, v)) - excess_after(jumps_, below);
+  const auto from = linked_.sets.find(linked_.ids.of(below)), to = linked_.sets.find(linked_.ids.of(seed.half_plane));
+  return front - from.difference + to.difference;
+}
+
+WindingVector SeedFromAbove::at_patch(PatchId patch) {
+  const auto& [operand, first_face] = subdivision_.patches[patch];
+  const WindingVector above = location_.windings_above(centroid(subdivision_.operands, first_face));
+  if (is_cell_above_in_front(subdivision_.operands.corners(first_face))) return above;
+  return above - WindingVector::of_group(subdivision_.operands.group(operand), 1);
+}
+
 /// Takes the windings of each set that is not known yet from `source`, at a place of the set.
 template <typename Source>
 Status seed_each_set(Source source, LinkedWindings& linked, const Patches& patches, const Monitor& monitor,
@@ -355,7 +352,7 @@ Result<SetWindings> seed_windings(const Subdivision& subdivision, const WindingJ
   PointLocation location(subdivision.operands);
   SetWindings known;
   if (closure == Closure::each) {
-    A3D_ASSIGN(known, link_upwards(subdivision, linked, location, monitor));
+    A3D_ASSIGN(known, UpwardLinker(subdivision, linked, location).run(monitor));
   }
   // Places where many operands meet need the fewest rays.
   std::ranges::stable_sort(linked.seeds, std::greater(), &SeedPlace::operand_count);

@@ -1,10 +1,7 @@
 #pragma once
 
 #include <map>
-#include <optional>
-#include <vector>
 
-#include "algebra3d/kernel/arrangement/detail/id_tree.h"
 #include "algebra3d/kernel/arrangement/detail/linking.h"
 #include "algebra3d/kernel/arrangement/detail/operands.h"
 #include "algebra3d/kernel/arrangement/winding_vector.h"
