@@ -62,7 +62,7 @@ Status Session::run(const Sequence& command, Presenter& presenter, Context& cont
       first = std::move(status);
     else
       context.diagnostics.report("a further command of the sequence failed: " + status.error().text());
-    // A single transaction must not become many.
+    // After a `begin` that failed, each further command would be a transaction of its own.
     const auto* step = std::get_if<TransactionStep>(&each->content);
     const bool was_begin = step != nullptr && step->step == TransactionStep::Step::begin;
     if (was_begin && (store_ == nullptr || !store_->is_in_explicit_transaction())) break;

@@ -1,4 +1,4 @@
-// Files of databases come and go.
+// Database files are made and deleted.
 #include "queries/store/database_creation.h"
 
 #include <cerrno>
@@ -23,15 +23,13 @@ Error deleted_already(const fs::path& file) {
 }
 
 Status open_elsewhere(const fs::path& file, std::string_view verb) {
-  return Error{ErrorCode::database_open,
-               "another process has the database open; {} it when that process has "
-               "closed it",
+  return Error{ErrorCode::database_open, "another process has the database open; {} it when that process has closed it",
                verb}
       .about(file.string());
 }
 
-/// Whether this descriptor's file is free of SQLite's locks, which are then held by it: in a database with a log, each
-/// process that has it open holds one all the time.
+/// Takes SQLite's locks of the file; false if a process holds one. In a database with a log each process that has it
+/// open holds one all the time.
 bool lock_out_others(int descriptor) {
   struct flock range {};
   range.l_type = F_WRLCK;
@@ -81,9 +79,9 @@ Status delete_database_file(const fs::path& name) {
   if (error == std::errc::no_such_file_or_directory) return deleted_already(name);
   if (error) return algebra3d::write_error(name, error.value());
   if (algebra3d::open_database_with(file)) return open_elsewhere(file, "delete");
-  const Status known = check_database_header(file);
-  if (!known && known.error().code == ErrorCode::database_missing) return deleted_already(name);
-  A3D_TRY(known);
+  const Status header = check_database_header(file);
+  if (!header && header.error().code == ErrorCode::database_missing) return deleted_already(name);
+  A3D_TRY(header);
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);  // NOLINT(*-vararg)
   if (descriptor < 0) return errno == ENOENT ? deleted_already(name) : algebra3d::write_error(file, errno);
   Status status = lock_out_others(descriptor) ? Status() : open_elsewhere(file, "delete");

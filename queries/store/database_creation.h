@@ -14,8 +14,8 @@ Status create_database_file(const std::filesystem::path& file, bool replaces_emp
 /// Whether `OpenMode::open_or_create` would make a database: there is no file of that name, or an empty one.
 bool makes_database(const std::filesystem::path& file);
 
-/// Whether no process, this one included, has the database `name` open at the moment. `verb` is for the message:
-/// "restore it when that process has closed it". Errors: database_open.
+/// Fails with database_open if any process, this one included, has the database `name` open at the moment. `verb` is
+/// for the message: "restore it when that process has closed it".
 Status check_not_open_elsewhere(const std::filesystem::path& name, std::string_view verb);
 
 /// Removes the database file `name`, which no process has open, with the files beside it. Errors: database_missing,

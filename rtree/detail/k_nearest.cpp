@@ -7,13 +7,13 @@
 namespace rtree {
 namespace {
 
-// Distances whose squares underflow are smaller.
+// Larger than each distance whose square underflows.
 constexpr double kUnderflow = 0x1p-530;
 // More than what is rounded in a distance or its square, or is missing where a square has numbers in its lowest bits.
 constexpr double kRounding = 1 + 0x1p-38;
 
-// How much the distance of a box from the target may be above that of its keys: on each axis as much as the coordinates
-// of one key are apart at the side of the box that faces the target.
+// By how much the distance of a box from the target may exceed the distance of its keys: on each axis by the width of
+// one key, at the side of the box that faces the target.
 class Resolution {
  public:
   Resolution(const KeyFrame& frame, const Box3& target) {
@@ -25,14 +25,14 @@ class Resolution {
     }
   }
 
-  /// For boxes whose keys are so far from the target.
+  /// `distance`: of the keys from the target.
   double at(double distance) const { return at_target_ + for_distance_ * distance + kUnderflow; }
 
  private:
   double at_target_ = 0, for_distance_ = 0;
 };
 
-// Children that are fetched as long as no entries are known.
+// Number of children that are prefetched as long as no entries are known.
 constexpr std::size_t kFirstPrefetched = 4;
 
 template <typename Leaf>
@@ -55,7 +55,7 @@ class Search {
   }
 
  private:
-  // Beyond the k least ones, so that few others at the same distance are no trouble.
+  // Places of the list beyond k, so that it also holds a few further entries at the same distance.
   static constexpr std::size_t kSpare = 2;
   static constexpr std::uint32_t kFewGroups = 16;
 
@@ -98,7 +98,7 @@ class Search {
       }
       return next;
     }
-    // The lowest one, of which at most `height` follow.
+    // The group of the lowest level: until it is done at most `height` more are added.
     for (std::uint32_t i = 1; i < group_count_; ++i)
       if (groups_[i].level < groups_[next].level) next = i;
     return next;

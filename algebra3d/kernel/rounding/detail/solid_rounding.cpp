@@ -52,15 +52,15 @@ Result<std::optional<TriangleMesh>> SolidRounding::divided(const TriangleMesh& m
 }
 
 void SolidRounding::find_places_that_stay() {
-  std::vector<bool> is_at_moved_facet(mesh().vertex_count());
+  std::vector<bool> is_at_moved_face(mesh().vertex_count());
   for (const FaceId face : faces(mesh())) {
     const TriangleMesh::Triangle corners = mesh().triangle(face);
     if (std::ranges::any_of(corners, [&](std::uint32_t v) { return vertices().movements[v] > 0; }))
-      for (const std::uint32_t v : corners) is_at_moved_facet[v] = true;
+      for (const std::uint32_t v : corners) is_at_moved_face[v] = true;
   }
   places_that_stay_ = PointTable(mesh().vertex_count());
   for (std::size_t v = 0; v < mesh().vertex_count(); ++v)
-    if (!is_at_moved_facet[v]) places_that_stay_.intern(mesh().points()[v]);
+    if (!is_at_moved_face[v]) places_that_stay_.intern(mesh().points()[v]);
 }
 
 Result<bool> SolidRounding::may_vanish(const RoundingCandidate& candidate) const {
@@ -106,8 +106,6 @@ Result<bool> SolidRounding::accept_in_place_of(const SolidPart& part, const Tria
   return true;
 }
 
-/// The candidate in a simpler form (simpler_form.h); nothing if there is none. Vertices of which no facet has a moved
-/// corner stay.
 Result<std::optional<RoundingCandidate>> SolidRounding::simplified(const RoundingCandidate& candidate) const {
   const double tolerance = superfluous_within(solid_, grid(), spacing());
   if (tolerance == 0) return std::optional<RoundingCandidate>();

@@ -36,16 +36,19 @@ class SolidRounding : public RoundingJob {
 
  private:
   void find_places_that_stay();
+  /// Whether the candidate, which is empty, may be the result.
   Result<bool> may_vanish(const RoundingCandidate& candidate) const;
+  /// The candidate in a simpler form (simpler_form.h); nothing if there is none. Vertices at `places_that_stay_` stay.
   Result<std::optional<RoundingCandidate>> simplified(const RoundingCandidate& candidate) const;
+  /// Accepts the candidate without simplification if it is valid, an empty one only if the solid may vanish.
   Result<bool> accept_as_it_is(const RoundingCandidate& candidate);
-  /// Proves a candidate of which `added` comes in place of the part, and pairs of `known` faces need no test.
+  /// Proves the solid with `added` in place of `part`, and makes it the result; pairs of `known` faces are not tested.
   Result<bool> accept_in_place_of(const SolidPart& part, const TriangleMesh& added, const FaceSet& known,
                                   const RoundingCandidate& candidate);
 
   const TriangleMesh& solid_;
   const SolidPart& part_;
-  PointTable places_that_stay_;  // of vertices of the part of which no facet has a moved corner
+  PointTable places_that_stay_;  // of vertices of the part at whose faces no corner moves
   RoundedSolid result_;
 };
 
