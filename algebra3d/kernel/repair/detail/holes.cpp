@@ -25,7 +25,7 @@
 namespace algebra3d {
 namespace {
 
-/// A HoleLoop.
+/// The number of a HoleLoop among those of a mesh.
 using HoleId = StrongId<struct HoleTag>;
 
 /// A simple closed boundary loop with the data for triangulating a cover. In the direction in which new triangles run
@@ -153,7 +153,7 @@ bool CoverTest::cuts_surface(const std::vector<TriangleMesh::Triangle>& cover) c
 /// A bound of the distance between a point of the triangle and the nearest of its corners.
 double reach_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double longest = std::max({length(b - a), length(c - b), length(a - c)});
-  // Of that size, so that products neither overflow nor vanish.
+  // Scaled by the longest side, so that products neither overflow nor vanish.
   const Vec3 first = (1 / longest) * (b - a), second = (1 / longest) * (c - a);
   const double x = length(first), y = length(second - first), z = length(second);
   const double doubled_area = length(cross(first, second));
