@@ -22,9 +22,15 @@ Error deleted_already(const fs::path& file) {
   return Error{ErrorCode::database_missing, "another process has deleted the database already"}.about(file.string());
 }
 
-Status open_elsewhere(const fs::path& file, std::string_view verb) {
+Status open_in_other_process(const fs::path& file, std::string_view verb) {
   return Error{ErrorCode::database_open, "another process has the database open; {} it when that process has closed it",
                verb}
+      .about(file.string());
+}
+
+Status open_in_other_session(const fs::path& file, std::string_view verb) {
+  return Error{ErrorCode::database_open,
+               "another session of this program has the database open; {} it when that has closed it", verb}
       .about(file.string());
 }
 
@@ -62,12 +68,12 @@ Status check_not_open_elsewhere(const fs::path& name, std::string_view verb) {
   std::error_code error;
   const fs::path file = fs::canonical(name, error);
   if (error) return {};
-  if (algebra3d::open_database_with(file)) return open_elsewhere(file, verb);
+  if (algebra3d::open_database_with(file)) return open_in_other_session(file, verb);
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);  // NOLINT(*-vararg)
   if (descriptor < 0) return {};
   const bool is_free = lock_out_others(descriptor);
   ::close(descriptor);
-  return is_free ? Status() : open_elsewhere(file, verb);
+  return is_free ? Status() : open_in_other_process(file, verb);
 }
 
 // No change through SQLite: a full disk, or damage, must not keep a database from being deleted. A process that waits
@@ -78,13 +84,13 @@ Status delete_database_file(const fs::path& name) {
   const fs::path file = fs::canonical(name, error);
   if (error == std::errc::no_such_file_or_directory) return deleted_already(name);
   if (error) return algebra3d::write_error(name, error.value());
-  if (algebra3d::open_database_with(file)) return open_elsewhere(file, "delete");
+  if (algebra3d::open_database_with(file)) return open_in_other_session(file, "delete");
   const Status header = check_database_header(file);
   if (!header && header.error().code == ErrorCode::database_missing) return deleted_already(name);
   A3D_TRY(header);
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);  // NOLINT(*-vararg)
   if (descriptor < 0) return errno == ENOENT ? deleted_already(name) : algebra3d::write_error(file, errno);
-  Status status = lock_out_others(descriptor) ? Status() : open_elsewhere(file, "delete");
+  Status status = lock_out_others(descriptor) ? Status() : open_in_other_process(file, "delete");
   for (const char* ending : {"-wal", "-shm", "-journal", ""}) {
     const std::string doomed = file.string() + ending;
     if (status && ::unlink(doomed.c_str()) != 0 && errno != ENOENT) status = algebra3d::write_error(doomed, errno);

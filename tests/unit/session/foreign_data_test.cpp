@@ -277,8 +277,8 @@ TEST_F(ForeignData, a_database_that_is_open_elsewhere_is_not_restored_over) {
   ASSERT_EQ(session_.run("save database to 'foreign/all'"), "");
   TestSession other(folder_.path());
   EXPECT_EQ(other.run("restore database own from 'foreign/all'"),
-            fmt::format("error: {}/own.db: another process has the database open; restore it when that process has "
-                        "closed it",
+            fmt::format("error: {}/own.db: another session of this program has the database open; restore it when that "
+                        "has closed it",
                         folder_.path().string()));
   EXPECT_EQ(session_.run("query R count"), "3");
   ASSERT_EQ(session_.run("close database"), "");
