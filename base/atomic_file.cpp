@@ -248,4 +248,13 @@ Status AtomicFile::commit() {
   return {};
 }
 
+// Errors of the file name it already.
+Status write_file(const OutputPath& path, const std::function<Status(ByteSink&)>& write) {
+  A3D_ASSIGN(AtomicFile file, AtomicFile::create(path));
+  Status written = write(file);
+  if (written) return file.commit();
+  const bool is_of_content = written.error().subject.empty() && written.error().code != ErrorCode::interrupted;
+  return is_of_content ? std::move(written).error().about(path.path().string()) : std::move(written).error();
+}
+
 }  // namespace algebra3d

@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string_view>
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
+#include "base/byte_sink.h"
 #include "base/draft_file.h"
 #include "base/output_path.h"
 
@@ -20,7 +22,7 @@ namespace algebra3d {
 /// file_missing (no such folder, no name), io_error; all name the path and the reason; interrupted (see OutputPath).
 /// `create` and `commit` also: wrong_usage for a database and the files beside it (see database_part);
 /// permission_denied if there is a file that may not be replaced, also one that came meanwhile.
-class AtomicFile {
+class AtomicFile final : public ByteSink {
  public:
   /// Begins to write the file at `path`. Domain: a new file, or, if it may be replaced, a writable regular file, also
   /// through a symbolic link; its permissions are kept.
@@ -30,10 +32,10 @@ class AtomicFile {
   AtomicFile& operator=(AtomicFile&& other) noexcept;
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
-  ~AtomicFile();
+  ~AtomicFile() override;
 
   /// Appends `bytes`; buffered.
-  Status append(std::string_view bytes);
+  Status append(std::string_view bytes) override;
   /// Writes the buffer, syncs the file to disk, and renames it. At most once.
   Status commit();
 
@@ -52,5 +54,8 @@ class AtomicFile {
   std::unique_ptr<char[]> buffer_;
   std::size_t buffered_ = 0;
 };
+
+/// Writes the file at `path` by `write`, atomically. Errors: those of AtomicFile, and those of `write`, about the path.
+Status write_file(const OutputPath& path, const std::function<Status(ByteSink&)>& write);
 
 }  // namespace algebra3d

@@ -78,6 +78,19 @@ std::string MeshFormats::names(std::string_view conjunction) const {
   return listed(words, conjunction);
 }
 
+std::vector<MeshFormats::FormatForm> MeshFormats::forms() const {
+  std::vector<FormatForm> forms;
+  for (const MeshFormat& format : formats_)
+    for (const FileForm& form : format.forms) forms.push_back({&format, &form});
+  return forms;
+}
+
+std::string MeshFormats::form_words(std::string_view conjunction) const {
+  std::vector<std::string> words;
+  for (const auto& [format, form] : forms()) words.push_back(format->word_of(*form));
+  return listed(words, conjunction);
+}
+
 std::string MeshFormats::endings(std::string_view conjunction, std::string_view before) const {
   std::vector<std::string> words;
   for (const MeshFormat& format : formats_)

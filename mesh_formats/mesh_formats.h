@@ -51,6 +51,15 @@ class MeshFormats {
 
   /// The names as a list, "STL, OBJ or OFF", with the given conjunction.
   std::string names(std::string_view conjunction) const;
+  /// A format and one of its forms.
+  struct FormatForm {
+    const MeshFormat* format;  ///< not null
+    const FileForm* form;      ///< not null
+  };
+  /// The forms of all formats, in order.
+  std::vector<FormatForm> forms() const;
+  /// The words of all forms as a list: "stl, stl-ascii, obj, off or off-binary".
+  std::string form_words(std::string_view conjunction) const;
   /// The endings as a list, ".stl, .obj or .off", each with the prefix `before`.
   std::string endings(std::string_view conjunction, std::string_view before = "") const;
 

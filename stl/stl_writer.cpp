@@ -17,7 +17,7 @@
 
 namespace mesh_formats {
 
-using algebra3d::AtomicFile;
+using algebra3d::ByteSink;
 using algebra3d::Error;
 using algebra3d::ErrorCode;
 using algebra3d::one_line;
@@ -93,20 +93,20 @@ bool begins_with_solid(std::string_view text) {
   return true;
 }
 
-Status append_binary(AtomicFile& file, const TriangleSoup& soup, std::string_view name) {
+Status append_binary(ByteSink& sink, const TriangleSoup& soup, std::string_view name) {
   std::array<char, kBinaryPrefixBytes> prefix{};
   const std::string header = (begins_with_solid(name) ? "STL " : "") + std::string(name);
   const std::string_view kept = cut(header, kBinaryHeaderBytes);
   std::memcpy(prefix.data(), kept.data(), kept.size());
   const auto count = static_cast<std::uint32_t>(soup.triangles.size());
   std::memcpy(prefix.data() + kBinaryHeaderBytes, &count, sizeof count);
-  A3D_TRY(file.append({prefix.data(), prefix.size()}));
+  A3D_TRY(sink.append({prefix.data(), prefix.size()}));
   std::array<char, kBinaryFacetBytes> bytes{};  // the attribute stays 0
   static_assert(sizeof(Facet) == 48);
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
     A3D_ASSIGN(const Facet facet, make_facet(soup, i));
     std::memcpy(bytes.data(), &facet, sizeof facet);
-    A3D_TRY(file.append({bytes.data(), bytes.size()}));
+    A3D_TRY(sink.append({bytes.data(), bytes.size()}));
   }
   return {};
 }
@@ -143,34 +143,29 @@ class FacetText {
   std::size_t size_ = 0;
 };
 
-Status append_ascii(AtomicFile& file, const TriangleSoup& soup, std::string_view name) {
+Status append_ascii(ByteSink& sink, const TriangleSoup& soup, std::string_view name) {
   const std::string named = name.empty() ? "solid\n" : fmt::format("solid {}\n", name);
-  A3D_TRY(file.append(named));
+  A3D_TRY(sink.append(named));
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
     A3D_ASSIGN(const Facet facet, make_facet(soup, i));
-    A3D_TRY(file.append(FacetText(facet).text()));
+    A3D_TRY(sink.append(FacetText(facet).text()));
   }
-  return file.append("end" + named);
-}
-
-Status write(const OutputPath& path, const TriangleSoup& soup, std::string_view name, Encoding format) {
-  A3D_ASSIGN(AtomicFile file, AtomicFile::create(path));
-  const std::string line = one_line(name);
-  A3D_TRY(format == Encoding::binary ? append_binary(file, soup, line) : append_ascii(file, soup, line));
-  return file.commit();
+  return sink.append("end" + named);
 }
 
 }  // namespace
 
-Status write_stl_file(const OutputPath& path, const TriangleSoup& soup, std::string_view name, Encoding format) {
-  if (format == Encoding::binary && soup.triangles.size() > std::numeric_limits<std::uint32_t>::max())
+Status write_stl(ByteSink& sink, const TriangleSoup& soup, std::string_view name, Encoding format) {
+  const std::string line = one_line(name);
+  if (format == Encoding::ascii) return append_ascii(sink, soup, line);
+  if (soup.triangles.size() > std::numeric_limits<std::uint32_t>::max())
     return Error{ErrorCode::limit_exceeded,
-                 "{} triangles, but a binary file holds at most 4294967295; ASCII holds more", soup.triangles.size()}
-        .about(path.path().string());
-  auto status = write(path, soup, name, format);
-  if (!status && status.error().code == ErrorCode::invalid_value)
-    return std::move(status).error().about(path.path().string());
-  return status;
+                 "{} triangles, but a binary file holds at most 4294967295; ASCII holds more", soup.triangles.size()};
+  return append_binary(sink, soup, line);
+}
+
+Status write_stl_file(const OutputPath& path, const TriangleSoup& soup, std::string_view name, Encoding format) {
+  return algebra3d::write_file(path, [&](ByteSink& sink) { return write_stl(sink, soup, name, format); });
 }
 
 }  // namespace mesh_formats

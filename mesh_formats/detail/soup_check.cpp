@@ -15,7 +15,7 @@ using algebra3d::Status;
 
 namespace {
 
-Status check_points(const std::filesystem::path& path, const PolygonSoup& soup, CoordinateRange range) {
+Status check_points(const PolygonSoup& soup, CoordinateRange range) {
   const bool is_float = range == CoordinateRange::floats;
   const double beyond = is_float ? kBeyondFloat : std::numeric_limits<double>::infinity();
   for (std::size_t point = 0; point < soup.points.size(); ++point)
@@ -26,17 +26,15 @@ Status check_points(const std::filesystem::path& path, const PolygonSoup& soup, 
                      point + 1,
                      "xyz"[axis],
                      value,
-                     is_float ? " within the range of float" : ""}
-            .about(path.string());
+                     is_float ? " within the range of float" : ""};
   return {};
 }
 
-Status check_faces(const std::filesystem::path& path, const PolygonSoup& soup) {
+Status check_faces(const PolygonSoup& soup) {
   for (std::size_t face = 0; face < soup.face_count(); ++face) {
     const auto corners = soup.face(face);
     if (corners.size() < 3)
-      return Error{ErrorCode::invalid_value, "face {} has {} corners; expected at least 3", face + 1, corners.size()}
-          .about(path.string());
+      return Error{ErrorCode::invalid_value, "face {} has {} corners; expected at least 3", face + 1, corners.size()};
     for (std::size_t corner = 0; corner < corners.size(); ++corner)
       if (corners[corner] >= soup.points.size())
         return Error{ErrorCode::invalid_value,
@@ -44,17 +42,16 @@ Status check_faces(const std::filesystem::path& path, const PolygonSoup& soup) {
                      face + 1,
                      corner + 1,
                      corners[corner],
-                     soup.points.size()}
-            .about(path.string());
+                     soup.points.size()};
   }
   return {};
 }
 
 }  // namespace
 
-Status check_soup(const std::filesystem::path& path, const PolygonSoup& soup, CoordinateRange range) {
-  A3D_TRY(check_points(path, soup, range));
-  return check_faces(path, soup);
+Status check_soup(const PolygonSoup& soup, CoordinateRange range) {
+  A3D_TRY(check_points(soup, range));
+  return check_faces(soup);
 }
 
 }  // namespace mesh_formats

@@ -35,9 +35,9 @@ Result<MeshContent> read_obj_with_attributes(std::string_view bytes, std::string
   return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt};
 }
 
-Status write_obj_content(const algebra3d::OutputPath& path, const Facets& facets, std::string_view name,
+Status write_obj_content(algebra3d::ByteSink& sink, const Facets& facets, std::string_view name,
                          Encoding /*encoding*/) {
-  return write_obj_file(path, std::get<PolygonSoup>(facets), name);
+  return write_obj(sink, std::get<PolygonSoup>(facets), name);
 }
 
 }  // namespace
@@ -47,6 +47,7 @@ MeshFormat obj_format() {
           .title = "a Wavefront OBJ file",
           .variants = "",
           .endings = kObjEndings,
+          .media_type = "model/obj",
           .forms = kObjForms,
           .stores_triangles = false,
           .stores_name = true,

@@ -18,7 +18,7 @@
 namespace mesh_formats {
 
 using algebra3d::append_number;
-using algebra3d::AtomicFile;
+using algebra3d::ByteSink;
 using algebra3d::kNone;
 using algebra3d::one_line;
 using algebra3d::OutputPath;
@@ -34,20 +34,20 @@ std::string object_line(std::string_view name) {
   return "o " + std::string(name) + (name.ends_with('\\') ? " \n" : "\n");
 }
 
-Status append_faces(AtomicFile& file, const PolygonSoup& soup) {
+Status append_faces(ByteSink& sink, const PolygonSoup& soup) {
   std::string line;
   for (std::size_t i = 0; i < soup.face_count(); ++i) {
     line = "f";
     for (const std::uint32_t corner : soup.face(i)) append_number(line += ' ', corner + 1);
-    A3D_TRY(file.append(line += '\n'));
+    A3D_TRY(sink.append(line += '\n'));
   }
   return {};
 }
 
-Status append_elements(AtomicFile& file, std::string_view keyword, std::span<const double> numbers) {
+Status append_elements(ByteSink& sink, std::string_view keyword, std::span<const double> numbers) {
   std::string line(keyword);
   for (const double number : numbers) append_number(line += ' ', std::isfinite(number) ? number : 0);
-  return file.append(line += '\n');
+  return sink.append(line += '\n');
 }
 
 /// The number of an entry that a list may have; kNone if it has none.
@@ -85,11 +85,11 @@ class NameStatements {
   std::uint32_t current_ = kNone;
 };
 
-Status append_with_attributes(AtomicFile& file, const PolygonSoup& soup) {
+Status append_with_attributes(ByteSink& sink, const PolygonSoup& soup) {
   const SoupAttributes& attributes = *soup.attributes;
-  for (const auto& texture : attributes.textures) A3D_TRY(append_elements(file, "vt", texture));
+  for (const auto& texture : attributes.textures) A3D_TRY(append_elements(sink, "vt", texture));
   for (const Vec3& normal : attributes.normals)
-    A3D_TRY(append_elements(file, "vn", std::array{normal.x, normal.y, normal.z}));
+    A3D_TRY(append_elements(sink, "vn", std::array{normal.x, normal.y, normal.z}));
   std::array names{NameStatements("o", attributes.objects), NameStatements("g", attributes.groups),
                    NameStatements("usemtl", attributes.materials)};
   std::string lines;
@@ -100,36 +100,33 @@ Status append_with_attributes(AtomicFile& file, const PolygonSoup& soup) {
     for (std::uint32_t i = soup.face_starts[face]; i < soup.face_starts[face + 1]; ++i)
       append_corner(lines, soup.corners[i], number_in(attributes.corner_textures, i),
                     number_in(attributes.corner_normals, i));
-    A3D_TRY(file.append(lines += '\n'));
+    A3D_TRY(sink.append(lines += '\n'));
   }
   return {};
 }
 
-Status append_obj(AtomicFile& file, const PolygonSoup& soup, std::string_view name) {
-  if (!name.empty()) A3D_TRY(file.append(object_line(name)));
+Status append_obj(ByteSink& sink, const PolygonSoup& soup, std::string_view name) {
+  if (!name.empty()) A3D_TRY(sink.append(object_line(name)));
   // Readers refuse a file without bytes.
-  if (name.empty() && soup.points.empty()) A3D_TRY(file.append("# no vertices\n"));
+  if (name.empty() && soup.points.empty()) A3D_TRY(sink.append("# no vertices\n"));
   std::string line;
   for (const Vec3& point : soup.points) {
     line = "v";
     for (std::size_t axis = 0; axis < 3; ++axis) append_number(line += ' ', point[axis]);
-    A3D_TRY(file.append(line += '\n'));
+    A3D_TRY(sink.append(line += '\n'));
   }
-  return soup.attributes == nullptr ? append_faces(file, soup) : append_with_attributes(file, soup);
-}
-
-Status write_obj(const OutputPath& path, const PolygonSoup& soup, std::string_view name) {
-  auto file = AtomicFile::create(path);
-  if (!file) return std::move(file).error();
-  A3D_TRY(append_obj(*file, soup, one_line(name)));
-  return file->commit();
+  return soup.attributes == nullptr ? append_faces(sink, soup) : append_with_attributes(sink, soup);
 }
 
 }  // namespace
 
+Status write_obj(ByteSink& sink, const PolygonSoup& soup, std::string_view name) {
+  A3D_TRY(check_soup(soup, CoordinateRange::doubles));
+  return append_obj(sink, soup, one_line(name));
+}
+
 Status write_obj_file(const OutputPath& path, const PolygonSoup& soup, std::string_view name) {
-  A3D_TRY(check_soup(path.path(), soup, CoordinateRange::doubles));
-  return write_obj(path, soup, name);
+  return algebra3d::write_file(path, [&](ByteSink& sink) { return write_obj(sink, soup, name); });
 }
 
 }  // namespace mesh_formats

@@ -33,9 +33,9 @@ Result<MeshContent> read_off_content(std::string_view bytes, std::string_view fi
   return MeshContent{std::move(read.soup), encoding, std::move(read.remarks), std::nullopt};
 }
 
-Status write_off_content(const algebra3d::OutputPath& path, const Facets& facets, std::string_view /*name*/,
+Status write_off_content(algebra3d::ByteSink& sink, const Facets& facets, std::string_view /*name*/,
                          Encoding encoding) {
-  return write_off_file(path, std::get<PolygonSoup>(facets), encoding);
+  return write_off(sink, std::get<PolygonSoup>(facets), encoding);
 }
 
 }  // namespace
@@ -45,6 +45,7 @@ MeshFormat off_format() {
           .title = "an OFF file",
           .variants = " (also COFF, NOFF, binary ones)",
           .endings = kOffEndings,
+          .media_type = "application/octet-stream",
           .forms = kOffForms,
           .stores_triangles = false,
           .stores_name = false,

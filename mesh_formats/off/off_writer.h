@@ -1,21 +1,24 @@
 #pragma once
 
 #include "algebra3d/base/error.h"
+#include "base/byte_sink.h"
 #include "base/mesh_content.h"
 #include "base/output_path.h"
 #include "base/polygon_soup.h"
 
 namespace mesh_formats {
 
-/// Writes `soup` to an OFF file at `path`, atomically (AtomicFile): all points, also unused ones, and all faces, in
+/// Writes `soup` as an OFF file: all points, also unused ones, and all faces, in
 /// order. The number of edges is written as 0, which the format allows; it has no names. Binary files are big-endian,
 /// with 0 colour floats after each face.
 ///
 /// Exactness: ASCII digits are the shortest for the same double, so coordinates read back unchanged; binary coordinates
 /// are rounded once, to the nearest float. Errors: invalid_value (a soup that breaks its invariants, a face of fewer
 /// than 3 corners, in a binary file also a coordinate beyond the range of float, with its place), limit_exceeded (more
-/// than 2^31 - 1 points or faces in a binary file), disk_full, file_missing (no such folder), io_error, wrong_usage
-/// (the file is a database).
+/// than 2^31 - 1 points or faces in a binary file), those of the sink; nothing is written after the first two.
+algebra3d::Status write_off(algebra3d::ByteSink& sink, const algebra3d::PolygonSoup& soup, Encoding format);
+
+/// `write_off` to the file at `path`, atomically (AtomicFile).
 algebra3d::Status write_off_file(const algebra3d::OutputPath& path, const algebra3d::PolygonSoup& soup,
                                  Encoding format);
 

@@ -39,9 +39,8 @@ Result<MeshContent> read_stl_content(std::string_view bytes, std::string_view fi
   return MeshContent{std::move(read.soup), read.format, std::move(read.remarks), read.wrong_count};
 }
 
-Status write_stl_content(const algebra3d::OutputPath& path, const Facets& facets, std::string_view name,
-                         Encoding encoding) {
-  return write_stl_file(path, std::get<TriangleSoup>(facets), name, encoding);
+Status write_stl_content(algebra3d::ByteSink& sink, const Facets& facets, std::string_view name, Encoding encoding) {
+  return write_stl(sink, std::get<TriangleSoup>(facets), name, encoding);
 }
 
 }  // namespace
@@ -51,6 +50,7 @@ MeshFormat stl_format() {
           .title = "an STL file",
           .variants = ", ASCII or binary",
           .endings = kStlEndings,
+          .media_type = "model/stl",
           .forms = kStlForms,
           .stores_triangles = true,
           .stores_name = true,

@@ -49,8 +49,8 @@ ExportedSolid refuse(Context& context, Error reason) {
   return {std::move(reason)};
 }
 
-/// Writes the rounded solid to the path.
-using MeshWriter = std::function<Status(const OutputPath& path, const TriangleMesh& mesh)>;
+/// Writes the rounded solid.
+using MeshWriter = std::function<Status(const TriangleMesh& mesh)>;
 
 /// The numbers that a file can hold, and their name.
 struct FileNumbers {
@@ -112,7 +112,6 @@ Result<DividedMesh> divided_where_it_touches(const TriangleMesh& mesh, const Coo
 
 Result<ExportedSolid> export_rounded(Context& context, const std::string& name, const Volume3d& solid,
                                      const std::string& file, const FileNumbers& numbers, const MeshWriter& write) {
-  A3D_ASSIGN(const OutputPath path, context.resolve_output(file));
   A3D_ASSIGN(const RoundedSolid rounded, rounded_solid(solid.mesh(), numbers.grid, context.monitor()));
   const std::string rounding = fmt::format("{}: {}: rounded to {}, ", name, file, numbers.name);
   if (!rounded.mesh) return refuse(context, {ErrorCode::invalid_value, rounding + rounded.reason + numbers.advice});
@@ -130,7 +129,7 @@ Result<ExportedSolid> export_rounded(Context& context, const std::string& name, 
                                                : fmt::format("{} pairs of edges cross", divided.contacts_left),
                     numbers.name),
         file);
-  Status written = write(path, divided.mesh);
+  Status written = write(divided.mesh);
   if (!written && written.error().code == ErrorCode::interrupted) return std::move(written).error();
   if (!written) return refuse(context, std::move(written).error().about(name));
   return ExportedSolid();
@@ -139,16 +138,21 @@ Result<ExportedSolid> export_rounded(Context& context, const std::string& name, 
 }  // namespace
 
 Result<ExportedSolid> export_solid(Context& context, const std::string& command, const Volume3d& solid,
-                                   const std::string& name, const std::string& file, const MeshFileForm& form) {
+                                   const std::string& name, const MeshDestination& to, const MeshFileForm& form) {
   const mesh_formats::MeshFormat& format = *form.format;
   const bool has_floats = format.form(form.encoding)->coordinates == mesh_formats::CoordinateRange::floats;
-  return export_rounded(context, command, solid, file, has_floats ? floats() : doubles(),
-                        [&](const OutputPath& path, const TriangleMesh& mesh) {
-                          const mesh_formats::Facets facets = format.stores_triangles
-                                                                  ? mesh_formats::Facets(triangle_soup_of(mesh))
-                                                                  : mesh_formats::Facets(polygon_soup_of(mesh));
-                          return format.write(path, facets, name, form.encoding);
-                        });
+  return export_rounded(
+      context, command, solid, to.name(), has_floats ? floats() : doubles(), [&](const TriangleMesh& mesh) {
+        const mesh_formats::Facets facets = format.stores_triangles ? mesh_formats::Facets(triangle_soup_of(mesh))
+                                                                    : mesh_formats::Facets(polygon_soup_of(mesh));
+        return to.write(format, facets, name, form.encoding);
+      });
+}
+
+Result<ExportedSolid> export_solid(Context& context, const std::string& command, const Volume3d& solid,
+                                   const std::string& name, const std::string& file, const MeshFileForm& form) {
+  A3D_ASSIGN(const MeshDestination to, MeshDestination::file(context, file));
+  return export_solid(context, command, solid, name, to, form);
 }
 
 }  // namespace algebra3d

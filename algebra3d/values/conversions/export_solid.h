@@ -4,6 +4,7 @@
 #include <string>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/values/conversions/mesh_destination.h"
 #include "algebra3d/values/types/spatial.h"
 #include "base/context.h"
 #include "mesh_formats/mesh_format.h"
@@ -22,10 +23,13 @@ struct ExportedSolid {
   std::optional<Error> refusal;
 };
 
-/// Writes the solid to a mesh file as exportSTL, exportOBJ and exportOFF do: rounded to the precision of the format,
-/// atomically. `command` begins the diagnostics; `name` is the name of the solid in the file. A refusal is also a
+/// Writes the solid as a mesh file as exportSTL, exportOBJ and exportOFF do: rounded to the precision of the format.
+/// `command` begins the diagnostics; `name` is the name of the solid in the file. A refusal is also a
 /// diagnostic: invalid_value if the solid cannot be rounded, else the errors of MeshFormat::write. Errors: interrupted,
 /// limit_exceeded, out_of_memory.
+Result<ExportedSolid> export_solid(Context& context, const std::string& command, const Volume3d& solid,
+                                   const std::string& name, const MeshDestination& to, const MeshFileForm& form);
+/// As above, to the file that `file` means. Errors: also those of MeshDestination::file.
 Result<ExportedSolid> export_solid(Context& context, const std::string& command, const Volume3d& solid,
                                    const std::string& name, const std::string& file, const MeshFileForm& form);
 

@@ -225,13 +225,13 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Monito
 }
 
 Result<ExportedSolid> export_mesh(Context& context, const std::string& command, const Mesh3d& mesh,
-                                  const std::string& name, const std::string& file, const MeshFileForm& form) {
+                                  const std::string& name, const MeshDestination& to, const MeshFileForm& form) {
   A3D_TRY(context.check_cancelled());
-  A3D_ASSIGN(const OutputPath path, context.resolve_output(file));
+  const std::string& file = to.name();
   PolygonSoup soup = soup_of(mesh.mesh());
   const std::size_t left_out = add_attributes(mesh.attributes(), *form.format, soup);
   const std::size_t changed_texts = count_changed_texts(soup.attributes.get());
-  Status written = form.format->write(path, facets_for(*form.format, std::move(soup)), name, form.encoding);
+  Status written = to.write(*form.format, facets_for(*form.format, std::move(soup)), name, form.encoding);
   if (!written) {
     if (written.error().code == ErrorCode::interrupted) return std::move(written).error();
     Error refusal = std::move(written).error().about(command);
@@ -247,6 +247,12 @@ Result<ExportedSolid> export_mesh(Context& context, const std::string& command, 
         file);
   report_rounding(context, command, mesh.mesh(), file, form.format->form(form.encoding)->coordinates);
   return ExportedSolid();
+}
+
+Result<ExportedSolid> export_mesh(Context& context, const std::string& command, const Mesh3d& mesh,
+                                  const std::string& name, const std::string& file, const MeshFileForm& form) {
+  A3D_ASSIGN(const MeshDestination to, MeshDestination::file(context, file));
+  return export_mesh(context, command, mesh, name, to, form);
 }
 
 }  // namespace algebra3d

@@ -25,10 +25,13 @@ struct ImportedMesh {
 /// The format is detected (MeshFormats::detect). Errors: interrupted, out_of_memory.
 Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Monitor& monitor = {});
 
-/// Writes the vertices and faces in their order, atomically; in a format of triangles, the triangles of the faces: who
+/// Writes the vertices and faces in their order; in a format of triangles, the triangles of the faces: who
 /// wants those of `triangulated` passes a mesh of triangles. A diagnostic counts the vertices that are rounded: to
 /// doubles, or to floats in a form that holds these. An OBJ file has the attributes with the names and kinds that
 /// reading gives; a diagnostic counts the others. A refusal is also a diagnostic. Errors: interrupted, out_of_memory.
+Result<ExportedSolid> export_mesh(Context& context, const std::string& command, const Mesh3d& mesh,
+                                  const std::string& name, const MeshDestination& to, const MeshFileForm& form);
+/// As above, to the file that `file` means. Errors: also those of MeshDestination::file.
 Result<ExportedSolid> export_mesh(Context& context, const std::string& command, const Mesh3d& mesh,
                                   const std::string& name, const std::string& file, const MeshFileForm& form);
 

@@ -60,6 +60,8 @@ struct HttpAnswer {
   int status = 200;
   std::string type = "application/json";
   std::string body = {};
+  /// If there are any, they are the body, one behind the other: a large one need not lie in one piece. None is empty.
+  std::vector<std::string> pieces = {};
   std::vector<std::pair<std::string, std::string>> headers = {};
   /// If set, produces the body in pieces instead; must not throw.
   std::function<void(const SendPiece&)> stream = {};

@@ -133,6 +133,24 @@ void unpack(HttpAnswer& answer) {
   answer.body = std::move(content);
 }
 
+/// Sends the pieces; the library may ask for a part of the whole, for a request with a range.
+void give_pieces(HttpAnswer answer, httplib::Response& response) {
+  std::size_t size = 0;
+  for (const std::string& piece : answer.pieces) size += piece.size();
+  response.set_content_provider(
+      size, answer.type,
+      [pieces = std::move(answer.pieces)](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+        for (const std::string_view piece : pieces) {
+          if (offset < piece.size()) {
+            const std::string_view part = piece.substr(offset, length);
+            return sink.write(part.data(), part.size());
+          }
+          offset -= piece.size();
+        }
+        return false;
+      });
+}
+
 void give(HttpAnswer answer, httplib::Response& response) {
   response.status = answer.status;
   for (const auto& [name, value] : common_headers()) response.set_header(name, value);
@@ -147,6 +165,7 @@ void give(HttpAnswer answer, httplib::Response& response) {
     return;
   }
   if (answer.status == 204) return;
+  if (!answer.pieces.empty()) return give_pieces(std::move(answer), response);
   // One copy less than set_content: files may have hundreds of megabytes.
   response.body = std::move(answer.body);
   response.set_header("Content-Type", answer.type);

@@ -22,9 +22,8 @@
 #include "algebra3d/values/types/value.h"
 #include "base/context.h"
 #include "base/diagnostics.h"
-#include "base/file_content.h"
+#include "base/memory_sink.h"
 #include "base/propagate.h"
-#include "base/temporary_folder.h"
 #include "base/text.h"
 #include "mesh_formats/mesh_formats.h"
 #include "queries/server/detail/api.h"
@@ -38,9 +37,9 @@ namespace queries {
 using algebra3d::Context;
 using algebra3d::ExportedSolid;
 using algebra3d::Mesh3d;
+using algebra3d::MeshDestination;
 using algebra3d::MeshFileForm;
 using algebra3d::Surface3d;
-using algebra3d::TemporaryFolder;
 using algebra3d::TypeOf;
 using algebra3d::Volume3d;
 
@@ -48,9 +47,9 @@ namespace {
 
 /// A value as the content of a mesh file.
 struct CellFile {
-  std::string_view type;  ///< media type
-  std::string name;       ///< for the client's file
-  std::string bytes;
+  std::string_view type;                 ///< media type
+  std::string name;                      ///< for the client's file
+  std::vector<std::string> pieces;       ///< the bytes
   std::vector<std::string> diagnostics;  ///< how far coordinates were rounded
 };
 
@@ -64,61 +63,46 @@ std::string file_name(const std::string& name, const MeshFileForm& form) {
   return result + std::string(form.format->endings.front());
 }
 
-Result<ExportedSolid> write_mesh(const Mesh3d& mesh, const std::string& name, const std::string& file,
+Result<ExportedSolid> write_mesh(const Mesh3d& mesh, const std::string& name, const MeshDestination& to,
                                  const MeshFileForm& form, Context& context) {
-  if (!form.format->stores_triangles) return algebra3d::export_mesh(context, kCommand, mesh, name, file, form);
+  if (!form.format->stores_triangles) return algebra3d::export_mesh(context, kCommand, mesh, name, to, form);
   A3D_ASSIGN(const Mesh3d triangles, algebra3d::triangulated(mesh, context.monitor()));
-  return algebra3d::export_mesh(context, kCommand, triangles, name, file, form);
+  return algebra3d::export_mesh(context, kCommand, triangles, name, to, form);
 }
 
-Result<ExportedSolid> write(const Value& value, const std::string& name, const std::string& file,
+Result<ExportedSolid> write(const Value& value, const std::string& name, const MeshDestination& to,
                             const MeshFileForm& form, Context& context) {
   const algebra3d::Type* const type = &value.type();
   if (type == &TypeOf<Volume3d>::type())
-    return algebra3d::export_solid(context, kCommand, value.get<Volume3d>(), name, file, form);
-  if (type == &TypeOf<Mesh3d>::type()) return write_mesh(value.get<Mesh3d>(), name, file, form, context);
+    return algebra3d::export_solid(context, kCommand, value.get<Volume3d>(), name, to, form);
+  if (type == &TypeOf<Mesh3d>::type()) return write_mesh(value.get<Mesh3d>(), name, to, form, context);
   if (type == &TypeOf<Surface3d>::type()) {
     A3D_ASSIGN(algebra3d::PolygonMesh mesh,
                algebra3d::polygon_mesh_of(value.get<Surface3d>().mesh(), algebra3d::Merging::none, context.monitor()));
-    return write_mesh(Mesh3d(std::move(mesh)), name, file, form, context);
+    return write_mesh(Mesh3d(std::move(mesh)), name, to, form, context);
   }
   return Error{ErrorCode::invalid_value, "a {} has no mesh file; expected a volume3d, surface3d or mesh3d",
                type->name()};
 }
 
-// The error without the path of the temporary folder.
-Error with_own_name(Error error, const std::filesystem::path& folder) {
-  error.message = algebra3d::with_replaced(std::move(error.text()), folder.string() + "/", "");
-  return error;
-}
-
-/// The form that a client names: stl, stl-ascii, obj or off.
+/// The form that a client names by its word: stl, stl-ascii, ...
 std::optional<MeshFileForm> file_form(std::string_view name) {
-  const bool is_ascii = name == "stl-ascii";
-  std::string upper(is_ascii ? "stl" : name);
-  std::ranges::transform(upper, upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  const mesh_formats::MeshFormat* const format = mesh_formats::known_mesh_formats().named(upper);
-  if (format == nullptr) return std::nullopt;
-  return MeshFileForm{format, is_ascii ? mesh_formats::Encoding::ascii : format->forms.front().encoding};
+  for (const auto& [format, form] : mesh_formats::known_mesh_formats().forms())
+    if (format->word_of(*form) == name) return MeshFileForm{format, form->encoding};
+  return std::nullopt;
 }
 
 /// The file of a solid, surface or mesh, written as the export operators do. Errors: invalid_value for other types,
-/// undefined values and solids that cannot be rounded; those of the store; interrupted.
+/// undefined values and solids that cannot be rounded; those of the store; interrupted; limit_exceeded if the file does
+/// not fit into memory.
 Result<CellFile> file_of(const Value& value, const std::string& name, const MeshFileForm& form, Context& context) {
   if (!value.is_defined()) return Error{ErrorCode::invalid_value, "the value is undefined"};
-  A3D_ASSIGN(const TemporaryFolder folder, TemporaryFolder::make());
   A3D_ASSIGN(const Value loaded, value.loaded());
-  CellFile result{.type = "application/octet-stream", .name = file_name(name, form), .bytes = {}, .diagnostics = {}};
-  // The file is ours: names of clients do not lead to it.
-  Context own{.diagnostics = context.diagnostics,
-              .cancel = context.cancel,
-              .folder = folder.path(),
-              .memory = context.memory,
-              .report = context.report};
-  A3D_ASSIGN(const ExportedSolid written, write(loaded, name, result.name, form, own));
-  if (written.refusal) return with_own_name(*written.refusal, folder.path());
-  A3D_ASSIGN(const auto content, algebra3d::FileContent::read(folder.path() / result.name, context.cancel));
-  result.bytes = content.bytes();
+  CellFile result{.type = form.format->media_type, .name = file_name(name, form), .pieces = {}, .diagnostics = {}};
+  algebra3d::MemorySink sink(context.monitor());
+  A3D_ASSIGN(ExportedSolid written, write(loaded, name, MeshDestination::sink(sink, result.name), form, context));
+  if (written.refusal) return *std::move(written.refusal);
+  result.pieces = std::move(sink).take();
   result.diagnostics = context.diagnostics.summary();
   return result;
 }
@@ -225,7 +209,8 @@ HttpAnswer Api::get_file(const Call& call) {
   if (!format) return format.refusal().answer();
   const auto form = file_form(*format);
   if (!form)
-    return Refusal::bad_request(fmt::format("'format': expected stl, stl-ascii, obj or off, got '{}'", *format))
+    return Refusal::bad_request(fmt::format("'format': expected {}, got '{}'",
+                                            mesh_formats::known_mesh_formats().form_words("or"), *format))
         .answer();
   auto file =
       (*result)->ask<CellFile>(call.request.connection, [&](ResultTable& table, Context& context) -> Result<CellFile> {
@@ -233,7 +218,7 @@ HttpAnswer Api::get_file(const Call& call) {
         return file_of(value, *column, *form, context);
       });
   if (!file) return refusal_of_cell(file.error()).answer();
-  HttpAnswer answer{.type = std::string(file->type), .body = std::move(file->bytes)};
+  HttpAnswer answer{.type = std::string(file->type), .pieces = std::move(file->pieces)};
   answer.headers.emplace_back("X-Algebra3d-Diagnostics", json_strings(file->diagnostics));
   answer.headers.emplace_back("Content-Disposition", fmt::format("attachment; filename=\"{}\"", file->name));
   return answer;

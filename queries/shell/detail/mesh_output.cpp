@@ -93,7 +93,7 @@ Result<WrittenMesh> convert_mesh(std::string_view bytes, const std::string& name
   } else {
     A3D_ASSIGN(facets, polygons_of(std::move(content.facets), name));
   }
-  A3D_TRY(format.write(file, facets, solid_name, form.encoding));
+  A3D_TRY(format.write_file(file, facets, solid_name, form.encoding));
   WrittenMesh written = counts_of(facets);
   if (format.form(form.encoding)->coordinates == mesh_formats::CoordinateRange::floats)
     for_each_point(facets, [&](const Vec3& point) { written.rounding = float_rounding(point, written.rounding); });

@@ -1,14 +1,15 @@
 #include <array>
 #include <atomic>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/memory_sink.h"
 #include "mesh_formats/mesh_formats.h"
 #include "support/scratch_folder.h"
 #include "unit/stl/stl_bytes.h"
@@ -117,8 +118,8 @@ TEST(MeshFormatTest, anything_else_is_an_error) {
       const auto format = known_mesh_formats().detect(bytes, name);
       ASSERT_FALSE(format);
       EXPECT_EQ(format.error().code, ErrorCode::file_format);
-      EXPECT_EQ(format.error().text(),
-                name + ": neither content nor name is that of a mesh file; expected STL, OBJ or OFF");
+      EXPECT_EQ(format.error().text(), (name.empty() ? "" : name + ": ") +
+                                           "neither content nor name is that of a mesh file; expected STL, OBJ or OFF");
     }
   }
 }
@@ -147,13 +148,12 @@ algebra3d::Result<MeshContent> read_tri(std::string_view bytes, std::string_view
       {{{digit(0), digit(1), digit(2)}, {digit(3), digit(4), digit(5)}, {digit(6), digit(7), digit(8)}}});
   return MeshContent{soup, Encoding::ascii, {}, std::nullopt};
 }
-algebra3d::Status write_tri(const algebra3d::OutputPath& path, const Facets& facets, std::string_view /*name*/,
+algebra3d::Status write_tri(algebra3d::ByteSink& sink, const Facets& facets, std::string_view /*name*/,
                             Encoding /*encoding*/) {
-  std::ofstream file(path.path());
-  file << "tri ";
+  std::string text = "tri ";
   for (const auto& corner : std::get<algebra3d::TriangleSoup>(facets).triangles.at(0))
-    file << corner.x << corner.y << corner.z;
-  return {};
+    text += fmt::format("{}{}{}", corner.x, corner.y, corner.z);
+  return sink.append(text);
 }
 constexpr std::array<std::string_view, 2> kTriEndings{".tri", ".triangle"};
 constexpr std::array<FileForm, 1> kTriForms{{{Encoding::ascii, CoordinateRange::doubles}}};
@@ -161,6 +161,7 @@ constexpr MeshFormat kTri{.name = "TRI",
                           .title = "a TRI file",
                           .variants = "",
                           .endings = kTriEndings,
+                          .media_type = "model/tri",
                           .forms = kTriForms,
                           .stores_triangles = true,
                           .stores_name = false,
@@ -188,6 +189,7 @@ TEST(MeshFormatTest, a_format_is_known_by_its_line_in_the_table) {
   EXPECT_EQ(formats.detect("000100010", "a").error().text(),
             "a: neither content nor name is that of a mesh file; expected STL, OBJ, OFF or TRI");
   EXPECT_EQ(kTri.form(Encoding::binary), nullptr);
+  EXPECT_EQ(formats.form_words("and"), "stl, stl-ascii, obj, off, off-binary and tri");
 }
 
 TEST(MeshFormatTest, a_format_reads_and_writes_by_its_functions) {
@@ -195,11 +197,14 @@ TEST(MeshFormatTest, a_format_reads_and_writes_by_its_functions) {
   const ScratchFolder folder;
   const auto read = formats.named("TRI")->read("tri 001200010", "a.tri", nullptr);
   ASSERT_TRUE(read) << read.error().text();
-  ASSERT_TRUE(formats.named("TRI")->write(folder.path("b.tri"), read->facets, "", Encoding::ascii));
+  ASSERT_TRUE(formats.named("TRI")->write_file(folder.path("b.tri"), read->facets, "", Encoding::ascii));
   EXPECT_EQ(folder.bytes("b.tri"), "tri 001200010");
   // The facets in a format that existed before.
-  ASSERT_TRUE(formats.named("STL")->write(folder.path("b.stl"), read->facets, "a", Encoding::ascii));
+  ASSERT_TRUE(formats.named("STL")->write_file(folder.path("b.stl"), read->facets, "a", Encoding::ascii));
   EXPECT_EQ((*formats.detect_file(folder.path("b.stl")))->name, "STL");
+  algebra3d::MemorySink memory;
+  ASSERT_TRUE(formats.named("STL")->write(memory, read->facets, "a", Encoding::ascii));
+  EXPECT_EQ(std::move(memory).take().at(0), folder.bytes("b.stl"));
 }
 
 }  // namespace

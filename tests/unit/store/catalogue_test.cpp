@@ -67,10 +67,10 @@ TEST_F(StoredCatalogue, types_that_were_changed_or_lost_in_the_file_are_missed) 
   write([&] { ok(store_->create_type("length", "real")); });
   store_.reset();
   sql("UPDATE named_types SET type = 'int'");
-  EXPECT_EQ(open_error(path(), OpenMode::read_write).message,
+  EXPECT_EQ(open_error(path(), OpenMode::read_write).text(),
             path().string() + ": the catalogue's row of the type 'length' is not what was written");
   sql("DELETE FROM named_types");
-  EXPECT_EQ(open_error(path(), OpenMode::read_write).message,
+  EXPECT_EQ(open_error(path(), OpenMode::read_write).text(),
             path().string() + ": the catalogue is not what was written: objects are missing or there are too many");
 }
 
@@ -260,7 +260,7 @@ TEST_F(OlderVersion, while_another_process_writes_the_upgrade_waits_and_gives_up
 
 TEST_F(OlderVersion, a_damaged_one_is_left_as_it_was) {
   sql("UPDATE catalogue SET function_text = 'fun(x: int) x' WHERE name = 'f'");
-  EXPECT_EQ(open_error(path(), OpenMode::read_write).message,
+  EXPECT_EQ(open_error(path(), OpenMode::read_write).text(),
             path().string() + ": the catalogue's row of the object 'f' is not what was written");
   EXPECT_EQ(sql("PRAGMA user_version"), "1");
 }

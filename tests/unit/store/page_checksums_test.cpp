@@ -115,14 +115,14 @@ TEST_F(PageChecksums, a_header_that_contradicts_the_pages_is_told_in_words) {
   std::string content = whole;
   content[kLastByteOfVersion] = 3;
   write_bytes(path(), stamped(content));
-  EXPECT_EQ(open_error(path(), OpenMode::read_only).message,
+  EXPECT_EQ(open_error(path(), OpenMode::read_only).text(),
             path().string() +
                 ": the header says that the database has version 3, but its pages have room for checksums, "
                 "unlike those of that version; the header was changed");
   content = whole;
   content[kReservedBytes] = 0;
   write_bytes(path(), stamped(content));
-  EXPECT_EQ(open_error(path(), OpenMode::read_only).message,
+  EXPECT_EQ(open_error(path(), OpenMode::read_only).text(),
             path().string() +
                 ": the header says that the database has version 4, but its pages have no room for "
                 "checksums, unlike those of that version; the header was changed");
@@ -135,7 +135,7 @@ TEST_F(PageChecksums, a_version_that_contradicts_the_tables_is_told_in_words) {
   reopen(OpenMode::read_write);
   store_.reset();
   sql("PRAGMA user_version = 2");
-  EXPECT_EQ(open_error(path(), OpenMode::read_write).message,
+  EXPECT_EQ(open_error(path(), OpenMode::read_write).text(),
             path().string() +
                 ": the header says that the database has version 2, but it has the table index_pages, which "
                 "came with version 3; the header was changed");
