@@ -153,6 +153,7 @@ std::span<const Route> Api::routes() {
       Route{"GET", "/api/operators/{name}", &Api::get_operator},
       Route{"GET", "/api/commands", &Api::get_commands},
       Route{"GET", "/api/keywords", &Api::get_keywords},
+      Route{"GET", "/api/formats", &Api::get_formats},
       Route{"GET", "/api/openapi.json", &Api::get_openapi},
   };
   return kRoutes;

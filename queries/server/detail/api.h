@@ -96,6 +96,7 @@ class Api {
   HttpAnswer get_operator(const Call& call);
   HttpAnswer get_commands(const Call& call);
   HttpAnswer get_keywords(const Call& call);
+  HttpAnswer get_formats(const Call& call);
   HttpAnswer get_openapi(const Call& call);
 
   const algebra3d::Registry& registry_;

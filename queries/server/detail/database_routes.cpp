@@ -8,6 +8,7 @@
 #include "algebra3d/values/display/shape_of_value.h"
 #include "algebra3d/version.h"
 #include "base/propagate.h"
+#include "mesh_formats/mesh_formats.h"
 #include "queries/language/command_list.h"
 #include "queries/language/documentation.h"
 #include "queries/language/example_queries.h"
@@ -81,6 +82,21 @@ std::string json_of_errors(const std::vector<algebra3d::QueryError>& errors) {
     json += fmt::format(R"({{"query":{},"message":{}}})", json_string(query), json_string(message));
   }
   return json + "]";
+}
+
+std::string json_of(const mesh_formats::MeshFormat& format) {
+  std::vector<std::string> endings(format.endings.begin(), format.endings.end());
+  std::string forms;
+  for (const mesh_formats::FileForm& form : format.forms) {
+    const bool has_floats = form.coordinates == mesh_formats::CoordinateRange::floats;
+    forms += fmt::format(R"({}{{"format":{},"binary":{},"coordinates":"{}","mediaType":{}}})", forms.empty() ? "" : ",",
+                         json_string(format.word_of(form)), form.encoding == mesh_formats::Encoding::binary,
+                         has_floats ? "floats" : "doubles", json_string(format.media_type));
+  }
+  return fmt::format(
+      R"({{"name":{},"endings":{},"importer":{},"polygons":{},"names":{},"attributes":{},"forms":[{}]}})",
+      json_string(format.name), json_strings(endings), json_string("import" + std::string(format.name)),
+      !format.stores_triangles, format.stores_name, format.read_with_attributes != nullptr, forms);
 }
 
 }  // namespace
@@ -162,6 +178,15 @@ HttpAnswer Api::get_keywords(const Call&) {
     }
   }
   return {.body = json_strings({words.begin(), words.end()}) + "\n"};
+}
+
+HttpAnswer Api::get_formats(const Call&) {
+  std::string json = "[";
+  for (const mesh_formats::MeshFormat& format : mesh_formats::known_mesh_formats()) {
+    if (json.size() > 1) json += ',';
+    json += json_of(format);
+  }
+  return {.body = json + "]\n"};
 }
 
 HttpAnswer Api::get_openapi(const Call&) {

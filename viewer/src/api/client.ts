@@ -67,6 +67,7 @@ export class Client {
   operator = (name: string) => this.#get<OperatorHelp>(`api/operators/${encodeURIComponent(name)}`);
   commands = () => this.#get<CommandInfo[]>("api/commands");
   keywords = () => this.#get<string[]>("api/keywords");
+  formats = () => this.#get<MeshFormat[]>("api/formats");
   statements = () => this.#get<RunningStatement[]>("api/statements");
 
   /** Divides a text into its statements, as the shell does. */
@@ -134,12 +135,12 @@ export class Client {
     return (await this.#get<{ text: string }>(`api/results/${result}/progress`, { signal })).text;
   }
 
-  /** A cell as a mesh file, with the notes on its rounding. */
+  /** A cell as a mesh file of the form `format`, with the notes on its rounding. */
   async file(
     result: string,
     row: number,
     column: string,
-    format: MeshFormat,
+    format: string,
   ): Promise<{ blob: Blob; diagnostics: string[] }> {
     const response = await this.#send(`api/results/${result}/file`, {
       query: { row, column, format },

@@ -139,7 +139,31 @@ export interface Upload {
   readonly bytes: number;
 }
 
-export type MeshFormat = "stl" | "stl-ascii" | "obj" | "off";
+/** A form in which mesh files are written. */
+export interface MeshForm {
+  /** Its name in requests: `stl`, `stl-ascii`. */
+  readonly format: string;
+  readonly binary: boolean;
+  readonly coordinates: "doubles" | "floats";
+  readonly mediaType: string;
+}
+
+/** A format of mesh files. */
+export interface MeshFormat {
+  readonly name: string;
+  /** Of file names, in lower case with their point. */
+  readonly endings: readonly string[];
+  /** The operator that reads a file as a solid. */
+  readonly importer: string;
+  /** Whether polygons are kept, or become triangles. */
+  readonly polygons: boolean;
+  /** Whether a file has the name of its solid. */
+  readonly names: boolean;
+  /** Whether a file has attributes of vertices, edges and faces. */
+  readonly attributes: boolean;
+  /** The first is the usual one. */
+  readonly forms: readonly MeshForm[];
+}
 
 /** The body of every error response. */
 export interface ErrorBody {

@@ -4,6 +4,7 @@ import { Icon } from "./ui/Icon";
 import { IconButton } from "./ui/controls";
 import { openMenu } from "./ui/menu";
 import type { ThemeChoice } from "../state/theme";
+import { listedFormats } from "../state/mesh_formats";
 
 const themes: readonly { readonly choice: ThemeChoice; readonly label: string }[] = [
   { choice: "system", label: "Theme of the system" },
@@ -30,7 +31,7 @@ export function TopBar() {
       <button
         type="button"
         class="btn quiet"
-        title="Import STL, OBJ or OFF files"
+        title={`Import ${listedFormats(store.catalogue.formats.value)} files`}
         aria-label="Import"
         onClick={() => workspace.chooseFiles()}
       >

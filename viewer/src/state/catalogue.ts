@@ -1,14 +1,22 @@
 import { batch, signal } from "@preact/signals";
 import type { Client } from "../api/client";
-import type { CommandInfo, DatabaseObject, OperatorHelp, OperatorInfo, TypeInfo } from "../api/types";
+import type {
+  CommandInfo,
+  DatabaseObject,
+  MeshFormat,
+  OperatorHelp,
+  OperatorInfo,
+  TypeInfo,
+} from "../api/types";
 
-/** What the database and the language have: objects, operators, types, commands and their words. */
+/** What the database and the program have: objects, operators, types, commands and their words, formats of files. */
 export class Catalogue {
   readonly objects = signal<readonly DatabaseObject[]>([]);
   readonly operators = signal<readonly OperatorInfo[]>([]);
   readonly types = signal<readonly TypeInfo[]>([]);
   readonly commands = signal<readonly CommandInfo[]>([]);
   readonly keywords = signal<readonly string[]>([]);
+  readonly formats = signal<readonly MeshFormat[]>([]);
   readonly #client: Client;
   /** How often the objects were asked for. */
   #readings = 0;
@@ -21,12 +29,13 @@ export class Catalogue {
   /** Reads everything; what the language has changes only with the program. */
   async load(): Promise<void> {
     const reading = ++this.#readings;
-    const [objects, operators, types, commands, keywords] = await Promise.all([
+    const [objects, operators, types, commands, keywords, formats] = await Promise.all([
       this.#client.objects(),
       this.#client.operators(),
       this.#client.types(),
       this.#client.commands(),
       this.#client.keywords(),
+      this.#client.formats(),
     ]);
     batch(() => {
       if (reading === this.#readings) this.objects.value = objects;
@@ -34,6 +43,7 @@ export class Catalogue {
       this.types.value = types;
       this.commands.value = commands;
       this.keywords.value = keywords;
+      this.formats.value = formats;
     });
   }
 

@@ -3,6 +3,7 @@ import { isAbort, messageOf } from "../api/errors";
 import type { Row } from "../api/types";
 import { uploadFile } from "../api/upload";
 import { decodeShapes, type Shape } from "../glb/shapes";
+import { importerOf } from "./mesh_formats";
 import { meshDifference, type MeshDifference } from "./mesh_difference";
 import type { Outcome } from "./outcome";
 import { isFailure } from "./runner";
@@ -29,14 +30,6 @@ export interface Review {
 
 /** Triangles of a file up to which its repair is compared with it, in the browser. */
 const mostCompared = 300_000;
-
-const importers: Readonly<Record<string, string>> = { stl: "importSTL", obj: "importOBJ", off: "importOFF" };
-
-/** The operator that repairs a file of this name; null if it is not a mesh file. */
-export function importerOf(fileName: string): string | null {
-  const ending = /\.(\w+)$/.exec(fileName)?.[1]?.toLowerCase() ?? "";
-  return importers[ending] ?? null;
-}
 
 /** A text as a literal of the query language. */
 export function quoted(text: string): string {
@@ -69,13 +62,15 @@ export class Uploads {
 
   /** Takes dropped or chosen files, one after the other. */
   async take(files: readonly File[]): Promise<void> {
+    // The formats are known then.
+    if (this.#store.connection.status.value === "online") await this.#store.loaded;
     const limit = this.#store.connection.info.value?.uploadLimit ?? Infinity;
     for (const file of files) {
       if (file.size > limit)
         this.#store.notices.add("error", `${file.name} is too large.`, {
           detail: `It has ${file.size} bytes; the server takes at most ${limit}.`,
         });
-      else if (importerOf(file.name)) await this.#review(file);
+      else if (this.#importerOf(file.name)) await this.#review(file);
       else await this.#uploadOnly(file);
     }
   }
@@ -87,11 +82,15 @@ export class Uploads {
 
   /** Stores the repaired solid as an object; why that failed, as for a file that is gone, or "": then the review ends. */
   async store(review: Review, name: string): Promise<string> {
-    const importer = importerOf(review.fileName) ?? "";
+    const importer = this.#importerOf(review.fileName) ?? "";
     const statement = `let ${name} = ${importer}(${quoted(review.path.value)})`;
     const refusal = await this.#store.save(statement, { stores: name });
     if (refusal === "") this.close(review);
     return refusal;
+  }
+
+  #importerOf(fileName: string): string | null {
+    return importerOf(this.#store.catalogue.formats.value, fileName);
   }
 
   async #uploadOnly(file: File): Promise<void> {
@@ -134,7 +133,7 @@ export class Uploads {
       throw new Error(review.asIs.value.answer.diagnostics.join("\n") || "The file cannot be read.");
     review.report.value = await this.#run(`query repairReport(${path}) consume`, signal);
     review.phase.value = "repairing";
-    const repaired = await this.#run(`query ${importerOf(review.fileName) ?? ""}(${path})`, signal);
+    const repaired = await this.#run(`query ${this.#importerOf(review.fileName) ?? ""}(${path})`, signal);
     review.repaired.value = repaired;
     // The file as it is stays in the picture; the repaired solid can be laid over it.
     const wasOverlaid = results.overlay.value;

@@ -258,7 +258,7 @@ test("a cell is downloaded as a mesh file", async () => {
   await cell.getByRole("button", { name: "Actions for Solid" }).click();
   const [download] = await Promise.all([
     page.waitForEvent("download"),
-    page.getByRole("menuitem", { name: "Download as OFF" }).click(),
+    page.getByRole("menuitem", { name: "Download as OFF", exact: true }).click(),
   ]);
   expect(download.suggestedFilename()).toBe("cube 2.off");
   const stream = await download.createReadStream();

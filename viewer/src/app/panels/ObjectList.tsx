@@ -6,6 +6,7 @@ import { Icon, type IconName } from "../ui/Icon";
 import { IconButton, SearchField } from "../ui/controls";
 import { openMenu, type MenuItem } from "../ui/menu";
 import type { App } from "../context";
+import { listedFormats } from "../../state/mesh_formats";
 
 const icons: Record<DatabaseObject["kind"], IconName> = {
   relation: "table",
@@ -29,7 +30,8 @@ export function ObjectList() {
       </div>
       {objects.length === 0 && (
         <p class="empty">
-          The database is empty. Drop an STL, OBJ or OFF file on this page, or store a value with let.
+          The database is empty. Drop {listedFormats(store.catalogue.formats.value)} files on this page, or
+          store a value with let.
         </p>
       )}
       {objects.length > 0 && found.length === 0 && <p class="empty">No object matches.</p>}

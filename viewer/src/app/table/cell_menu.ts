@@ -1,16 +1,9 @@
-import type { MeshFormat } from "../../api/types";
 import type { CellRef } from "../../scene/api";
+import { downloadsOf } from "../../state/mesh_formats";
 import type { Outcome } from "../../state/outcome";
 import type { App } from "../context";
 import { saveBlob } from "../ui/save";
 import type { MenuItem } from "../ui/menu";
-
-const formats: readonly { readonly format: MeshFormat; readonly label: string; readonly ending: string }[] = [
-  { format: "stl", label: "Download as STL", ending: "stl" },
-  { format: "stl-ascii", label: "Download as STL (text)", ending: "stl" },
-  { format: "obj", label: "Download as OBJ", ending: "obj" },
-  { format: "off", label: "Download as OFF", ending: "off" },
-];
 
 /** What can be done with the geometry in a cell. */
 export function cellMenu(
@@ -34,9 +27,9 @@ export function cellMenu(
     ...items,
     { label: "Compare: to the left", run: () => workspace.compare("left", cell) },
     { label: "Compare: to the right", run: () => workspace.compare("right", cell) },
-    ...formats.map(({ format, label, ending }) => ({
-      label,
-      run: () => void download(store, cell, format, `${fileName(outcome, row)}.${ending}`),
+    ...downloadsOf(store.catalogue.formats.value).map(({ form, label, ending }) => ({
+      label: `Download as ${label}`,
+      run: () => void download(store, cell, form.format, `${fileName(outcome, row)}${ending}`),
     })),
   ];
 }
@@ -49,7 +42,7 @@ function fileName(outcome: Outcome, row: number): string {
   return name.replace(/[^\p{L}\p{N}._ -]/gu, "_").slice(0, 80) || "shape";
 }
 
-async function download(store: App["store"], cell: CellRef, format: MeshFormat, name: string): Promise<void> {
+async function download(store: App["store"], cell: CellRef, format: string, name: string): Promise<void> {
   try {
     const { blob, diagnostics } = await store.client.file(cell.result, cell.row, cell.column, format);
     saveBlob(blob, name);

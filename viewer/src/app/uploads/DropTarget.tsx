@@ -1,10 +1,11 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { useApp } from "../context";
 import { Icon } from "../ui/Icon";
+import { listedFormats } from "../../state/mesh_formats";
 
 /** Takes files that are dropped on the page, and those that are chosen by the button in the head. */
 export function DropTarget() {
-  const { workspace } = useApp();
+  const { store, workspace } = useApp();
   const input = useRef<HTMLInputElement>(null);
   const [over, setOver] = useState(false);
   useEffect(() => {
@@ -51,7 +52,7 @@ export function DropTarget() {
         <div class="drop-target">
           <div>
             <Icon name="upload" />
-            Drop STL, OBJ or OFF files to look at them
+            Drop {listedFormats(store.catalogue.formats.value)} files to look at them
           </div>
         </div>
       )}

@@ -32,6 +32,7 @@ async function makeCatalogue() {
       { syntax: "delete type TYPE", doc: "Remove the name of a type" },
     ],
     "api/keywords": ["query", "let"],
+    "api/formats": [],
     "api/operators/area": { ...area, help: "area    area(_)\n\n  The whole text." },
   };
   const { fetch } = fakeServer(({ url }) => json(answers[url]));

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { Shape } from "../../../src/glb/shapes";
 import { meshDifference } from "../../../src/state/mesh_difference";
-import { objectName, quoted, importerOf } from "../../../src/state/uploads";
+import { objectName, quoted } from "../../../src/state/uploads";
 
 /** A shape of triangles over (0 0 0), (1 0 0), (0 1 0), (0 0 1), given relative to a translation. */
 function shape(indices: number[], translation: readonly [number, number, number] = [0, 0, 0]): Shape {
@@ -48,9 +48,4 @@ test("names of files become names of objects and literals", () => {
   expect(objectName("bolt.stl", ["Bolt", "Bolt_2"])).toBe("Bolt_3");
   expect(objectName("123.stl", [])).toBe("Part");
   expect(quoted("uploads/o'neil \\ 1.stl")).toBe("'uploads/o\\'neil \\\\ 1.stl'");
-  expect([importerOf("a.STL"), importerOf("a.off"), importerOf("a.csv")]).toEqual([
-    "importSTL",
-    "importOFF",
-    null,
-  ]);
 });
