@@ -9,11 +9,11 @@
 
 namespace algebra3d {
 
-/// A solid or surface rounded to a grid, or the reason why there is none.
+/// A solid or surface rounded to a grid, or the reason why it cannot be.
 struct RoundedMesh {
   /// A valid solid or surface with all coordinates on the grid.
   std::optional<TriangleMesh> mesh;
-  std::string reason = {};         ///< why there is none
+  std::string reason = {};         ///< why it cannot be rounded, without a mesh
   std::size_t moved_vertices = 0;  ///< of the given ones
   /// In coordinate units: no point of the new boundary, or of the surface, is farther from the given one. Parts that
   /// vanished are not counted.

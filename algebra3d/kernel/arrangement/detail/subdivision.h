@@ -57,7 +57,7 @@ struct UncutEdges {
   /// The edge, by its number, along which each of `space_edges` lies.
   std::vector<std::uint32_t> edge_at;
 
-  /// The uncut edge along which a space edge lies; null if there is none.
+  /// The uncut edge along which a space edge lies, or null.
   const UncutEdge* find(const SpaceEdge& edge) const {
     const std::uint32_t position = space_edges.position(edge);
     return position == kNone ? nullptr : &edges[edge_at[position]];

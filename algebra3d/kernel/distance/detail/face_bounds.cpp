@@ -398,7 +398,7 @@ auto FaceBounds<Vector>::clearly_nearer(const Farthest& bound) const -> std::opt
   return nearest != nullptr && is_clearly_nearer(least, bound) ? std::optional(*nearest) : std::nullopt;
 }
 
-/// The same, of all triangles of the set.
+/// The triangle of the whole set that is nearest to the farthest corner, if it shows that the bound is not tight.
 template <typename Vector>
 auto FaceBounds<Vector>::clearly_nearer_of_all(const Farthest& bound) -> std::optional<Target> {
   const Near near = nearest(bound.where, walk(bound.where, hint_).face);

@@ -114,7 +114,8 @@ Status PieceSearch::bound_faces(double at_least, const Monitor& monitor) {
   return do_nearly_coincide() ? bound_near_faces(monitor) : Status();
 }
 
-/// Those that seem to be farthest first, and then more and more: the samples of one round settle many others.
+/// Faces in rounds: first the few that seem to be farthest, then more each time, since the samples of a round settle
+/// many faces of the next.
 Status PieceSearch::bound_by_rounds(const Monitor& monitor) {
   constexpr std::size_t kWorkOfFirstBound = 1 << 13, kUnlimited = static_cast<std::size_t>(-1), kGrowth = 8;
   std::vector<std::uint32_t> left = unsettled_faces();

@@ -131,7 +131,7 @@ int Surd::sign() const {
   const int of_root = radicand.sign() == 0 ? 0 : factor.sign();
   if (of_root == 0 || of_whole == of_root) return of_whole;
   if (of_whole == 0) return of_root;
-  // Of different signs: the larger square decides.
+  // Two terms of different signs: the one with the larger square decides.
   const auto order = whole * whole <=> factor * factor * radicand;
   return order > 0 ? of_whole : order < 0 ? of_root : 0;
 }

@@ -105,7 +105,7 @@ void CrossingResolver::route(CoplanarFacetId facet, ChainLink link, PointId poin
     given_up_.push_back(facet);
 }
 
-/// Routes the first link through an end of the other that lies on it. False if there is none.
+/// Routes the first link through an end of the other that lies on it. False without such an end.
 bool CrossingResolver::route_through_inner_end(CoplanarFacetId facet, ChainLink link, ChainLink crossing) {
   const auto [from, to] = chains_.ends(link);
   const auto lies_inside = [&, from = from, to = to](PointId end) {

@@ -38,7 +38,7 @@ class SolidRounding : public RoundingJob {
   void find_places_that_stay();
   /// Whether the candidate, which is empty, may be the result.
   Result<bool> may_vanish(const RoundingCandidate& candidate) const;
-  /// The candidate in a simpler form (simpler_form.h); nothing if there is none. Vertices at `places_that_stay_` stay.
+  /// The candidate in a simpler form (simpler_form.h), or nothing. Vertices at `places_that_stay_` stay.
   Result<std::optional<RoundingCandidate>> simplified(const RoundingCandidate& candidate) const;
   /// Accepts the candidate without simplification if it is valid, an empty one only if the solid may vanish.
   Result<bool> accept_as_it_is(const RoundingCandidate& candidate);

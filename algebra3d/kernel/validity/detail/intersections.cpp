@@ -111,7 +111,7 @@ class PairTest {
   bool all_double_;
 };
 
-/// The first corner of the leaf's first face that is embedded and belongs to all its faces; kNone if there is none.
+/// The first corner of the leaf's first face that is embedded and belongs to all its faces, or kNone.
 std::uint32_t common_embedded_corner(const TriangleMesh& mesh, const EmbeddedStars& stars,
                                      std::span<const std::uint32_t> faces) {
   for (const std::uint32_t corner : mesh.triangle(FaceId(faces[0]))) {
