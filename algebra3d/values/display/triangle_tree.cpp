@@ -76,7 +76,7 @@ void number_positions_by_use(DrawnShape& shape) {
 constexpr std::size_t kTrianglesPerBlock = 1024;
 
 /// The highest eight bits for each axis of the Morton codes of the centres of triangles, on the grid of
-/// `spatial_order`: for comparisons of blocks, of which there are no more along an axis.
+/// `spatial_order`: for comparisons of blocks, of which at most 256 lie along an axis.
 class CoarseCode {
  public:
   explicit CoarseCode(const DrawnShape& shape) : shape_(shape) {

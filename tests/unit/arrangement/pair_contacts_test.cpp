@@ -148,7 +148,11 @@ TEST(PairContacts, audit_sees_damage) {
   };
   expect_seen([](PairContact& c) { c.contact.count = 0; }, "is not the one in the contact");
   expect_seen([](PairContact& c) { c.contact.is_coplanar = true; }, "is not the one in the contact");
-  expect_seen([](PairContact& c) { c.contact.points[0].first = {Place::Kind::edge, 3}; }, "has a place that does not exist");
+  expect_seen(
+      [](PairContact& c) {
+        c.contact.points[0].first = {Place::Kind::edge, 3};
+      },
+      "has a place that does not exist");
   expect_seen([](PairContact& c) { c.contact.points[0].first_runs_along = true; }, "runs along another edge");
   expect_seen([](PairContact& c) { c.second_face = c.first_face; }, "are of operands 0 and 0");
   expect_seen([](PairContact& c) { c.second_face = InputFaceId(99); }, "no such face");
