@@ -1,19 +1,17 @@
 #include "algebra3d/kernel/arrangement/detail/overlay.h"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "algebra3d/kernel/arrangement/detail/bucket_sort.h"
 #include "algebra3d/kernel/arrangement/detail/collinear_cuts.h"
 #include "algebra3d/kernel/arrangement/detail/crossings.h"
 #include "algebra3d/kernel/arrangement/detail/id_tree.h"
-#include "algebra3d/kernel/arrangement/detail/numbers_by_bucket.h"
+#include "algebra3d/kernel/arrangement/detail/plane_elements.h"
 #include "algebra3d/kernel/arrangement/detail/task_sizes.h"
 #include "algebra3d/kernel/exact/exact_work.h"
 #include "algebra3d/kernel/exact/predicates.h"
@@ -22,34 +20,6 @@
 
 namespace algebra3d::arrangement {
 namespace {
-
-/// An element of the overlay of one plane: a segment in the plane, or a node at which another facet touches the plane.
-struct PlaneElement {
-  PlaneId plane;
-  SegmentId segment;  ///< none for a node
-  NodeId from, to;    ///< the ends of the segment; for a node both are the node
-  FacetId facet;      ///< the facet of the plane that holds it; none if there are several
-  bool is_boundary;   ///< the segment bounds a facet of this plane
-
-  bool is_node() const { return segment.is_none(); }
-};
-
-/// The elements of all planes, made for one plane at a time.
-class PlaneElements {
- public:
-  /// Cost: linear in the incidences and touches.
-  PlaneElements(const Facets& facets, const SegmentComplex& complex);
-
-  /// The elements of a plane, each once, however many facets hold it, ascending by segments. Replaces `elements`. Calls
-  /// in parallel are safe. Cost: near-linear.
-  void collect(PlaneId plane, std::vector<PlaneElement>& elements) const;
-
- private:
-  PlaneElement element(PlaneId plane, std::size_t number) const;
-
-  const SegmentComplex& complex_;
-  NumbersByBucket by_plane_;  // incidences, then touches
-};
 
 /// Two segments that cross in a point inside of both, in a plane.
 struct SegmentCrossing {
@@ -67,22 +37,6 @@ struct PlaneCuts {
   /// Number of cuts, with the two of each crossing.
   std::size_t count() const { return cuts.size() + 2 * crossings.size(); }
 };
-
-/// The order of the elements of one plane.
-bool is_less(const PlaneElement& a, const PlaneElement& b) {
-  if (a.segment != b.segment) return a.segment < b.segment;
-  return std::tuple(a.from, a.facet, a.is_boundary) < std::tuple(b.from, b.facet, b.is_boundary);
-}
-
-bool are_one(const PlaneElement& a, const PlaneElement& b) {
-  return a.segment == b.segment && a.from == b.from;
-}
-
-/// The number of an incidence, or of a touch behind all incidences.
-PlaneId plane_of(const Facets& facets, const SegmentComplex& complex, std::size_t number) {
-  const std::size_t count = complex.incidences.size();
-  return facets[number < count ? complex.incidences[number].facet : complex.touches[number - count].facet].plane;
-}
 
 /// A segment or a touched node, among the elements of one plane.
 using ElementId = StrongId<struct ElementTag>;
@@ -171,39 +125,6 @@ void PlaneOverlay::relate_segments(const PlaneElement& a, const PlaneElement& b)
   if (a_from == 0) cut(b, a.from);
   if (a_to == 0) cut(b, a.to);
   if (b_from * b_to < 0 && a_from * a_to < 0) found_.crossings.push_back({plane_, a.segment, b.segment});
-}
-
-PlaneElements::PlaneElements(const Facets& facets, const SegmentComplex& complex)
-    : complex_(complex),
-      by_plane_(complex.incidences.size() + complex.touches.size(), facets.planes.size(),
-                [&](std::size_t number) { return plane_of(facets, complex, number).index(); }) {}
-
-PlaneElement PlaneElements::element(PlaneId plane, std::size_t number) const {
-  const std::size_t incidence_count = complex_.incidences.size();
-  if (number >= incidence_count) {
-    const auto& [facet, node] = complex_.touches[number - incidence_count];
-    return {plane, {}, node, node, facet, false};
-  }
-  const SegmentIncidence& incidence = complex_.incidences[number];
-  const Segment& segment = complex_.segments[incidence.segment];
-  return {plane, incidence.segment, segment.from, segment.to, incidence.facet, incidence.sides != FacetSides::both};
-}
-
-void PlaneElements::collect(PlaneId plane, std::vector<PlaneElement>& elements) const {
-  elements.clear();
-  for (const std::uint32_t number : by_plane_.of(plane.index())) elements.push_back(element(plane, number));
-  std::sort(elements.begin(), elements.end(), is_less);
-  std::size_t distinct = 0;
-  for (const PlaneElement& element : elements) {
-    if (distinct == 0 || !are_one(elements[distinct - 1], element)) {
-      elements[distinct++] = element;
-      continue;
-    }
-    PlaneElement& known = elements[distinct - 1];
-    if (known.facet != element.facet) known.facet = FacetId::none();
-    known.is_boundary |= element.is_boundary;
-  }
-  elements.resize(distinct);
 }
 
 /// Adds to `found` how the elements of one plane, at least one, cut each other. Several planes may be done in parallel.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,73 +9,12 @@
 
 #include "algebra3d/kernel/arrangement/detail/cell_above.h"
 #include "algebra3d/kernel/arrangement/detail/faces_above.h"
-#include "algebra3d/kernel/arrangement/detail/id_tree.h"
+#include "algebra3d/kernel/arrangement/detail/point_location.h"
 #include "algebra3d/kernel/arrangement/detail/radial_order.h"
-#include "algebra3d/kernel/exact/vertical_line.h"
-#include "algebra3d/kernel/search/boxes.h"
 #include "base/propagate.h"
 
 namespace algebra3d::arrangement {
 namespace {
-
-/// Point-in-operand queries.
-class PointLocation {
- public:
-  explicit PointLocation(const Operands& operands) : operands_(operands) {}
-
-  /// The winding number of a closed operand about the cell above the point (faces_above.h): the number of its faces
-  /// above the point that look up, less those that look down. If the point is on no face of the operand, that is the
-  /// winding number about the point. Exact. Cost: that of an upward ray through the hierarchy of its boxes.
-  int winding_number(OperandId operand, const PointRef& point) const;
-  /// Winding numbers about the cell above the point, of all operands. Exact. Cost: that of an upward ray through the
-  /// hierarchies of all operands whose boxes it meets.
-  WindingVector windings_above(const PointRef& point);
-  /// Operands whose boxes hold the point; others do not hold it. Ascending.
-  std::vector<OperandId> near(const PointRef& point) { return operands_meeting(box_of(point)); }
-  /// True if the boxes of more operands than `count` hold the point. Cost: that of finding one more.
-  bool has_more_near(const PointRef& point, std::size_t count) { return boxes().has_more_in(box_of(point), count); }
-
- private:
-  const IdTree<OperandId>& boxes();
-  std::vector<OperandId> operands_meeting(const Box3& box);
-
-  const Operands& operands_;
-  std::optional<IdTree<OperandId>> boxes_;  // of the operands, once it was asked for
-};
-
-int PointLocation::winding_number(OperandId operand, const PointRef& point) const {
-  int sum = 0;
-  operands_.hierarchy(operand).for_each_on_vertical_ray(box_of(point), 1, [&](std::uint32_t face) {
-    const LineCrossing crossing = cross_vertical_line(point, operands_.mesh(operand).corners(FaceId(face)));
-    if (crossing.side == -1) sum += crossing.sign;
-  });
-  return sum;
-}
-
-WindingVector PointLocation::windings_above(const PointRef& point) {
-  Box3 above = box_of(point);
-  above.max.z = std::numeric_limits<double>::max();
-  WindingVector windings;
-  for (const OperandId operand : operands_meeting(above))
-    windings[operands_.group(operand)] += winding_number(operand, point);
-  return windings;
-}
-
-const IdTree<OperandId>& PointLocation::boxes() {
-  if (!boxes_) {
-    IdTree<OperandId>::Boxes boxes;
-    for (const OperandId i : operands_.ids()) boxes.add(operands_.hierarchy(i).bounds(), i);
-    boxes_.emplace(boxes.tree());
-  }
-  return *boxes_;
-}
-
-std::vector<OperandId> PointLocation::operands_meeting(const Box3& box) {
-  std::vector<OperandId> result;
-  boxes().for_each_in(box, [&](OperandId operand) { result.push_back(operand); });
-  std::ranges::sort(result);
-  return result;
-}
 
 /// The exact centre of a face.
 ExactPoint centroid(const Operands& operands, InputFaceId face) {

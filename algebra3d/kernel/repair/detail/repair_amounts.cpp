@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <queue>
 #include <utility>
 
 #include "algebra3d/base/vec3.h"
@@ -12,142 +11,13 @@
 #include "algebra3d/kernel/repair/detail/convex_polygon.h"
 #include "algebra3d/kernel/repair/detail/inside_test.h"
 #include "algebra3d/kernel/repair/detail/measure_frame.h"
+#include "algebra3d/kernel/repair/detail/surface_distance.h"
 #include "algebra3d/kernel/repair/detail/unmatched_parts.h"
 #include "base/propagate.h"
 #include "rtree/rtree.h"
 
 namespace algebra3d {
 namespace {
-
-/// Bounds of a one-sided Hausdorff distance: the largest distance of a point of some triangles from a surface.
-struct FarthestBounds {
-  double at_least = 0, at_most = 0;
-  Vec3 where;  ///< a point that is `at_least` away
-};
-
-/// Computes distances from a surface of triangles. Rounded. Source: [guthe2005] for the bounds.
-class SurfaceDistance {
- public:
-  /// Cost: n log n.
-  explicit SurfaceDistance(std::vector<Triangle3> triangles);
-
-  bool is_empty() const { return triangles_.empty(); }
-  /// The distance of a point; infinite if the surface is empty.
-  double to(const Vec3& point) const { return nearest(point).distance; }
-  /// True if every point of the triangle is proved to be within `distance` of the surface. False if one is farther, or
-  /// if the proof would take too long.
-  bool is_near(const Triangle3& triangle, double distance) const;
-  /// The point of the triangles that is farthest from the surface. The bounds differ by at most a hundredth, unless
-  /// that takes more than 40,000 searches besides one for each triangle.
-  FarthestBounds farthest(std::span<const Triangle3> triangles) const;
-
- private:
-  struct Nearest {
-    double distance;
-    std::uint32_t triangle;
-  };
-
-  Nearest nearest(const Vec3& point) const;
-  /// Bounds of the largest distance of a point of the triangle, from one search.
-  FarthestBounds bounds(const Triangle3& triangle) const;
-
-  std::vector<Triangle3> triangles_;
-  rtree::RTree<std::uint32_t> tree_;
-};
-
-Vec3 middle_of(const Triangle3& t) {
-  return (1.0 / 3) * t[0] + (1.0 / 3) * t[1] + (1.0 / 3) * t[2];
-}
-
-std::array<Triangle3, 4> quarters(const Triangle3& t) {
-  const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
-  return {{{t[0], ab, ca}, {ab, t[1], bc}, {ca, bc, t[2]}, {ab, bc, ca}}};
-}
-
-/// A triangle of which some point may be that far away.
-struct Open {
-  double at_most;
-  std::uint32_t number;  // ties are broken in the order in which they came
-  Triangle3 triangle;
-
-  friend bool operator<(const Open& a, const Open& b) {
-    return a.at_most != b.at_most ? a.at_most < b.at_most : a.number > b.number;
-  }
-};
-
-SurfaceDistance::SurfaceDistance(std::vector<Triangle3> triangles) : triangles_(std::move(triangles)) {
-  std::vector<rtree::Entry<std::uint32_t>> entries;
-  for (std::uint32_t i = 0; i < triangles_.size(); ++i) entries.push_back({box_of(triangles_[i]), i});
-  tree_ = rtree::RTree<std::uint32_t>::bulk_load(entries);
-}
-
-SurfaceDistance::Nearest SurfaceDistance::nearest(const Vec3& point) const {
-  Nearest best{std::numeric_limits<double>::infinity(), 0};
-  auto cursor = tree_.nearest(Box3::of(point));
-  for (auto next = cursor.next(); next && next->distance < best.distance; next = cursor.next())
-    if (const double away = distance(point, triangles_[next->payload]); away < best.distance)
-      best = {away, next->payload};
-  return best;
-}
-
-FarthestBounds SurfaceDistance::bounds(const Triangle3& triangle) const {
-  const Vec3 middle = middle_of(triangle);
-  const Nearest from_middle = nearest(middle);
-  FarthestBounds result{from_middle.distance, std::numeric_limits<double>::infinity(), middle};
-  if (is_empty()) return result;
-  // The distance from one triangle is convex, so that it is largest in a corner; no point is farther from the middle
-  // than a corner.
-  double from_one = 0, radius = 0;
-  for (const Vec3& corner : triangle) {
-    from_one = std::max(from_one, distance(corner, triangles_[from_middle.triangle]));
-    radius = std::max(radius, length(corner - middle));
-  }
-  result.at_most = std::min(from_one, from_middle.distance + radius);
-  return result;
-}
-
-bool SurfaceDistance::is_near(const Triangle3& triangle, double distance) const {
-  constexpr int kMostLooks = 100;
-  std::vector<Triangle3> open{triangle};
-  for (int looks = 0; !open.empty(); ++looks) {
-    if (looks == kMostLooks) return false;
-    const Triangle3 next = open.back();
-    open.pop_back();
-    const FarthestBounds found = bounds(next);
-    if (found.at_least > distance) return false;
-    if (!(found.at_most <= distance))
-      for (const Triangle3& part : quarters(next)) open.push_back(part);
-  }
-  return true;
-}
-
-FarthestBounds SurfaceDistance::farthest(std::span<const Triangle3> triangles) const {
-  constexpr std::uint32_t kMostLooks = 40'000;
-  constexpr double kApart = 1.01;
-  FarthestBounds best;
-  std::priority_queue<Open> open;
-  std::uint32_t looks = 0;
-  const auto look_at = [&](const Triangle3& triangle) {
-    const FarthestBounds found = bounds(triangle);
-    if (found.at_least > best.at_least) best = {found.at_least, 0, found.where};
-    if (found.at_most > best.at_least) open.push({found.at_most, looks, triangle});
-    ++looks;
-  };
-  for (const Triangle3& triangle : triangles) {
-    // Corners alone first: as a rule an open patch is farthest away in one of them.
-    for (const Vec3& corner : triangle)
-      if (const double away = to(corner); away > best.at_least) best = {away, 0, corner};
-    look_at(triangle);
-  }
-  const std::uint32_t most = looks + kMostLooks;
-  while (!open.empty() && open.top().at_most > kApart * best.at_least && looks < most) {
-    const Open next = open.top();
-    open.pop();
-    for (const Triangle3& part : quarters(next.triangle)) look_at(part);
-  }
-  best.at_most = std::max(best.at_least, open.empty() ? 0 : open.top().at_most);
-  return best;
-}
 
 /// Triangles of the mesh whose boxes are no farther than the reach from those of the parts.
 std::vector<Triangle3> triangles_near(const MeasureFrame& frame, const TriangleMesh& mesh,

@@ -1,6 +1,7 @@
-#include "rtree/detail/redistribution.h"
+#include "rtree/detail/split.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "rtree/detail/box_size.h"
