@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -134,7 +135,7 @@ Result<bool> cover(Climb& climb, Reach /*reach*/) {
 
 /// A rung of the ladder.
 struct Rung {
-  std::string_view name;
+  RoundingMethod method;
   Result<bool> (*is_for)(Climb&);
   std::string_view condition;  ///< of `is_for`, in words
   Reach reach;
@@ -144,12 +145,9 @@ struct Rung {
   bool may_better = false;
 };
 
-constexpr std::string_view kJoined = "features joined";
-constexpr std::string_view kCoplanar = "facets made coplanar, features joined";
-constexpr std::string_view kThickened = "faces thickened, features joined";
-
 constexpr std::string_view kApart = "if no two meet and none comes to lie inside an edge or face";
 constexpr std::string_view kMultiples = "with a grid width";
+constexpr std::string_view kMerged = "with a grid width, vertices that meet becoming one";
 constexpr std::string_view kPart = "of a part of a solid, to doubles or floats";
 constexpr std::string_view kFewCrowded = "if at most 1,000 vertices are corners of triangles that cross";
 constexpr std::string_view kSparse = "if at most half of the vertices are";
@@ -161,24 +159,28 @@ constexpr std::string_view kMostlyNear = "no limit, mostly 64 spacings";
 constexpr std::string_view kNoLimit = "no limit";
 constexpr std::string_view kCells = "64 cells of the lattice";
 
-// Where most vertices are crowded, joining within wide reaches makes more triangles cross than before; where few are,
-// it may be nearer than thickened faces, and has fewer triangles. Most features are joined within a small reach, so
-// that the rest needs a wide one in few places only.
-constexpr Rung kLadder[] = {
-    {"vertices moved", always, kApart, {}, keep_faces, kHalf},
-    {"vertices moved, those at one place joined", of_multiples, kMultiples, {}, move_vertices, kHalf},
-    {"edges led round vertices", always, "", {}, lead_edges, kSome},
-    {"divided where triangles crossed", of_whole_multiples, kMultiples, {}, divide, kSome},
-    {kJoined, of_part, kPart, {32, 32}, join, kMostlyNear},
-    {kJoined, of_whole, "", {8, 0x1p20}, join, kMostlyNear},
-    {kCoplanar, of_whole, kFewCrowded, {2, 32}, make_coplanar, kMostlyNear},
-    {kJoined, of_sparse, kSparse, {0x1p20, 0x1p20}, join, kNoLimit},
-    {kThickened, of_whole_solid, "of solids", {0x1p4, 0x1p18}, thicken, kMostlyNear, true},
-    {kJoined, of_crowded, kCrowded, {0x1p20, 0x1p20}, join, kNoLimit},
-    {kCoplanar, of_whole, kFewCrowded, {128, 0x1p20}, make_coplanar, kNoLimit},
-    {kThickened, of_whole_solid, "of solids", {0x1p20, 0x1p60}, thicken, kCells},
-    {"cover of cubes, for a surface their faces", of_whole, "cannot fail", {}, cover, "the diagonal of a cube"},
-};
+/// The ladder, in order. Where most vertices are crowded, joining within wide reaches makes more triangles cross than
+/// before; where few are, it may be nearer than thickened faces, and has fewer triangles. Most features are joined
+/// within a small reach, so that the rest needs a wide one in few places only.
+std::span<const Rung> ladder() {
+  using enum RoundingMethod;
+  static constexpr Rung kLadder[] = {
+      {vertices_moved, always, kApart, {}, keep_faces, kHalf},
+      {vertices_moved, of_multiples, kMerged, {}, move_vertices, kHalf},
+      {edges_led_round, always, "", {}, lead_edges, kSome},
+      {crossings_divided, of_whole_multiples, kMultiples, {}, divide, kSome},
+      {features_joined, of_part, kPart, {32, 32}, join, kMostlyNear},
+      {features_joined, of_whole, "", {8, 0x1p20}, join, kMostlyNear},
+      {facets_made_coplanar, of_whole, kFewCrowded, {2, 32}, make_coplanar, kMostlyNear},
+      {features_joined, of_sparse, kSparse, {0x1p20, 0x1p20}, join, kNoLimit},
+      {faces_thickened, of_whole_solid, "of solids", {0x1p4, 0x1p18}, thicken, kMostlyNear, true},
+      {features_joined, of_crowded, kCrowded, {0x1p20, 0x1p20}, join, kNoLimit},
+      {facets_made_coplanar, of_whole, kFewCrowded, {128, 0x1p20}, make_coplanar, kNoLimit},
+      {faces_thickened, of_whole_solid, "of solids", {0x1p20, 0x1p60}, thicken, kCells},
+      {cover_of_cubes, of_whole, "faces of cubes for a surface; cannot fail", {}, cover, "the diagonal of a cube"},
+  };
+  return kLadder;
+}
 
 /// A reach in words: "", "32 spacings", "8 to 2^20 spacings".
 std::string words(const Reach& reach) {
@@ -195,7 +197,7 @@ std::string words(const Reach& reach) {
 Result<bool> climb_ladder(RoundingJob& job) {
   Climb climb(job);
   bool is_found = false;
-  for (const Rung& rung : kLadder) {
+  for (const Rung& rung : ladder()) {
     if (is_found && !rung.may_better) continue;
     A3D_ASSIGN(const bool is_for_job, rung.is_for(climb));
     if (!is_for_job) continue;
@@ -208,7 +210,8 @@ Result<bool> climb_ladder(RoundingJob& job) {
 
 std::vector<RungInWords> rounding_rungs() {
   std::vector<RungInWords> result;
-  for (const Rung& rung : kLadder) result.push_back({rung.name, rung.condition, words(rung.reach), rung.promise});
+  for (const Rung& rung : ladder())
+    result.push_back({name_of(rung.method), rung.condition, words(rung.reach), rung.promise});
   return result;
 }
 
