@@ -77,6 +77,7 @@ class Execution {
   void cancel(std::string why);
 
   const StatementRequest& request() const { return request_; }
+  Clock::time_point start() const { return start_; }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   /// The progress of the statement, or of a request for its result; for people.
   std::string progress() const;

@@ -39,7 +39,7 @@ std::vector<std::shared_ptr<Execution>> RunningStatements::list() const {
     const std::lock_guard lock(mutex_);
     for (const auto& [id, execution] : by_id_) result.push_back(execution);
   }
-  std::ranges::sort(result, std::ranges::greater(), [](const auto& execution) { return execution->seconds(); });
+  std::ranges::sort(result, std::ranges::less(), [](const auto& execution) { return execution->start(); });
   return result;
 }
 
