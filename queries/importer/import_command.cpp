@@ -61,6 +61,11 @@ void add_repair_options(CLI::App& app, algebra3d::RepairOptions& repair) {
       ->check(kPart)
       ->capture_default_str();
   group
+      ->add_option("--most-added", repair.most_added,
+                   "No solid if a larger area would be added, as a part of the area seen (default: no limit)")
+      ->type_name("PART")
+      ->check(kAmount);
+  group
       ->add_option("--work", repair.work_limit,
                    "Limit of the work for a file, in million pairs of triangles that are near each other")
       ->type_name("MILLIONS")

@@ -52,6 +52,7 @@ double* amount_option(RepairOptions& options, std::string_view name) {
   if (name == "gaps") return &options.gap_tolerance.emplace();
   if (name == "holes") return &options.largest_hole.emplace();
   if (name == "smallest") return &options.smallest_shell;
+  if (name == "added") return &options.most_added.emplace();
   if (name == "work") return &options.work_limit;
   return nullptr;
 }
@@ -70,24 +71,26 @@ Status set_strict(RepairOptions& options, const WrittenOption& option) {
   return {};
 }
 
-Status set_dropped(RepairOptions& options, const WrittenOption& option) {
+Result<double> parse_dropped(const WrittenOption& option) {
   const std::optional<double> part = option.value ? parse_real(*option.value) : std::nullopt;
   if (!part || !(*part >= 0 && *part <= 1))
     return wrong_value(option, "a number from 0 to 1, the part of the area seen");
-  options.most_dropped = *part;
-  return {};
+  return *part;
 }
 
 Status set_option(RepairOptions& options, const WrittenOption& option) {
   const std::string_view name = current_name(option.name);
   if (name == "cavities") return set_cavities(options, option);
   if (name == "strict") return set_strict(options, option);
-  if (name == "dropped") return set_dropped(options, option);
+  if (name == "dropped") {
+    A3D_ASSIGN(options.most_dropped, parse_dropped(option));
+    return {};
+  }
   RepairOptions changed = options;
   double* amount = amount_option(changed, name);
   if (amount == nullptr)
     return Error{ErrorCode::invalid_value,
-                 "there is no option '{}'; expected gaps, holes, cavities, smallest, dropped, work or strict", name};
+                 "there is no option '{}'; expected gaps, holes, cavities, smallest, dropped, added, work or strict", name};
   A3D_ASSIGN(*amount, parse_amount(option));
   options = changed;
   return {};
@@ -123,6 +126,7 @@ std::string text_of(const RepairOptions& options) {
   if (!options.keeps_cavities) add("cavities=drop");
   if (options.smallest_shell != defaults.smallest_shell) add_amount("smallest", options.smallest_shell);
   if (options.most_dropped != defaults.most_dropped) add_amount("dropped", options.most_dropped);
+  if (options.most_added) add_amount("added", *options.most_added);
   if (options.work_limit != defaults.work_limit) add_amount("work", options.work_limit);
   if (options.is_strict) add("strict");
   return text;

@@ -22,6 +22,8 @@ struct RepairOptions {
   double smallest_shell = 0;
   /// The largest fraction of the area seen that may be left out, from 0 to 1; beyond it there is no solid.
   double most_dropped = 0.9;
+  /// The largest area that may be added, as a fraction of the area seen; beyond it there is no solid. By default any.
+  std::optional<double> most_added;
   /// No repair: triangles that do not bound a valid solid after welding are refused.
   bool is_strict = false;
   /// Limit of the work, in millions of units: a pair of triangles whose boxes meet, or a solid angle, is one unit; a
@@ -43,7 +45,7 @@ struct RepairOptions {
 
 /// Parses options as people write them, separated by semicolons, in any order and each at most once: "gaps=0.001" (or
 /// by its old name "cracks=0.001"), "holes=20", "cavities=keep" or "cavities=drop", "smallest=0.5", "dropped=0.5",
-/// "work=1000", "strict". Lengths, volumes and the work are numbers from 0, `dropped` from 0 to 1; all but `strict`
+/// "added=0.2", "work=1000", "strict". Lengths, volumes and the work are numbers from 0, `dropped` from 0 to 1; all but `strict`
 /// have a value. The empty text means the defaults. Errors: invalid_value, with what was found and what was expected.
 Result<RepairOptions> parse_repair_options(std::string_view text);
 

@@ -54,7 +54,8 @@ std::string text_of_left_out(const RepairAmounts& amounts, double size) {
 std::string text_of_added(const RepairAmounts& amounts) {
   const SurfaceAmount& added = amounts.added;
   if (added.triangle_count == 0) return {};
-  return fmt::format("added: area {}, up to {} from the triangles", added.area.text(3), length_text(added.distance, 3));
+  return fmt::format("added: area {} ({}), up to {} from the triangles", added.area.text(3),
+                     percent_text(amounts.added_part()), length_text(added.distance, 3));
 }
 
 }  // namespace
@@ -151,6 +152,13 @@ Vec3 short_place(const Vec3& where, double size) {
 }
 
 std::string RepairReport::text() const {
+  constexpr double kMuch = 0.1;
+  std::string text = changes_text();
+  if (!amounts || !(amounts->added_part() > kMuch)) return text;
+  return fmt::format("{} of the area seen added; {}", percent_text(amounts->added_part()), text);
+}
+
+std::string RepairReport::changes_text() const {
   std::string text;
   for (const RepairEntry& entry : entries) {
     const StepWording& wording = wording_of(entry.step);

@@ -90,6 +90,8 @@ struct RepairAmounts {
 
   /// The fraction of the area seen that lies outside the solid, from 0 to 1.
   double left_out_part() const { return part_of_seen(left_out); }
+  /// The area added as a fraction of the area seen; may be above 1.
+  double added_part() const { return part_of_seen(added); }
   /// The amount divided by the area seen; above 1 if more was added than was there. 0 if the area seen is 0.
   double part_of_seen(const SurfaceAmount& amount) const {
     return area_seen.is_zero() ? 0 : amount.area.ratio_to(area_seen);
@@ -125,9 +127,12 @@ struct RepairReport {
   /// The largest distance by which a corner was moved.
   double largest_move() const;
   /// The report for people, one line, never empty: "3 duplicate triangles dropped (near (0 0 1)), 1 hole closed (near
-  /// (2 0 0)); left out: 2 triangles, area 10 (62.5 %), up to 9 from the solid (near (0 0 10)); added: area 1, up to
-  /// 0.5 from the triangles".
+  /// (2 0 0)); left out: 2 triangles, area 10 (62.5 %), up to 9 from the solid (near (0 0 10)); added: area 1 (6.25 %),
+  /// up to 0.5 from the triangles". If more than a tenth was added, it begins with that: "25 % of the area seen added;".
   std::string text() const;
+
+ private:
+  std::string changes_text() const;
 };
 
 }  // namespace algebra3d

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -14,6 +16,8 @@
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/repair/detail/rounding_noise.h"
+#include "algebra3d/kernel/repair/detail/thin_patches.h"
 #include "algebra3d/kernel/repair/scaled_triangles.h"
 #include "algebra3d/kernel/search/boxes.h"
 #include "algebra3d/kernel/soup/loop_triangulation.h"
@@ -181,13 +185,15 @@ class HoleCloser {
         components_(connected_components(*mesh_)),
         scale_(largest_coordinate(*mesh_)) {}
 
-  Status run(const Monitor& monitor);
+  Result<std::vector<Triangle3>> run(const Monitor& monitor);
 
  private:
   CoveredHole cover(HoleLoop hole, const CoverTest& test) const;
-  std::vector<bool> are_open_patches(const std::vector<CoveredHole>& holes) const;
+  std::vector<bool> are_open_patches(const std::vector<CoveredHole>& holes);
   std::uint32_t component(FaceId triangle) const { return components_.of_face[triangle.index()]; }
-  double scaled_area(const TriangleMesh::Triangle& t) const;
+  bool is_open_patch(std::span<const FaceId> patch, std::span<const CoveredHole* const> holes);
+  double tolerance_of(std::span<const Triangle3> patch) const;
+  Triangle3 scaled(const TriangleMesh::Triangle& t) const;
   void close(const CoveredHole& covered);
   void drop(const std::vector<bool>& are_open_patches);
 
@@ -197,11 +203,11 @@ class HoleCloser {
   std::shared_ptr<const TriangleMesh> mesh_;  // of the soup as given
   FaceComponents components_;
   BinaryScale scale_;  // of areas
+  std::vector<Triangle3> thin_;  // the triangles of thin patches
 };
 
-double HoleCloser::scaled_area(const TriangleMesh::Triangle& t) const {
-  return area_of(
-      {scale_.scaled(soup_.points[t[0]]), scale_.scaled(soup_.points[t[1]]), scale_.scaled(soup_.points[t[2]])});
+Triangle3 HoleCloser::scaled(const TriangleMesh::Triangle& t) const {
+  return {scale_.scaled(soup_.points[t[0]]), scale_.scaled(soup_.points[t[1]]), scale_.scaled(soup_.points[t[2]])};
 }
 
 CoveredHole HoleCloser::cover(HoleLoop hole, const CoverTest& test) const {
@@ -217,21 +223,50 @@ CoveredHole HoleCloser::cover(HoleLoop hole, const CoverTest& test) const {
   return {std::move(hole), std::move(first), true};
 }
 
-/// Per connected component: it has one hole, whose cover cuts it and is too large for it.
-std::vector<bool> HoleCloser::are_open_patches(const std::vector<CoveredHole>& holes) const {
+/// Scaled.
+double HoleCloser::tolerance_of(std::span<const Triangle3> patch) const {
+  if (limits_.tolerance) return scale_.scaled(*limits_.tolerance);
+  Box3 box;
+  double farthest = 0;
+  for (const Triangle3& triangle : patch)
+    for (const Vec3& corner : triangle) {
+      box.extend(corner);
+      for (std::size_t axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(corner[axis]));
+    }
+  const double diagonal = scale_.unscaled(length(box.max - box.min));
+  return scale_.scaled(rounding_noise(diagonal, scale_.unscaled(farthest), soup_.points));
+}
+
+/// True if a component encloses nothing when its holes are closed: it has one hole, whose cover cuts it and is too
+/// large for it, or it is thin.
+bool HoleCloser::is_open_patch(std::span<const FaceId> patch, std::span<const CoveredHole* const> holes) {
   constexpr double kMostOfArea = 0.75;
-  std::vector<double> own(components_.count), added(components_.count);
-  std::vector<std::size_t> hole_count(components_.count);
-  for (const FaceId f : faces(*mesh_)) own[component(f)] += scaled_area(soup_.triangles[f]);
-  for (const CoveredHole& covered : holes) {
-    const std::uint32_t c = component(covered.hole.triangle);
-    ++hole_count[c];
-    if (!covered.cuts_surface) continue;
-    for (const TriangleMesh::Triangle& triangle : covered.cover) added[c] += scaled_area(triangle);
-  }
+  std::vector<Triangle3> own, covers;
+  for (const FaceId f : patch) own.push_back(scaled(soup_.triangles[f]));
+  for (const CoveredHole* hole : holes)
+    for (const TriangleMesh::Triangle& triangle : hole->cover) covers.push_back(scaled(triangle));
+  const auto sum = [](const std::vector<Triangle3>& triangles) {
+    double area = 0;
+    for (const Triangle3& triangle : triangles) area += area_of(triangle);
+    return area;
+  };
+  const bool are_large = sum(covers) > kMostOfArea * sum(own);
+  if (are_large && holes.size() == 1 && holes[0]->cuts_surface) return true;
+  if (!is_thin(own, are_large ? covers : std::vector<Triangle3>(), tolerance_of(own))) return false;
+  for (const FaceId f : patch) thin_.push_back({soup_.corner(f, 0), soup_.corner(f, 1), soup_.corner(f, 2)});
+  return true;
+}
+
+/// Per connected component: whether it has holes and is an open patch.
+std::vector<bool> HoleCloser::are_open_patches(const std::vector<CoveredHole>& holes) {
+  std::vector<std::vector<const CoveredHole*>> holes_of(components_.count);
+  for (const CoveredHole& covered : holes) holes_of[component(covered.hole.triangle)].push_back(&covered);
+  std::vector<std::vector<FaceId>> faces_of(components_.count);
+  for (const FaceId f : faces(*mesh_))
+    if (const std::uint32_t c = component(f); !holes_of[c].empty()) faces_of[c].push_back(f);
   std::vector<bool> result;
   for (std::size_t c = 0; c < components_.count; ++c)
-    result.push_back(hole_count[c] == 1 && added[c] > kMostOfArea * own[c]);
+    result.push_back(!holes_of[c].empty() && is_open_patch(faces_of[c], holes_of[c]));
   return result;
 }
 
@@ -258,7 +293,7 @@ void HoleCloser::drop(const std::vector<bool>& are_open_patches) {
   soup_.drop(is_dropped);
 }
 
-Status HoleCloser::run(const Monitor& monitor) {
+Result<std::vector<Triangle3>> HoleCloser::run(const Monitor& monitor) {
   IdVector<HoleId, HoleLoop> loops = hole_loops(*mesh_);
   const CoverTest test(soup_, loops);
   std::vector<CoveredHole> holes;
@@ -276,12 +311,13 @@ Status HoleCloser::run(const Monitor& monitor) {
       close(covered);
   }
   drop(are_left_open);
-  return {};
+  return std::move(thin_);
 }
 
 }  // namespace
 
-Status close_holes(IndexedSoup& soup, const HoleLimits& limits, RepairReport& report, const Monitor& monitor) {
+Result<std::vector<Triangle3>> close_holes(IndexedSoup& soup, const HoleLimits& limits, RepairReport& report,
+                                           const Monitor& monitor) {
   return HoleCloser(soup, limits, report).run(monitor);
 }
 

@@ -15,7 +15,7 @@ MeasureFrame::MeasureFrame(const TriangleMesh& given, const TriangleMesh& solid,
   Box3 box;
   for (const Vec3& p : given.points().approx()) box.extend(scale_.scaled(p));
   const double size = box.is_empty() ? 0 : length(box.max - box.min);
-  tolerance_ = std::max(scale_.scaled(moved), rounding_noise(size, scale_.scaled(largest)));
+  tolerance_ = std::max(scale_.scaled(moved), scale_.scaled(rounding_noise(scale_.unscaled(size), largest, given.points().approx())));
 }
 
 }  // namespace algebra3d

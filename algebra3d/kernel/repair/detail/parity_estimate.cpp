@@ -58,11 +58,18 @@ std::size_t largest_axis(const Vec3& v) {
   return axis;
 }
 
+std::vector<FaceId> counted_faces(const TriangleMesh& mesh, const IdVector<FaceId, bool>& left_out) {
+  std::vector<FaceId> result;
+  for (const FaceId face : faces(mesh))
+    if (left_out.empty() || !left_out[face]) result.push_back(face);
+  return result;
+}
+
 /// Per face: its share of the lines, half by area, half by number; all sum up to 2. Empty if there is no area.
-std::vector<double> shares_of_faces(const TriangleMesh& mesh) {
+std::vector<double> shares_of_faces(const TriangleMesh& mesh, std::span<const FaceId> counted) {
   double whole = 0;
   std::vector<double> shares;
-  for (const FaceId face : faces(mesh)) {
+  for (const FaceId face : counted) {
     shares.push_back(length(normal_of(corners_of(mesh, face))));
     whole += shares.back();
   }
@@ -74,9 +81,10 @@ std::vector<double> shares_of_faces(const TriangleMesh& mesh) {
 
 }  // namespace
 
-ParityEstimate::ParityEstimate(const TriangleMesh& mesh) {
-  choose_lines(mesh);
-  CrossingLists found = crossings(mesh);
+ParityEstimate::ParityEstimate(const TriangleMesh& mesh, const IdVector<FaceId, bool>& left_out) {
+  const std::vector<FaceId> counted = counted_faces(mesh, left_out);
+  choose_lines(mesh, counted);
+  CrossingLists found = crossings(mesh, counted);
   const std::size_t line_count = lines_.size();
   std::vector<Line> good;
   for (std::size_t i = 0; i < line_count; ++i) {
@@ -101,13 +109,13 @@ ParityEstimate::Line ParityEstimate::line_through(const TriangleMesh& mesh, Face
   return {axis, line.u, line.v, {}};
 }
 
-void ParityEstimate::choose_lines(const TriangleMesh& mesh) {
-  const std::vector<double> shares = shares_of_faces(mesh);
+void ParityEstimate::choose_lines(const TriangleMesh& mesh, std::span<const FaceId> counted) {
+  const std::vector<double> shares = shares_of_faces(mesh, counted);
   double so_far = 0;
   for (std::size_t f = 0; f < shares.size() && lines_.size() < kLines; ++f) {
     so_far += shares[f];
     const auto is_due = [&] { return so_far > 2 * (static_cast<double>(lines_.size()) + 0.5) / kLines; };
-    while (lines_.size() < kLines && is_due()) lines_.push_back(line_through(mesh, FaceId(f), lines_.size()));
+    while (lines_.size() < kLines && is_due()) lines_.push_back(line_through(mesh, counted[f], lines_.size()));
   }
   std::ranges::sort(lines_, {}, [](const Line& line) { return std::tuple(line.axis, line.u, line.v); });
 }
@@ -131,11 +139,12 @@ void ParityEstimate::cross_with(const TriangleMesh& mesh, FaceId face, const std
   }
 }
 
-ParityEstimate::CrossingLists ParityEstimate::crossings(const TriangleMesh& mesh) const {
+ParityEstimate::CrossingLists ParityEstimate::crossings(const TriangleMesh& mesh,
+                                                        std::span<const FaceId> counted) const {
   CrossingLists result(lines_.size());
   std::array<std::vector<double>, 3> us;  // close together, for most faces meet no line
   for (const Line& line : lines_) us[line.axis].push_back(line.u);
-  for (const FaceId face : faces(mesh)) cross_with(mesh, face, us, result);
+  for (const FaceId face : counted) cross_with(mesh, face, us, result);
   const auto order = [](const Crossing& crossing) { return std::tuple(crossing.at, crossing.corners); };
   const auto is_same = [](const Crossing& a, const Crossing& b) { return a.corners == b.corners; };
   for (std::vector<Crossing>& list : result) {
@@ -177,7 +186,7 @@ void ParityEstimate::compare_along(const std::vector<Crossing>& given, const std
 
 Agreement ParityEstimate::compare(const TriangleMesh& solid) const {
   Agreement result;
-  const CrossingLists found = crossings(solid);
+  const CrossingLists found = crossings(solid, counted_faces(solid, {}));
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (found[i].size() % 2 == 0) compare_along(lines_[i].crossings, found[i], result);
   return result;

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "algebra3d/base/vec3.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
+#include "base/id_vector.h"
 
 namespace algebra3d {
 
@@ -32,8 +34,9 @@ struct Agreement {
 /// Deterministic. Decisions: rounded. Cost: linear, some nanoseconds per triangle.
 class ParityEstimate {
  public:
-  /// Chooses lines through the triangles, and finds what is enclosed along them.
-  explicit ParityEstimate(const TriangleMesh& mesh);
+  /// Chooses lines through the triangles, and finds what is enclosed along them. `left_out`: a flag per face; those
+  /// whose flag is set do not count; empty: all count.
+  explicit ParityEstimate(const TriangleMesh& mesh, const IdVector<FaceId, bool>& left_out = {});
 
   /// Compares a solid with the triangles along the same lines. Cost: linear in the solid.
   Agreement compare(const TriangleMesh& solid) const;
@@ -54,9 +57,9 @@ class ParityEstimate {
   };
   using CrossingLists = std::vector<std::vector<Crossing>>;  // per line, ascending
 
-  void choose_lines(const TriangleMesh& mesh);
+  void choose_lines(const TriangleMesh& mesh, std::span<const FaceId> counted);
   static Line line_through(const TriangleMesh& mesh, FaceId face, std::size_t number);
-  CrossingLists crossings(const TriangleMesh& mesh) const;
+  CrossingLists crossings(const TriangleMesh& mesh, std::span<const FaceId> counted) const;
   void cross_with(const TriangleMesh& mesh, FaceId face, const std::array<std::vector<double>, 3>& us,
                   CrossingLists& result) const;
   static void compare_along(const std::vector<Crossing>& given, const std::vector<Crossing>& solid, Agreement& result);

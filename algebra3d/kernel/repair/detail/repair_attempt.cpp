@@ -148,7 +148,7 @@ Status RepairAttempt::make(const ValidityReport& found) {
   if (is_balanced(soup_.mesh())) report.volume_before = Amount::nearest(given_->volume().abs());
   soup_.drop_defective(found);
   soup_.stitch();
-  soup_.orient();
+  A3D_TRY(soup_.orient());
   if (soup_.strategy().closes_bands) {
     A3D_ASSIGN(const bool has_bands, soup_.close_bands());
     if (!has_bands) reason_ = reason_for_nothing();
@@ -211,7 +211,7 @@ Status RepairAttempt::note_outcome(Status made) {
   if (is_beyond_limit_) reason_ = made.error().message;
   if (!made) return is_beyond_limit_ ? Status() : made;
   const bool lacks_what_is_open = has(RepairStep::open_holes) && lost_.is_any;
-  const bool is_nothing = solid_.is_empty() && !soup_.soup().triangles.empty();
+  const bool is_nothing = solid_.is_empty() && (!soup_.soup().triangles.empty() || !soup_.sheets().empty());
   if (is_nothing || lacks_what_is_open) reason_ = reason_for_nothing();
   return {};
 }
@@ -227,12 +227,23 @@ std::string RepairAttempt::reason_for_nothing() const {
   return "the triangles enclose no volume";
 }
 
-std::string RepairAttempt::reason_for_limit() const {
+/// Nothing if the solid is within the limits of what may be left out and added.
+std::optional<std::string> RepairAttempt::reason_for_limit() const {
   const RepairAmounts& amounts = *soup_.report().amounts;
-  const auto [dropped, most] = percents_above_limit(amounts.left_out_part(), options_.most_dropped);
-  return fmt::format(
-      "the solid would leave out {} of the area seen, up to {} from it; at most {} may be (option dropped)", dropped,
-      length_text(amounts.left_out.distance, 3), most);
+  if (left_out_part() > options_.most_dropped) {
+    const auto [dropped, most] = percents_above_limit(left_out_part(), options_.most_dropped);
+    return fmt::format(
+        "the solid would leave out {} of the area seen, up to {} from it; at most {} may be (option dropped)", dropped,
+        length_text(amounts.left_out.distance, 3), most);
+  }
+  if (options_.most_added && amounts.added_part() > *options_.most_added) {
+    const auto [added, most] = percents_above_limit(amounts.added_part(), *options_.most_added);
+    return fmt::format(
+        "{} of the area seen would be added to make a solid, up to {} from the triangles; at most {} may be (option "
+        "added)",
+        added, length_text(amounts.added.distance, 3), most);
+  }
+  return std::nullopt;
 }
 
 Status RepairAttempt::measure() {
@@ -304,7 +315,7 @@ Result<bool> RepairAttempt::is_proved(const FaceSet& known) const {
 Result<RepairedSolid> RepairAttempt::finish() && {
   if (reason_) return nothing(*reason_);
   A3D_TRY(measure());
-  if (left_out_part() > options_.most_dropped) return nothing(reason_for_limit());
+  if (const auto reason = reason_for_limit()) return nothing(*reason);
   A3D_TRY(report_division());
   A3D_TRY(filter());
   complete_report();

@@ -45,8 +45,8 @@ class RepairAttempt {
   /// Measures the parts left out and added, unless that was done. Requires a solid. Errors: interrupted.
   Status measure();
   /// Removes shells as the options say, proves the solid and completes the report. Gives no solid, with the reason, if
-  /// there is none, if it leaves out a larger part of the area seen than the options allow (tested here only, so no
-  /// other strategy is tried because of it), or if the proof fails. Errors: interrupted.
+  /// there is none, if it leaves out or adds a larger part of the area seen than the options allow (tested here only, so
+  /// no other strategy is tried because of it), or if the proof fails. Errors: interrupted.
   Result<RepairedSolid> finish() &&;
   /// A result without a solid: this reason, and the report of this attempt.
   RepairedSolid nothing(std::string reason);
@@ -58,6 +58,8 @@ class RepairAttempt {
   bool keeps_what_is_enclosed() const;
   /// False if no other strategy can help: the work limit is reached, or the options leave a hole open.
   bool may_be_done_otherwise() const { return !is_beyond_limit_ && !has(RepairStep::open_holes); }
+  /// The triangles of patches that enclose no more than noise.
+  const std::vector<Triangle3>& sheets() const { return soup_.sheets(); }
   bool has_replaced_misconnected() const { return has(RepairStep::misconnected_triangles); }
 
   /// The area left out plus the area added, as a fraction of the area seen. Requires `measure`.
@@ -75,7 +77,7 @@ class RepairAttempt {
   Vec3 place_of_meeting() const;
   Status note_outcome(Status made);
   std::string reason_for_nothing() const;
-  std::string reason_for_limit() const;
+  std::optional<std::string> reason_for_limit() const;
   Status report_division();
   void report_divided(const TriangleClasses& classes);
   void report_outside(const TriangleClasses& classes);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "algebra3d/kernel/repair/detail/loose_sheets.h"
 #include "algebra3d/kernel/repair/detail/parity_estimate.h"
 #include "algebra3d/kernel/repair/detail/repair_attempt.h"
 #include "algebra3d/kernel/repair/detail/repair_strategy.h"
@@ -47,7 +48,7 @@ Result<RepairAttempt> RepairSearch::attempt(const RepairStrategy& strategy) cons
 }
 
 Agreement RepairSearch::agreement(const RepairAttempt& attempt) {
-  if (!estimate_) estimate_.emplace(*given_.mesh());
+  if (!estimate_) estimate_.emplace(*given_.mesh(), loose_sheets(*given_.mesh(), attempt.sheets()));
   return estimate_->compare(attempt.solid());
 }
 

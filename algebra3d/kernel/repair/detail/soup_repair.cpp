@@ -12,6 +12,7 @@
 #include "algebra3d/kernel/repair/detail/holes.h"
 #include "algebra3d/kernel/repair/detail/misconnected_triangles.h"
 #include "algebra3d/kernel/repair/detail/nonmanifold_loops.h"
+#include "algebra3d/kernel/repair/detail/one_sided_patches.h"
 #include "algebra3d/kernel/repair/detail/rounding_noise.h"
 #include "algebra3d/kernel/repair/detail/shell_orientation.h"
 #include "algebra3d/kernel/repair/detail/stitching.h"
@@ -28,7 +29,7 @@ double noise_of(const IndexedSoup& soup, double diagonal) {
   for (const TriangleMesh::Triangle& triangle : soup.triangles)
     for (const std::uint32_t corner : triangle)
       for (std::size_t axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(soup.points[corner][axis]));
-  return rounding_noise(diagonal, farthest);
+  return rounding_noise(diagonal, farthest, soup.points);
 }
 
 bool has_boundary(const TriangleMesh& mesh) {
@@ -101,11 +102,30 @@ void SoupRepair::stitch() {
   drop_what_became_defective();
 }
 
-void SoupRepair::orient() {
+/// Whatever the strategy: they bound nothing, and closed they would cross themselves.
+Status SoupRepair::drop_one_sided_patches() {
+  A3D_ASSIGN(const auto is_dropped, one_sided_patches(soup_, monitor_));
+  const FaceComponents components = connected_components(mesh());
+  std::vector<bool> is_reported(components.count);
+  for (const FaceId face : soup_.triangles.ids()) {
+    if (!is_dropped[face]) continue;
+    sheets_.push_back({soup_.corner(face, 0), soup_.corner(face, 1), soup_.corner(face, 2)});
+    const std::uint32_t c = components.of_face[face.index()];
+    if (!is_reported[c]) report_.add(RepairStep::open_patches, soup_.corner(face, 0));
+    is_reported[c] = true;
+  }
+  soup_.drop(is_dropped);
+  return {};
+}
+
+Status SoupRepair::orient() {
   if (mesh().nonmanifold_edge_count() > 0) orient_triangles(soup_, report_);
-  if (!strategy_.drops_open_patches) return;
+  const bool may_have_one_side = has_boundary(mesh()) && mesh().nonmanifold_edge_count() > 0;
+  if (may_have_one_side && strategy_.closes_holes) A3D_TRY(drop_one_sided_patches());
+  if (!strategy_.drops_open_patches) return {};
   if (has_boundary(mesh())) drop_misconnected_triangles(soup_, report_);
   if (has_boundary(mesh()) && mesh().nonmanifold_edge_count() > 0) drop_dangling_sheets(soup_, report_);
+  return {};
 }
 
 Result<bool> SoupRepair::close_bands() {
@@ -117,8 +137,9 @@ Result<bool> SoupRepair::close_bands() {
 /// False if nothing was closed, or something is to stay open.
 Result<bool> SoupRepair::close_holes_once() {
   const std::size_t triangle_count = soup_.triangles.size();
-  const HoleLimits limits{largest_hole(), strategy_.drops_open_patches};
-  A3D_TRY(algebra3d::close_holes(soup_, limits, report_, monitor_));
+  const HoleLimits limits{largest_hole(), strategy_.drops_open_patches, options_.gap_tolerance};
+  A3D_ASSIGN(const std::vector<Triangle3> thin, algebra3d::close_holes(soup_, limits, report_, monitor_));
+  sheets_.insert(sheets_.end(), thin.begin(), thin.end());
   const std::size_t hole_count = report_.covers.size();
   const NonmanifoldLoopLimits loop_limits{largest_hole(), false, strategy_.takes_shortcuts};
   A3D_TRY(close_nonmanifold_loops(soup_, loop_limits, report_, monitor_));

@@ -2,9 +2,11 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/kernel/repair/detail/convex_polygon.h"
 #include "algebra3d/kernel/repair/detail/indexed_soup.h"
 #include "algebra3d/kernel/repair/detail/repair_strategy.h"
 #include "algebra3d/kernel/repair/repair_options.h"
@@ -25,8 +27,9 @@ class SoupRepair {
   void drop_defective(const ValidityReport& found);
   /// Steps 3 and 4: merges rounded vertices, splits T-junctions and stitches gaps.
   void stitch();
-  /// Step 5 and the beginning of 6: orients triangles; drops misconnected ones and dangling sheets.
-  void orient();
+  /// Step 5 and the beginning of 6: orients triangles; drops one-sided patches, misconnected triangles and dangling
+  /// sheets.
+  Status orient();
   /// Of step 6, for strategies that make bands. True if a band was made.
   Result<bool> close_bands();
   /// The end of step 6: closes holes and non-manifold loops; drops open patches.
@@ -39,11 +42,14 @@ class SoupRepair {
   const TriangleMesh& mesh() const { return *soup_.mesh(); }
   RepairReport& report() { return report_; }
   const RepairReport& report() const { return report_; }
+  /// The triangles of open patches that are thin or have one side (thin_patches.h, one_sided_patches.h).
+  const std::vector<Triangle3>& sheets() const { return sheets_; }
   bool has_covered_nonmanifold_loops() const { return has_covered_nonmanifold_loops_; }
   const RepairStrategy& strategy() const { return strategy_; }
 
  private:
   double largest_hole() const;
+  Status drop_one_sided_patches();
   void drop_duplicates();
   void drop_what_became_defective();
   Result<bool> close_holes_once();
@@ -54,6 +60,7 @@ class SoupRepair {
   Monitor monitor_;
   RepairReport report_;
   std::shared_ptr<const TriangleMesh> without_defective_;  // the mesh after `drop_defective`
+  std::vector<Triangle3> sheets_;
   bool has_covered_nonmanifold_loops_ = false;
 };
 
