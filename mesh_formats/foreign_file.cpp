@@ -42,11 +42,29 @@ bool is_tar(std::string_view head) {
   return head.size() > kMagicPlace && head.substr(kMagicPlace).starts_with("ustar");
 }
 
+// Text of Latin letters in UTF-16 has a zero in every second byte, also without a mark at the beginning.
+bool is_utf16(std::string_view head) {
+  constexpr std::size_t kSampleBytes = 64, kLeastBytes = 16;
+  const std::string_view sample = head.substr(0, kSampleBytes);
+  if (sample.size() < kLeastBytes) return false;
+  const auto is_text = [](char c) { return c == '\t' || c == '\r' || c == '\n' || (c >= ' ' && c <= '~'); };
+  const auto is_pair = [&](std::size_t i, std::size_t zero) {
+    return sample[i + zero] == 0 && is_text(sample[i + 1 - zero]);
+  };
+  for (const std::size_t zero : {0, 1}) {
+    std::size_t i = 0;
+    while (i + 1 < sample.size() && is_pair(i, zero)) i += 2;
+    if (i + 1 >= sample.size()) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string_view foreign_kind(std::string_view head) {
   for (const auto& [beginning, kind] : kForeignBeginnings)
     if (head.starts_with(beginning)) return kind;
+  if (is_utf16(head)) return "text in UTF-16, not UTF-8";
   return is_tar(head) ? "a tar archive" : "";
 }
 

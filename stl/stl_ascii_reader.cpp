@@ -99,10 +99,17 @@ class AsciiReader : Reading {
   bool read_facet() {
     Vec3 normal;
     TriangleSoup::Triangle corners;
-    if (!(expect(kNormal) && read_normal(normal) && expect(kOuter) && expect(kLoop) && read_corner(corners, 0) &&
-          read_corner(corners, 1) && read_corner(corners, 2) && expect_endloop() && expect_end(kEndfacet, kFacet)))
+    cursor_.skip_space();
+    const bool has_normal = !cursor_.is_at(kOuter);
+    if (has_normal && !(expect(kNormal) && read_normal(normal))) return false;
+    if (!(expect(kOuter) && expect(kLoop) && read_corner(corners, 0) && read_corner(corners, 1) &&
+          read_corner(corners, 2) && expect_endloop() && expect_end(kEndfacet, kFacet)))
       return false;
     layout_.to_end = gap();
+    if (!has_normal) {
+      layout_ = {};
+      ++missing_normal_count_;
+    }
     add_facet(corners, normal);
     return !is_cancelled_here();
   }
@@ -219,6 +226,10 @@ class AsciiReader : Reading {
     if (missing_end_count_ > 1)
       read_.remarks.push_back(fmt::format("missing endsolid in {} solids", missing_end_count_));
     if (bad_normal_count_ > 0) read_.remarks.push_back(bad_normals_remark(bad_normal_count_));
+    if (missing_normal_count_ > 0)
+      read_.remarks.push_back(fmt::format("{} no normal", missing_normal_count_ == 1
+                                                              ? "1 facet has"
+                                                              : fmt::format("{} facets have", missing_normal_count_)));
   }
 
   [[nodiscard]] std::size_t facet_number() const { return read_.soup.triangles.size() + 1; }
@@ -239,6 +250,7 @@ class AsciiReader : Reading {
   ReadStl read_;
   std::size_t missing_end_count_ = 0;
   std::size_t bad_normal_count_ = 0;
+  std::size_t missing_normal_count_ = 0;
 };
 
 }  // namespace

@@ -40,9 +40,12 @@ constexpr std::size_t kBlocksPerPoll = 32;
 
 using Floats = std::array<float, 12>;
 
+template <std::endian kOrder>
 Floats floats_of(const char* facet) {
   Floats floats;
   std::memcpy(floats.data(), facet, sizeof floats);
+  if constexpr (kOrder == std::endian::big)
+    for (float& value : floats) value = std::bit_cast<float>(__builtin_bswap32(std::bit_cast<std::uint32_t>(value)));
   return floats;
 }
 
@@ -63,7 +66,9 @@ class BinaryReader {
     for (std::size_t first = 0; first < facet_count; first += kBlockFacets, ++block) {
       if (cancel != nullptr && block % kBlocksPerPoll == 0 && cancel->load(std::memory_order_relaxed))
         return interrupted_reading(file_name_);
-      A3D_TRY(read_block(first, std::min(kBlockFacets, facet_count - first)));
+      const std::size_t count = std::min(kBlockFacets, facet_count - first);
+      A3D_TRY(is_big_endian_ ? read_block<std::endian::big>(first, count)
+                             : read_block<std::endian::little>(first, count));
     }
     read_.format = Encoding::binary;
     read_.solid_count = 1;
@@ -78,6 +83,11 @@ class BinaryReader {
     const std::size_t whole = behind / kBinaryFacetBytes;
     const std::size_t rest = behind % kBinaryFacetBytes;
     if (announced == whole && rest == 0) return announced;
+    if (is_big_endian(bytes_, bytes_.size())) {
+      is_big_endian_ = true;
+      remark("the numbers are big-endian; they are read as that");
+      return whole;
+    }
     if (rest == 0 && whole > 0) {
       read_.wrong_count = WrongCount{announced, whole, whole};
       remark(fmt::format("header announces {}, file has {}: all in the file are read", counted(announced, "triangle"),
@@ -117,6 +127,7 @@ class BinaryReader {
   }
 
   // The hot loop: no branches per facet; the defect of a block is searched for afterwards.
+  template <std::endian kOrder>
   Status read_block(std::size_t first, std::size_t count) {
     read_.soup.triangles.resize(first + count);
     read_.soup.normals.resize(first + count);
@@ -126,7 +137,7 @@ class BinaryReader {
     std::size_t attribute_count = 0;
     const char* facet = bytes_.data() + kBinaryPrefixBytes + first * kBinaryFacetBytes;
     for (std::size_t i = 0; i < count; ++i, facet += kBinaryFacetBytes) {
-      const Floats f = floats_of(facet);
+      const Floats f = floats_of<kOrder>(facet);
       for (const float value : f) marks |= not_finite_mark(value);
       normals[i] = {f[0], f[1], f[2]};
       triangles[i] = {Vec3{f[3], f[4], f[5]}, Vec3{f[6], f[7], f[8]}, Vec3{f[9], f[10], f[11]}};
@@ -176,6 +187,7 @@ class BinaryReader {
   std::string_view bytes_;
   std::string_view file_name_;
   ReadStl read_;
+  bool is_big_endian_ = false;
   std::size_t attribute_count_ = 0;
   std::size_t bad_normal_count_ = 0;
 };
@@ -191,6 +203,12 @@ std::size_t announced_facet_count(std::string_view bytes) {
 bool has_announced_size(std::string_view head, std::size_t size) {
   return head.size() >= kBinaryPrefixBytes &&
          size == kBinaryPrefixBytes + announced_facet_count(head) * kBinaryFacetBytes;
+}
+
+bool is_big_endian(std::string_view head, std::size_t size) {
+  if (head.size() < kBinaryPrefixBytes || size == kBinaryPrefixBytes || has_announced_size(head, size)) return false;
+  const std::size_t swapped = __builtin_bswap32(static_cast<std::uint32_t>(announced_facet_count(head)));
+  return size == kBinaryPrefixBytes + swapped * kBinaryFacetBytes;
 }
 
 Result<ReadStl> read_binary(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel) {

@@ -21,8 +21,13 @@ std::size_t announced_facet_count(std::string_view bytes);
 /// True if `size` is exactly the size that the header in `head` announces.
 bool has_announced_size(std::string_view head, std::size_t size);
 
+/// True if `size` is not that, but is exactly what the count in the header announces with its bytes swapped: so the
+/// numbers of the file are big-endian.
+bool is_big_endian(std::string_view head, std::size_t size);
+
 /// Reads a binary file. The name is the header's text up to the first NUL, without a leading `solid`. If header and
 /// size disagree:
+/// - the count with its bytes swapped agrees with the size: all numbers are read as big-endian, with a remark;
 /// - the size is a whole number of facets: the size is used, with a remark (as admesh does). Programs that stream their
 ///   output leave 0 or -1 in the count.
 /// - more bytes than announced, not a whole number of facets: the rest is ignored, with a remark; but an announced 0

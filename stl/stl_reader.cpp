@@ -45,7 +45,7 @@ bool begins_like_ascii(std::string_view sample) {
 }  // namespace
 
 Result<Encoding> detect_encoding(std::string_view head, std::size_t size, std::string_view file_name) {
-  if (has_announced_size(head, size)) return Encoding::binary;
+  if (has_announced_size(head, size) || is_big_endian(head, size)) return Encoding::binary;
   if (std::ranges::all_of(head, is_blank))
     return Error{ErrorCode::file_format, "empty file; expected an STL file"}.about(file_name);
   if (begins_as_text(head) || begins_like_ascii(head.substr(0, kSampleBytes))) return Encoding::ascii;

@@ -30,6 +30,7 @@ namespace {
 constexpr std::size_t kOffElementsPerPoll = 65536;
 constexpr std::size_t kMostSurplusOfVertex = 6;  // a colour of four, texture coordinates
 constexpr std::size_t kMostSurplusOfFace = 4;
+constexpr std::size_t kColourNumbers = 4;
 
 // The shortest lines: `0 0 0` and `3 0 0 0`, the last without an end. Shorter lines are dropped or an error.
 constexpr std::size_t kLeastVertexBytes = 6;
@@ -84,9 +85,12 @@ class OffAsciiReader : Reading {
     double ignored = 0;
     std::uint64_t ignored_count = 0;
     cursor_.skip_blanks_in_line();
-    if (!cursor_.is_at_line_end())
-      return take_integer(ignored_count) || cursor_.take_number(ignored) != NumberKind::none ||
-             fail_expected("the number of edges");
+    if (!cursor_.is_at_line_end()) {
+      if (!take_integer(ignored_count) && cursor_.take_number(ignored) == NumberKind::none)
+        return fail_expected("the number of edges");
+      vertices_go_on_ = vertex_count_ > 0 && line_has(3 * vertex_count_);
+      return true;
+    }
     AsciiCursor next_line = cursor_;
     next_line.skip_space();
     const bool has_number = next_line.take_number(ignored) != NumberKind::none;
@@ -135,10 +139,13 @@ class OffAsciiReader : Reading {
     }
     if (header_.has_weights && !read_weight()) return false;
     if (header_.has_normals && !skip_numbers(3)) return false;
+    if (read_.soup.points.empty() && !vertices_go_on_)
+      vertices_go_on_ = line_has(std::max<std::uint64_t>(kMostSurplusOfVertex + 1, 3 * (vertex_count_ - 1)));
+    if (vertices_go_on_ && header_.has_colours && !skip_numbers(kColourNumbers)) return false;
     if (header_.has_texture_coordinates && !header_.has_colours && !skip_numbers(2)) return false;
     read_.soup.points.push_back(point);
     cursor_.skip_blanks_in_line();
-    if (cursor_.is_at_line_end()) [[likely]]
+    if (cursor_.is_at_line_end() || vertices_go_on_) [[likely]]
       return true;
     ++surplus_vertex_count_;
     return skip_surplus(kMostSurplusOfVertex);
@@ -174,7 +181,20 @@ class OffAsciiReader : Reading {
     return true;
   }
 
+  // Whether the rest of the line has at least `count` numbers: so all vertices, or all faces, may stand in one line, as
+  // geomview reads them.
+  [[nodiscard]] bool line_has(std::uint64_t count) const {
+    AsciiCursor cursor = cursor_;
+    double ignored = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      cursor.skip_blanks_in_line();
+      if (cursor.is_at_line_end() || cursor.take_number(ignored) == NumberKind::none) return false;
+    }
+    return true;
+  }
+
   bool read_faces() {
+    faces_go_on_ = vertices_go_on_ && face_count_ > 0 && line_has(4 * face_count_);
     const std::size_t bytes = cursor_.rest().size();
     const auto faces = std::min<std::size_t>(face_count_, bytes / kLeastFaceBytes + 1);
     // Room for quadrilaterals, unless the text is too short for them. It is not touched before it is used.
@@ -239,7 +259,9 @@ class OffAsciiReader : Reading {
       read_.soup.face_starts.push_back(static_cast<std::uint32_t>(corners.size()));
     }
     cursor_.skip_blanks_in_line();
-    if (cursor_.is_at_line_end()) [[likely]]
+    if (face_index_ == 0 && !faces_go_on_)
+      faces_go_on_ = line_has(std::max<std::uint64_t>(kMostSurplusOfFace + 1, 4 * (face_count_ - 1)));
+    if (cursor_.is_at_line_end() || faces_go_on_) [[likely]]
       return true;
     ++ignored_.face_colours;
     return skip_surplus(kMostSurplusOfFace);
@@ -310,6 +332,7 @@ class OffAsciiReader : Reading {
   std::uint64_t face_count_ = 0;
   std::uint64_t face_index_ = 0;
   std::size_t surplus_vertex_count_ = 0;
+  bool vertices_go_on_ = false, faces_go_on_ = false;  // several stand in one line
 };
 
 }  // namespace

@@ -43,7 +43,8 @@ std::optional<OffHeader> off_header(std::string_view bytes) {
          take_flag(rest, "N", header.has_normals) || take_flag(rest, "4", header.has_weights) ||
          take_flag(rest, "n", header.has_dimension)) {
   }
-  if (!rest.starts_with("OFF") || !ends_off_keyword(rest.substr(3))) return std::nullopt;
+  const bool has_keyword = rest.starts_with("OFF") || rest.starts_with("off");
+  if (!has_keyword || !ends_off_keyword(rest.substr(3))) return std::nullopt;
   rest.remove_prefix(3);
   header.is_binary = take_binary_line(rest);
   header.bytes = bytes.size() - rest.size();

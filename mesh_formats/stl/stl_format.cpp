@@ -30,7 +30,7 @@ Match detect_stl(std::string_view head, std::size_t size) {
   const auto encoding = detect_encoding(head, size, "");
   if (!encoding) return Match::none;
   if (*encoding == Encoding::ascii) return is_solid_keyword(first_word(head)) ? Match::sure : Match::none;
-  return has_announced_size(head, size) ? Match::sure : Match::possible;
+  return has_announced_size(head, size) || is_big_endian(head, size) ? Match::sure : Match::possible;
 }
 
 Result<MeshContent> read_stl_content(std::string_view bytes, std::string_view file_name,

@@ -5,9 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "algebra3d/base/box3.h"
 #include "algebra3d/kernel/exact/point_table.h"
 #include "algebra3d/kernel/planar/sweep_triangulation.h"
 #include "algebra3d/kernel/soup/loop_triangulation.h"
+#include "algebra3d/kernel/soup/rounding_noise.h"
 #include "base/interruption_scope.h"
 
 namespace algebra3d {
@@ -84,7 +88,59 @@ std::vector<IndexTriangle> triangulate_polygon(const Polygon& polygon) {
   return triangulate_loop({polygon, polygon}, LoopMeasure::area);
 }
 
+/// A corner and its distance from the plane of its polygon.
+struct FarCorner {
+  double distance = 0;
+  Vec3 where;
+};
+
+FarCorner farthest_from_plane(const Polygon& polygon) {
+  const Vec3 normal = normal_of(polygon);
+  const double size = length(normal);
+  FarCorner farthest;
+  if (!(size > 0) || !std::isfinite(size)) return farthest;
+  Vec3 middle;
+  for (const Vec3& corner : polygon) middle = middle + (1 / static_cast<double>(polygon.size())) * corner;
+  for (const Vec3& corner : polygon) {
+    const double distance = std::abs(dot((1 / size) * normal, corner - middle));
+    if (distance > farthest.distance) farthest = {distance, corner};
+  }
+  return farthest;
+}
+
+double noise_of(const Polygon& polygon, const PolygonSoup& soup) {
+  const Box3 box = Box3::around(polygon);
+  double largest = 0;
+  for (const Vec3& corner : polygon)
+    for (std::size_t axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(corner[axis]));
+  return rounding_noise(length(box.max - box.min), largest, soup.points);
+}
+
 }  // namespace
+
+std::string BentPolygons::text() const {
+  if (count == 0) return {};
+  return fmt::format("{} not planar, up to {:.3g} (face {}, near ({:.6g} {:.6g} {:.6g}))",
+                     count == 1 ? "1 polygon is" : fmt::format("{} polygons are", count), largest, face + 1, where.x,
+                     where.y, where.z);
+}
+
+BentPolygons bent_polygons(const PolygonSoup& polygons) {
+  BentPolygons result;
+  for (std::size_t face = 0; face < polygons.face_count(); ++face) {
+    poll_interruption_at(face);
+    if (polygons.face(face).size() <= 3) continue;
+    const Polygon polygon = corners_of(polygons, face);
+    const FarCorner far = farthest_from_plane(polygon);
+    if (!(far.distance > 0) || far.distance <= noise_of(polygon, polygons)) continue;
+    ++result.count;
+    if (far.distance <= result.largest) continue;
+    result.largest = far.distance;
+    result.face = face;
+    result.where = far.where;
+  }
+  return result;
+}
 
 TriangleSoup triangles_of(const PolygonSoup& polygons) {
   TriangleSoup soup;

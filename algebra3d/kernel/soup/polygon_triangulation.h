@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <string>
+
+#include "algebra3d/base/vec3.h"
 #include "base/polygon_soup.h"
 #include "base/triangle_soup.h"
 
@@ -13,5 +17,20 @@ namespace algebra3d {
 /// count once; a face with fewer than three corners left is dropped. Exactness: coordinates are not changed. Cost: n
 /// log n for a polygon of n corners; n^3 for those that cross themselves (loop_triangulation.h).
 TriangleSoup triangles_of(const PolygonSoup& polygons);
+
+/// The polygons of a soup that are not planar, whose triangles depend on the corner at which they begin.
+struct BentPolygons {
+  std::size_t count = 0;
+  double largest = 0;    ///< the largest distance of a corner from the plane of its polygon
+  std::size_t face = 0;  ///< the face that has it
+  Vec3 where;            ///< that corner
+
+  /// "2 polygons are not planar, up to 0.25 (face 7, near (1 0 0.5))"; empty if there are none.
+  std::string text() const;
+};
+
+/// Finds the polygons with a corner farther from the plane through their middle, at right angles to their vector area,
+/// than the rounding noise of their size (rounding_noise.h). Rounded. Cost: linear.
+BentPolygons bent_polygons(const PolygonSoup& polygons);
 
 }  // namespace algebra3d

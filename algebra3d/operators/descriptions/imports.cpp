@@ -92,9 +92,10 @@ constexpr const char* kRepairDetail =
     "semicolons: `gaps=0.001` (gaps up to this width are stitched; by default 1e-4 of the diagonal), `holes=20` "
     "(diameter of the largest hole to close; by default all are closed), `cavities=drop` (cavities are filled), "
     "`smallest=0.5` (bodies and cavities with less volume are removed), `dropped=0.9` (no solid if a larger part of "
-    "the area seen would be left out), `work=500` (limit of the work, in million pairs of near triangles), `strict` "
-    "(no repair, and a binary STL file with a wrong count of triangles in its header is refused). Relative names "
-    "start at the working folder.";
+    "the area seen would be left out), `added=0.2` (no solid if more than that part of it would be added; by default "
+    "any), `work=500` (limit of the work, in million pairs of near triangles), `strict` (no repair, and a binary STL "
+    "file with a wrong count of triangles in its header is refused). Polygons that are not planar are reported. "
+    "Relative names start at the working folder.";
 
 void register_import(Registry& registry, const MeshFormat& format) {
   const std::string name = operator_name(format);

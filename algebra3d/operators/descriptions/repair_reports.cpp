@@ -68,6 +68,9 @@ std::vector<ReportRow> rows_of(const ImportedSolid& imported) {
     add_wrong_count(rows, *wrong);
   }
   const double size = imported.found.size;
+  if (const BentPolygons& bent = imported.bent; bent.count > 0)
+    rows.push_back(
+        {"file", "polygons not planar", as_int(bent.count), Point3d{short_place(bent.where, size)}, bent.largest});
   std::optional<Defect> previous;
   for (const DefectExample& example : imported.found.validity.examples) {
     if (example.kind == previous) continue;

@@ -99,6 +99,8 @@ Result<ImportedSolid> import_solid(Result<MeshFile> read, const RepairOptions& o
   result.found = std::move(made->report);
   result.repair = std::move(made->repair);
   result.wrong_count = read->wrong_count;
+  result.bent = read->bent;
+  if (result.bent.count > 0) result.status += "; " + result.bent.text();
   judge_count(result, options.is_strict);
   return result;
 }

@@ -36,13 +36,14 @@ struct ImportMeasures {
 struct ImportedSolid {
   std::optional<Volume3d> solid;
   /// One line for people: "ok", "ok: turned right side out", "repaired: ...", or why there is no solid; followed by ";
-  /// wrong count: ..." if the file's header and size disagree.
+  /// wrong count: ..." if the file's header and size disagree, and by "; 2 polygons are not planar, ...".
   std::string status;
   /// The error that the status tells, if there was one. Its subject is the file if that could not be read.
   std::optional<Error> failure;
   /// Tolerated irregularities of the file and other remarks, one sentence each.
   std::vector<std::string> remarks;
   std::optional<mesh_formats::WrongCount> wrong_count;  ///< of a binary STL file
+  BentPolygons bent;                                    ///< of formats with polygons
   /// False if the file could not be read to its end, or was changed meanwhile; another attempt may succeed.
   bool was_read = true;
   SoupReport found;  ///< in the triangles as given

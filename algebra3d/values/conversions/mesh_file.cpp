@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/kernel/soup/polygon_triangulation.h"
 #include "algebra3d/kernel/soup/weld.h"
 #include "base/file_content.h"
 #include "base/mesh_content.h"
@@ -78,8 +77,15 @@ Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshFor
 Result<MeshFile> read_mesh(std::string_view bytes, const std::string& name, const MeshFormat* format,
                            const std::atomic<bool>* cancel, const MeshFormats& formats) {
   A3D_ASSIGN(MeshFacets read, read_facets(bytes, name, format, cancel, formats, Extras::none));
-  return MeshFile{triangles_of(std::move(read.facets)), std::move(read.remarks), read.format, read.encoding,
-                  read.wrong_count};
+  MeshFile result;
+  result.remarks = std::move(read.remarks);
+  result.format = read.format;
+  result.encoding = read.encoding;
+  result.wrong_count = read.wrong_count;
+  if (const auto* const polygons = std::get_if<PolygonSoup>(&read.facets)) result.bent = bent_polygons(*polygons);
+  if (result.bent.count > 0) result.remarks.push_back(result.bent.text());
+  result.soup = triangles_of(std::move(read.facets));
+  return result;
 }
 
 TriangleSoup triangles_of(mesh_formats::Facets facets) {

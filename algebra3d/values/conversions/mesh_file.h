@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/kernel/soup/polygon_triangulation.h"
 #include "base/mesh_content.h"
 #include "base/polygon_soup.h"
 #include "base/triangle_soup.h"
@@ -23,6 +24,7 @@ struct MeshFile {
   const mesh_formats::MeshFormat* format = nullptr;  ///< never null
   mesh_formats::Encoding encoding = mesh_formats::Encoding::binary;
   std::optional<mesh_formats::WrongCount> wrong_count;
+  BentPolygons bent;  ///< also among the remarks
 };
 
 /// The facets of a mesh file as it stores them: triangles or polygons.

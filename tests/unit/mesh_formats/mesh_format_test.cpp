@@ -99,6 +99,13 @@ TEST(MeshFormatTest, files_of_other_programs_are_refused_whatever_their_name) {
             "a program"},
            {"\x1f\x8b" + zeros, "compressed by gzip"},
            {"SQLite format 3" + zeros, "a SQLite database"},
+           {std::string("o\0f\0f\0\n\0"
+                        "4\0 \0"
+                        "4\0 \0"
+                        "6\0\n\0",
+                        20),
+            "text in UTF-16, not UTF-8"},
+           {std::string("\0s\0o\0l\0i\0d\0 \0a\0\n\0 ", 18), "text in UTF-16, not UTF-8"},
            {stl_bytes::header("%PDF", 1) + stl_bytes::facets(2), "a PDF document"}}) {
     for (const std::string name : {"a.stl", "a.obj", "a.off", "a"}) {
       const auto format = known_mesh_formats().detect(bytes, name);

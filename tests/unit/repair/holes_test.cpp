@@ -174,7 +174,7 @@ TEST(Holes, ends_when_asked_to) {
   IndexedSoup indexed = indexed_soup(soup);
   RepairReport report;
   const std::atomic<bool> cancel = true;
-  const Status status = close_holes(indexed, {kAnyHole}, report, &cancel);
+  const auto status = close_holes(indexed, {kAnyHole}, report, &cancel);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::interrupted);
 }

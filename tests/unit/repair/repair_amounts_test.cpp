@@ -101,5 +101,18 @@ TEST(RepairAmounts, where_more_is_gone_than_may_be_there_is_no_solid) {
   EXPECT_NE(none->reason.find("; at most 53.3 % may be"), std::string::npos) << none->reason;
 }
 
+TEST(RepairAmounts, where_more_is_added_than_may_be_there_is_no_solid) {
+  TriangleSoup open = cube_soup(0, 2);
+  std::erase_if(open.triangles, [](const SoupTriangle& t) { return t[0].z == 2 && t[1].z == 2 && t[2].z == 2; });
+  const SolidFromSoup made = repaired(open, with(&RepairOptions::most_added, 0.21));  // 4 of 20
+  EXPECT_EQ(made.status().find("repaired: 20 % of the area seen added; 1 hole closed (near "), 0U) << made.status();
+  EXPECT_NE(made.status().find("; added: area 4 (20 %), up to "), std::string::npos) << made.status();
+  const auto none = solid_from_soup(open, with(&RepairOptions::most_added, 0.19));
+  ASSERT_TRUE(none.ok());
+  EXPECT_FALSE(none->mesh);
+  EXPECT_EQ(none->reason.find("20 % of the area seen would be added to make a solid, up to 1"), 0U) << none->reason;
+  EXPECT_NE(none->reason.find("; at most 19 % may be (option added)"), std::string::npos) << none->reason;
+}
+
 }  // namespace
 }  // namespace algebra3d::soups

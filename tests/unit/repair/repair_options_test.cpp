@@ -47,14 +47,17 @@ TEST(RepairOptions, are_read_in_any_order_and_with_blanks) {
   }
   EXPECT_TRUE(parse_repair_options("cavities=keep")->keeps_cavities);
   EXPECT_EQ(parse_repair_options("gaps=0")->gap_tolerance, 0.0);
+  EXPECT_EQ(parse_repair_options("")->most_added, std::nullopt);
+  EXPECT_EQ(parse_repair_options("added=1.5")->most_added, 1.5);
+  EXPECT_EQ(text_of(*parse_repair_options("added=1.5")), "added=1.5");
   EXPECT_TRUE(RepairOptions::strict().is_strict);
 }
 
 TEST(RepairOptions, that_make_no_sense_are_refused_with_what_was_found_and_expected) {
   EXPECT_EQ(complaint_about("gap=1"),
-            "there is no option 'gap'; expected gaps, holes, cavities, smallest, dropped, work or strict");
+            "there is no option 'gap'; expected gaps, holes, cavities, smallest, dropped, added, work or strict");
   EXPECT_EQ(complaint_about("=1"),
-            "there is no option ''; expected gaps, holes, cavities, smallest, dropped, work or strict");
+            "there is no option ''; expected gaps, holes, cavities, smallest, dropped, added, work or strict");
   EXPECT_EQ(complaint_about("holes=1;holes=1"), "option 'holes' is given twice");
   EXPECT_EQ(complaint_about("strict;strict"), "option 'strict' is given twice");
   EXPECT_EQ(complaint_about("cavities=fill"), "option 'cavities' is 'fill'; expected 'keep' or 'drop'");

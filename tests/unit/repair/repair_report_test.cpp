@@ -54,10 +54,10 @@ TEST(RepairReport, says_what_was_left_out_and_added) {
   RepairReport report;
   report.size = 10;
   report.amounts = RepairAmounts{16, {2, 10, 9, {0, 0, 10}}, {}, {1, 0.25, 0.5, {}}, 0};
-  EXPECT_EQ(
-      report.text(),
-      "left out: 2 triangles, area 10 (62.5 %), up to 9 from the solid (near (0 0 10)); added: area 0.25, up to 0.5 "
-      "from the triangles");
+  EXPECT_EQ(report.text(),
+            "left out: 2 triangles, area 10 (62.5 %), up to 9 from the solid (near (0 0 10)); added: area 0.25 (1.56 "
+            "%), up to 0.5 "
+            "from the triangles");
   EXPECT_EQ(percent_text(0.99994), "99.994 %");
   EXPECT_EQ(percent_text(0.9999999999), "99.99999999 %");
   EXPECT_EQ(percent_text(1), "100 %");
@@ -74,7 +74,7 @@ TEST(RepairReport, amounts_beyond_the_range_of_doubles) {
   EXPECT_EQ(
       report.text(),
       "left out: 2 triangles, area beyond the range of doubles (62.5 %), up to beyond the range of doubles from the "
-      "solid (near (0 0 0)); added: area beyond the range of doubles, up to 0.5 from the triangles");
+      "solid (near (0 0 0)); added: area beyond the range of doubles (0 %), up to 0.5 from the triangles");
   EXPECT_EQ(Amount(0.25, -1070).in_doubles(), 0x1p-1072);
   EXPECT_EQ(Amount(1.5, 1023).in_doubles(), 0x1.8p1023);
   EXPECT_EQ(Amount(0, 5000).in_doubles(), 0.0);

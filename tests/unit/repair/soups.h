@@ -14,6 +14,7 @@
 #include "algebra3d/kernel/exact/vertical_line.h"
 #include "algebra3d/kernel/halfedge/audit.h"
 #include "algebra3d/kernel/halfedge/topology.h"
+#include "algebra3d/kernel/repair/detail/convex_polygon.h"
 #include "algebra3d/kernel/repair/detail/indexed_soup.h"
 #include "algebra3d/kernel/repair/repair_report.h"
 #include "algebra3d/kernel/soup/weld.h"
@@ -100,9 +101,7 @@ inline std::vector<SoupTriangle> in_order(const TriangleSoup& soup) {
   return triangles;
 }
 
-inline double area_of(const SoupTriangle& t) {
-  return length(cross(t[1] - t[0], t[2] - t[0])) / 2;
-}
+using algebra3d::area_of;
 inline double area_of(const TriangleSoup& soup) {
   double sum = 0;
   for (const SoupTriangle& t : soup.triangles) sum += soups::area_of(t);

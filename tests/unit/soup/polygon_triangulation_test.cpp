@@ -171,5 +171,32 @@ TEST(PolygonTriangles, huge_and_tiny_polygons_are_no_trouble) {
   }
 }
 
+TEST(BentPolygons, are_found_with_the_largest_distance_from_their_plane) {
+  const Outline flat{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, bent{{0, 0, 0}, {4, 0, 1}, {4, 4, 0}, {0, 4, 1}},
+      less{{0, 0, 0}, {4, 0, 0.01}, {4, 4, 0}, {0, 4, 0.01}}, triangle{{0, 0, 0}, {4, 0, 1}, {4, 4, 9}};
+  EXPECT_EQ(bent_polygons(polygon_soup_of({flat, triangle})).count, 0U);
+  EXPECT_EQ(bent_polygons(polygon_soup_of({flat, triangle})).text(), "");
+  const BentPolygons found = bent_polygons(polygon_soup_of({flat, less, triangle, bent, less}));
+  EXPECT_EQ(found.count, 3U);
+  EXPECT_EQ(found.face, 3U);
+  EXPECT_NEAR(found.largest, 0.5, 1e-12);
+  EXPECT_EQ(found.text(), "3 polygons are not planar, up to 0.5 (face 4, near (0 0 0))");
+}
+
+// Corners that were rounded do not make a polygon bent: to doubles or floats, and however far away it is.
+TEST(BentPolygons, do_not_count_what_rounding_does) {
+  for (int seed = 1; seed <= 200; ++seed) {
+    Chance chance(static_cast<std::uint64_t>(seed));
+    const Vec3 x = chance.direction(), y = cross(x, chance.direction());
+    const Vec3 origin = std::pow(10.0, chance.below(8)) * chance.direction();
+    Outline polygon;
+    for (const auto& [u, v] : {std::pair(0, 0), std::pair(5, 1), std::pair(6, 4), std::pair(3, 6), std::pair(-1, 3)})
+      polygon.push_back(origin + double(u) * x + double(v) * y);
+    EXPECT_EQ(bent_polygons(polygon_soup_of({polygon})).count, 0U) << seed;
+    for (Vec3& p : polygon) p = {double(float(p.x)), double(float(p.y)), double(float(p.z))};
+    EXPECT_EQ(bent_polygons(polygon_soup_of({polygon})).count, 0U) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace algebra3d::soups

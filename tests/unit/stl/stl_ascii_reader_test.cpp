@@ -167,6 +167,16 @@ TEST(StlAsciiReader, numbers_are_the_nearest_doubles) {
   }
 }
 
+TEST(StlAsciiReader, facets_without_a_normal_are_read) {
+  const std::string bare = replaced(kAsciiFacet, "facet normal 0 0 1", "facet");
+  const auto read = read_stl("solid\n" + bare + kAsciiFacet + kAsciiFacet + bare + kAsciiFacet + "endsolid\n", "a.stl");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_EQ(read->soup.normals, (std::vector<Vec3>{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 0}, {0, 0, 1}}));
+  EXPECT_EQ(read->soup.triangles,
+            (std::vector<algebra3d::TriangleSoup::Triangle>(5, {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}})));
+  EXPECT_EQ(read->remarks, std::vector<std::string>{"2 facets have no normal"});
+}
+
 TEST(StlAsciiReader, normals_that_are_not_finite_become_zero) {
   for (const char* text :
        {"nan", "-nan", "NaN", "nan(ind)", "-nan(ind)", "inf", "-Infinity", "1.#QNAN", "-1.#IND", "1.#INF00", "1e999"}) {
@@ -205,7 +215,7 @@ std::vector<Refused> wrong_words() {
       {with("vertex 1 0 0", "vertex 1 1.#5 0"), "byte 81, line 5: expected a number, found '1.#5'"},
       {with("vertex 1 0 0", "vertex 1 1e 0"), "byte 81, line 5: expected a number, found '1e'"},
       {with("normal 0 0 1", "normal 0 0"), "byte 34, line 3: expected a number, found 'outer'"},
-      {with("facet normal 0 0 1", "facet"), "byte 23, line 3: expected 'normal', found 'outer'"},
+      {with("facet normal 0 0 1", "facet normals"), "byte 19, line 2: expected 'normal', found 'normals'"},
       {with("endloop", "endloops"), "byte 108, line 7: expected 'endloop', found 'endloops'"},
       {with("endfacet\n", ""), "byte 118, line 8: expected 'endfacet', found 'endsolid'"},
       {with("endsolid part", "junk"), "byte 127, line 9: expected 'facet' or 'endsolid', found 'junk'"},

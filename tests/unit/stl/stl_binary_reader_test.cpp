@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -214,6 +215,32 @@ TEST(StlBinaryReader, stops_when_cancelled) {
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::interrupted);
   EXPECT_EQ(read.error().text(), "a.stl: interrupted");
+}
+
+/// A file whose numbers have their bytes in the reverse order.
+std::string big_endian(std::string bytes) {
+  const auto reverse_at = [&](std::size_t at) {
+    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin() + static_cast<std::ptrdiff_t>(at + 4));
+  };
+  reverse_at(80);
+  for (std::size_t facet = 84; facet < bytes.size(); facet += 50)
+    for (std::size_t number = 0; number < 12; ++number) reverse_at(facet + 4 * number);
+  return bytes;
+}
+
+TEST(StlBinaryReader, big_endian_files_are_known_by_their_count) {
+  for (const std::size_t count : {1U, 2U, 300U, 5000U}) {
+    const std::string little = header("part", static_cast<std::uint32_t>(count)) + facets(count);
+    const auto read = read_stl(big_endian(little), "a.stl");
+    ASSERT_TRUE(read.ok()) << read.error().text();
+    EXPECT_EQ(read->soup.triangles, read_stl(little, "a.stl")->soup.triangles);
+    EXPECT_EQ(read->soup.normals, read_stl(little, "a.stl")->soup.normals);
+    EXPECT_EQ(read->remarks, std::vector<std::string>{"the numbers are big-endian; they are read as that"});
+    EXPECT_FALSE(read->wrong_count);
+  }
+  // A count that reads the same both ways, and one that fits neither way.
+  EXPECT_TRUE(read_stl(header("part", 0) + "", "a.stl")->remarks.empty());
+  EXPECT_TRUE(read_stl(big_endian(header("part", 3) + facets(2)), "a.stl")->wrong_count);
 }
 
 }  // namespace

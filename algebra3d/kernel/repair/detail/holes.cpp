@@ -16,11 +16,11 @@
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
-#include "algebra3d/kernel/repair/detail/rounding_noise.h"
 #include "algebra3d/kernel/repair/detail/thin_patches.h"
 #include "algebra3d/kernel/repair/scaled_triangles.h"
 #include "algebra3d/kernel/search/boxes.h"
 #include "algebra3d/kernel/soup/loop_triangulation.h"
+#include "algebra3d/kernel/soup/rounding_noise.h"
 #include "base/id_vector.h"
 #include "base/propagate.h"
 #include "base/strong_id.h"
@@ -202,7 +202,7 @@ class HoleCloser {
   RepairReport& report_;
   std::shared_ptr<const TriangleMesh> mesh_;  // of the soup as given
   FaceComponents components_;
-  BinaryScale scale_;  // of areas
+  BinaryScale scale_;            // of areas
   std::vector<Triangle3> thin_;  // the triangles of thin patches
 };
 
@@ -233,8 +233,7 @@ double HoleCloser::tolerance_of(std::span<const Triangle3> patch) const {
       box.extend(corner);
       for (std::size_t axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(corner[axis]));
     }
-  const double diagonal = scale_.unscaled(length(box.max - box.min));
-  return scale_.scaled(rounding_noise(diagonal, scale_.unscaled(farthest), soup_.points));
+  return rounding_noise(length(box.max - box.min), farthest, soup_.points);
 }
 
 /// True if a component encloses nothing when its holes are closed: it has one hole, whose cover cuts it and is too
@@ -302,13 +301,16 @@ Result<std::vector<Triangle3>> HoleCloser::run(const Monitor& monitor) {
     holes.push_back(cover(std::move(loop), test));
   }
   const std::vector<bool> are_left_open = are_open_patches(holes);
+  std::vector<bool> is_reported(components_.count);
   for (const CoveredHole& covered : holes) {
+    const std::uint32_t patch = component(covered.hole.triangle);
     if (covered.cover.empty())
       report_.add(RepairStep::open_holes, covered.hole.loop.corners[0]);
-    else if (are_left_open[component(covered.hole.triangle)])
-      report_.add(RepairStep::open_patches, covered.hole.loop.corners[0]);
-    else
+    else if (!are_left_open[patch])
       close(covered);
+    else if (!is_reported[patch])
+      report_.add(RepairStep::open_patches, covered.hole.loop.corners[0]);
+    is_reported[patch] = is_reported[patch] || (are_left_open[patch] && !covered.cover.empty());
   }
   drop(are_left_open);
   return std::move(thin_);

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "algebra3d/base/box3.h"
-#include "algebra3d/kernel/repair/detail/rounding_noise.h"
 #include "algebra3d/kernel/search/boxes.h"
+#include "algebra3d/kernel/soup/rounding_noise.h"
 
 namespace algebra3d {
 
@@ -15,7 +15,7 @@ MeasureFrame::MeasureFrame(const TriangleMesh& given, const TriangleMesh& solid,
   Box3 box;
   for (const Vec3& p : given.points().approx()) box.extend(scale_.scaled(p));
   const double size = box.is_empty() ? 0 : length(box.max - box.min);
-  tolerance_ = std::max(scale_.scaled(moved), scale_.scaled(rounding_noise(scale_.unscaled(size), largest, given.points().approx())));
+  tolerance_ = std::max(scale_.scaled(moved), rounding_noise(size, scale_.scaled(largest), given.points().approx()));
 }
 
 }  // namespace algebra3d

@@ -13,10 +13,10 @@
 #include "algebra3d/kernel/repair/detail/misconnected_triangles.h"
 #include "algebra3d/kernel/repair/detail/nonmanifold_loops.h"
 #include "algebra3d/kernel/repair/detail/one_sided_patches.h"
-#include "algebra3d/kernel/repair/detail/rounding_noise.h"
 #include "algebra3d/kernel/repair/detail/shell_orientation.h"
 #include "algebra3d/kernel/repair/detail/stitching.h"
 #include "algebra3d/kernel/repair/detail/triangle_orientation.h"
+#include "algebra3d/kernel/soup/rounding_noise.h"
 #include "base/propagate.h"
 
 namespace algebra3d {

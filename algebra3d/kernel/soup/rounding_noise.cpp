@@ -1,4 +1,4 @@
-#include "algebra3d/kernel/repair/detail/rounding_noise.h"
+#include "algebra3d/kernel/soup/rounding_noise.h"
 
 #include <algorithm>
 #include <array>
