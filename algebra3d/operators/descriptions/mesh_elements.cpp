@@ -139,8 +139,10 @@ void register_edges(Registry& registry) {
                       "End, Right the other face of a manifold edge. Angle, in degrees, is that between the "
                       "normals of the two faces: 0 flat, positive convex, negative concave; within 10^-12 "
                       "degrees. Boundary edges have one face; an edge that is neither boundary nor Manifold has "
-                      "more than two, two that run along it in the same direction, or one that has it twice. Right and "
-                      "Angle are undefined where the edge is not manifold. Length is rounded once.") +
+                      "more than two, two that run along it in the same direction, or one that has it twice in one. A "
+                      "bridge, which one face has in both directions, is Manifold; FaceCount is the number of "
+                      "different faces, those of edgeFaces, so it is 1 there. Right and Angle are undefined where the "
+                      "edge is not manifold. Length is rounded once.") +
           kNumbering,
       .exactness = Exactness::bounded,
       .overloads = detail::mesh_tables<&edges_of_value<Surface3d>, &edges_of_value<Volume3d>, &edges_of_value<Mesh3d>>(

@@ -106,18 +106,16 @@ bool CellClassification::is_inside(std::span<const CellSample> samples) const {
 }
 
 Result<std::map<CellId, bool>> CellClassification::run(const Monitor& monitor, double max_angles) {
-  double angles = 0;
+  const std::size_t angles_before = numbers_.angle_count();
   std::map<CellId, bool> result;
   Samples all = samples_at_interfaces();
   for (auto& [cell, samples] : all) {
     if (cell == cells_.unbounded_cell()) continue;
     A3D_TRY(monitor.check());
-    const std::span<const CellSample> chosen = largest(samples);
-    angles += static_cast<double>(chosen.size()) * static_cast<double>(numbers_.triangle_count());
-    if (angles > max_angles)
+    result[cell] = is_inside(largest(samples));
+    if (static_cast<double>(numbers_.angle_count() - angles_before) > max_angles)
       return Error{ErrorCode::limit_exceeded, "inside and outside need more than {:.0f} million solid angles",
                    max_angles / 1e6};
-    result[cell] = is_inside(chosen);
   }
   return result;
 }

@@ -1,20 +1,133 @@
 #include "algebra3d/kernel/repair/detail/generalized_winding_number.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
+#include <utility>
+
+#include "base/interruption_scope.h"
 
 namespace algebra3d {
+namespace {
+
+constexpr std::size_t kLeafTriangles = 16;
+
+bool is_outside(const Box3& box, const Vec3& p) {
+  return p.x < box.min.x || p.y < box.min.y || p.z < box.min.z || p.x > box.max.x || p.y > box.max.y || p.z > box.max.z;
+}
+
+/// Adds up edges that are sorted by their ends; those that cancel each other vanish.
+template <typename Edges>
+void add_up(Edges& edges) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < edges.size();) {
+    auto sum = edges[i];
+    for (++i; i < edges.size() && edges[i].from == sum.from && edges[i].to == sum.to; ++i) sum.count += edges[i].count;
+    if (sum.count != 0) edges[kept++] = sum;
+  }
+  edges.resize(kept);
+}
+
+}  // namespace
+
+GeneralizedWindingNumbers::GeneralizedWindingNumbers(const IndexedSoup& soup) : soup_(soup) {
+  for (const FaceId triangle : soup.triangles.ids()) order_.push_back(triangle);
+  if (!order_.empty()) add_part(0, static_cast<std::uint32_t>(order_.size()));
+}
+
+GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::boundary_of(std::span<const FaceId> triangles) const {
+  Boundary edges;
+  for (const FaceId triangle : triangles) {
+    const TriangleMesh::Triangle& t = soup_.triangles[triangle];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = t[i], to = t[(i + 1) % 3];
+      if (from != to) edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
+    }
+  }
+  std::ranges::sort(edges, {}, [](const BoundaryEdge& e) { return std::tuple(e.from, e.to); });
+  add_up(edges);
+  return edges;
+}
+
+/// Adds the part with its children; gives its boundary.
+GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::add_part(std::uint32_t begin, std::uint32_t end) {
+  poll_interruption();
+  const std::size_t number = parts_.size();
+  Part part{{}, begin, end, 0, 0};
+  const std::span<FaceId> triangles = std::span(order_).subspan(begin, end - begin);
+  for (const FaceId triangle : triangles)
+    for (std::size_t i = 0; i < 3; ++i) part.box.extend(soup_.corner(triangle, i));
+  parts_.push_back(part);
+  Boundary boundary;
+  if (triangles.size() <= kLeafTriangles) {
+    boundary = boundary_of(triangles);
+  } else {
+    const Vec3 extent = part.box.max - part.box.min;
+    const std::size_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    const std::uint32_t half = begin + (end - begin) / 2;
+    std::ranges::nth_element(triangles, triangles.begin() + (half - begin), {},
+                             [&](FaceId triangle) { return std::pair(soup_.middle(triangle)[axis], triangle); });
+    const Boundary first = add_part(begin, half), second = add_part(half, end);
+    std::ranges::merge(
+        first, second, std::back_inserter(boundary), {}, [](const BoundaryEdge& e) { return std::tuple(e.from, e.to); },
+        [](const BoundaryEdge& e) { return std::tuple(e.from, e.to); });
+    add_up(boundary);
+  }
+  parts_[number].behind = static_cast<std::uint32_t>(parts_.size());
+  parts_[number].boundary_begin = static_cast<std::uint32_t>(boundaries_.size());
+  // A long boundary is not kept: its triangles, or those of its children, are fewer.
+  if (boundary.size() < triangles.size()) boundaries_.insert(boundaries_.end(), boundary.begin(), boundary.end());
+  parts_[number].boundary_end = static_cast<std::uint32_t>(boundaries_.size());
+  if (boundary.size() >= triangles.size()) parts_[number].boundary_end = parts_[number].boundary_begin = UINT32_MAX;
+  return boundary;
+}
+
+/// Half the solid angle of a triangle. A normal points away from places that see it from inside.
+double GeneralizedWindingNumbers::half_angle(std::uint32_t i, std::uint32_t j, std::uint32_t k,
+                                             const Vec3& point) const {
+  const Vec3 a = soup_.points[i] - point, b = soup_.points[j] - point, c = soup_.points[k] - point;
+  const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
+  return std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+}
+
+double GeneralizedWindingNumbers::half_angles_of_triangles(const Part& part, const Vec3& point) const {
+  double sum = 0;
+  for (std::uint32_t at = part.begin; at < part.end; ++at) {
+    const auto& [i, j, k] = soup_.triangles[order_[at]];
+    sum += half_angle(i, j, k, point);
+  }
+  angle_count_ += part.end - part.begin;
+  return sum;
+}
+
+/// The tip of the cone is an end of its first edge.
+double GeneralizedWindingNumbers::half_angles_of_cone(const Part& part, const Vec3& point) const {
+  double sum = 0;
+  for (std::uint32_t at = part.boundary_begin; at < part.boundary_end; ++at) {
+    const BoundaryEdge& edge = boundaries_[at];
+    sum += edge.count * half_angle(boundaries_[part.boundary_begin].from, edge.from, edge.to, point);
+  }
+  angle_count_ += part.boundary_end - part.boundary_begin;
+  return sum;
+}
 
 double GeneralizedWindingNumbers::at(const Vec3& point) const {
   double sum = 0;
-  for (const auto& [i, j, k] : soup_.triangles) {
-    const Vec3 a = soup_.points[i] - point, b = soup_.points[j] - point, c = soup_.points[k] - point;
-    const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
-    const double determinant = dot(a, cross(b, c));
-    // Half the solid angle.
-    sum += std::atan2(determinant, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+  for (std::uint32_t number = 0; number < parts_.size();) {
+    const Part& part = parts_[number];
+    const bool is_leaf = part.behind == number + 1;
+    const bool has_cone = part.boundary_begin != UINT32_MAX;
+    if (has_cone && is_outside(part.box, point)) {
+      sum += half_angles_of_cone(part, point);
+      number = part.behind;
+    } else if (is_leaf) {
+      sum += half_angles_of_triangles(part, point);
+      number = part.behind;
+    } else {
+      ++number;
+    }
   }
-  // A normal points away from places that see it from inside.
   return sum / (2 * std::numbers::pi);
 }
 

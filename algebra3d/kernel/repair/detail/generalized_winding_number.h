@@ -1,26 +1,58 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
 
+#include "algebra3d/base/box3.h"
 #include "algebra3d/base/vec3.h"
 #include "algebra3d/kernel/repair/detail/indexed_soup.h"
 
 namespace algebra3d {
 
 /// Computes generalized winding numbers: the sum of the signed solid angles of triangles, which need not be closed, as
-/// seen from a point, divided by 4 pi. Close to an integer for nearly closed triangles. Rounded. Source:
-/// [jacobson2013], [vanoosterom1983].
+/// seen from a point, divided by 4 pi. Close to an integer for nearly closed triangles. Rounded.
+///
+/// From outside the box of some triangles these are seen under the same angle as any other surface within the box that
+/// ends at the same edges, such as the cone over their boundary. So a tree of triangles keeps the boundary of each
+/// part, and most parts are replaced by their cones. Source: [jacobson2013], section 4.2; [vanoosterom1983].
 class GeneralizedWindingNumbers {
  public:
-  /// The soup must outlive this.
-  explicit GeneralizedWindingNumbers(const IndexedSoup& soup) : soup_(soup) {}
+  /// The soup must outlive this. Cost: n log n.
+  explicit GeneralizedWindingNumbers(const IndexedSoup& soup);
 
-  /// Cost: linear.
+  /// Cost: about the square root of the number of triangles, where they are nearly closed; linear at most.
   double at(const Vec3& point) const;
-  std::size_t triangle_count() const { return soup_.triangles.size(); }
+  /// The number of solid angles that `at` has summed up since the construction.
+  std::size_t angle_count() const { return angle_count_; }
 
  private:
+  /// An edge of the boundary of a part, that many times.
+  struct BoundaryEdge {
+    std::uint32_t from, to;  // from < to; numbers of points
+    int count;               // negative: the other way
+  };
+  using Boundary = std::vector<BoundaryEdge>;
+  /// A part of the triangles. Its children follow it.
+  struct Part {
+    Box3 box;
+    std::uint32_t begin, end;                    // of its triangles in order_
+    std::uint32_t boundary_begin, boundary_end;  // in boundaries_
+    std::uint32_t behind = 0;                    // the first part that is not within it
+  };
+
+  Boundary add_part(std::uint32_t begin, std::uint32_t end);
+  Boundary boundary_of(std::span<const FaceId> triangles) const;
+  double half_angle(std::uint32_t i, std::uint32_t j, std::uint32_t k, const Vec3& point) const;
+  double half_angles_of_triangles(const Part& part, const Vec3& point) const;
+  double half_angles_of_cone(const Part& part, const Vec3& point) const;
+
   const IndexedSoup& soup_;
+  std::vector<FaceId> order_;
+  std::vector<Part> parts_;
+  Boundary boundaries_;
+  mutable std::size_t angle_count_ = 0;
 };
 
 }  // namespace algebra3d

@@ -73,7 +73,8 @@ template <typename Layout>
 EdgeRows::Cells edge_cells(const HalfedgeMesh<Layout>& mesh, EdgeId edge, HalfedgeId h) {
   const VertexId start = mesh.origin(h), end = mesh.target(h);
   const HalfedgeId opposite = mesh.opposite(h);
-  const std::size_t along = mesh.is_nonmanifold(h) ? mesh.edge_halfedges(h).size() : opposite.is_valid() ? 2 : 1;
+  const bool has_two = opposite.is_valid() && mesh.face(opposite) != mesh.face(h);
+  const std::size_t along = mesh.is_nonmanifold(h) ? faces_along(mesh, h).size() : has_two ? 2 : 1;
   return {Number{edge.index()},
           Number{start.index()},
           Number{end.index()},
