@@ -96,6 +96,13 @@ CLI::App* add_import_command(CLI::App& app, ImportOptions& options) {
   add_plain_flag(*import, "--drop-gone", options.drops_gone,
                  "Delete the tuples of files that no longer exist, if they match the given folders and patterns");
   add_plain_flag(*import, "--quiet", options.quiet, "Show no progress and no summary");
+  import
+      ->add_option(
+          "--file-seconds", options.file_seconds,
+          "A file that takes longer than this has no solid; the next import tries it again (default: no limit)")
+      ->type_name("SECONDS")
+      ->check(kAmount)
+      ->check(CLI::Range(0.001, 1e6));
   import->add_option("--batch-seconds", options.batch_seconds, "Commit a batch of files at the latest after this time")
       ->check(kAmount)
       ->check(CLI::Range(0.0, 3600.0))

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,12 +11,13 @@ namespace queries {
 
 /// The options of `algebra3d import`.
 struct ImportOptions {
-  std::filesystem::path database;  ///< created if it does not exist
-  std::string relation;            ///< created if it does not exist
-  std::vector<std::string> paths;  ///< files, folders, patterns of glob(3)
-  bool drops_gone = false;         ///< delete the tuples of deleted files
-  bool quiet = false;              ///< no progress and no summary
-  int jobs = 0;                    ///< number of loading threads; 0: one per core
+  std::filesystem::path database;      ///< created if it does not exist
+  std::string relation;                ///< created if it does not exist
+  std::vector<std::string> paths;      ///< files, folders, patterns of glob(3)
+  bool drops_gone = false;             ///< delete the tuples of deleted files
+  bool quiet = false;                  ///< no progress and no summary
+  int jobs = 0;                        ///< number of loading threads; 0: one per core
+  std::optional<double> file_seconds;  ///< a file that takes longer has no solid; nothing: no limit
 
   algebra3d::RepairOptions repair;  ///< repair of files that are not valid solids
 

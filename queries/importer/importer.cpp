@@ -125,7 +125,13 @@ Status Import::take_in(const FileList& list) {
   FileLoader loader(
       list.files, host_.reader ? host_.reader : solid_reader(options_.repair),
       [&](const Store::ImportedFile& file) { return writer.is_known(file); },
-      {.jobs = jobs, .max_bytes = largest_window, .cancel = host_.cancel, .hash_seed = seed_of(options_.repair)});
+      {.jobs = jobs,
+       .max_bytes = largest_window,
+       .cancel = host_.cancel,
+       .hash_seed = seed_of(options_.repair),
+       .file_limit = options_.file_seconds ? std::optional(std::chrono::milliseconds(
+                                                 static_cast<std::int64_t>(1000 * *options_.file_seconds)))
+                                           : std::nullopt});
   Status status = pump(loader, writer);
   if (status && options_.drops_gone && !was_interrupted_) status = drop_gone(list, writer);
   if (status) status = writer.commit();
@@ -164,7 +170,7 @@ Status Import::pump(FileLoader& loader, RelationWriter& writer) {
       summary_.count(next.file, written);
     }
     A3D_TRY(writer.commit_if_due());
-    progress_.update(summary_, writer.pending_count());
+    progress_.update(summary_, writer.pending_count(), loader.longest_at_work());
   }
 }
 

@@ -33,8 +33,13 @@ struct Slot {
   enum class Stage : std::uint8_t { hashing, hashed, loading, ready, dropped };
 
   const ListedFile* listed = nullptr;
-  Stage stage = Stage::hashing;  // guarded by the mutex of Work; the rest belongs to who is at work in that stage
+  Stage stage = Stage::hashing;  // guarded by the mutex of Work, as `since`; the rest belongs to who is at work
+  std::optional<Clock::time_point> since;  // when work on it began
+  std::atomic<bool> is_to_stop = false;
+  bool is_late = false;  // stopped because its time was up
   LoadedFile file;
+
+  bool is_running() const { return stage == Stage::hashing || stage == Stage::loading; }
 };
 
 /// Why there is no solid, without the path, which stands in the attribute File.
@@ -87,7 +92,7 @@ class FileLoader::Work {
         arena_(options.jobs, 0) {}
 
   ~Work() {
-    stop_.store(true);
+    stop();
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return running_ == 0; });
   }
@@ -95,16 +100,21 @@ class FileLoader::Work {
   Work& operator=(const Work&) = delete;
 
   Result<Next> next(milliseconds patience);
+  std::optional<AtWork> longest_at_work();
 
  private:
+  void stop();
+  void end_late_files();
   void start_files();
   Status answer_questions();
-  std::optional<Next> take_first();
+  std::optional<Next> take_ready();
+  bool may_be_overtaken(const Slot& slot) const;
   bool has_event() const;
-  bool first_is_running();
+  bool is_one_running();
   void run(Slot& slot, Slot::Stage stage);
   Slot::Stage outcome(Slot& slot, Slot::Stage stage);
   Slot::Stage load(Slot& slot);
+  Slot::Stage ended(Slot& slot);
   bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(); }
 
   const std::vector<ListedFile>& files_;
@@ -131,15 +141,31 @@ class FileLoader::Work {
 Result<FileLoader::Next> FileLoader::Work::next(milliseconds patience) {
   const auto deadline = Clock::now() + patience;
   for (;;) {
-    if (is_cancelled()) stop_.store(true);
+    if (is_cancelled()) stop();
     if (!stop_.load()) start_files();
+    end_late_files();
     A3D_TRY(answer_questions());
-    if (auto first = take_first()) return std::move(*first);
-    if (stop_.load() && !first_is_running()) return Next{State::interrupted, {}};
+    if (auto ready = take_ready()) return std::move(*ready);
+    if (stop_.load() && !is_one_running()) return Next{State::interrupted, {}};
     const auto now = Clock::now();
     if (now >= deadline) return Next{State::not_yet, {}};
     std::unique_lock lock(mutex_);
     changed_.wait_until(lock, std::min(deadline, now + kCancelPoll), [this] { return has_event(); });
+  }
+}
+
+void FileLoader::Work::stop() {
+  stop_.store(true);
+  for (const auto& slot : window_) slot->is_to_stop.store(true);
+}
+
+void FileLoader::Work::end_late_files() {
+  if (!options_.file_limit) return;
+  const std::lock_guard lock(mutex_);
+  for (const auto& slot : window_) {
+    if (!slot->is_running() || !slot->since || Clock::now() - *slot->since < *options_.file_limit) continue;
+    slot->is_late = !stop_.load();
+    slot->is_to_stop.store(true);
   }
 }
 
@@ -174,19 +200,28 @@ Status FileLoader::Work::answer_questions() {
   return {};
 }
 
-std::optional<FileLoader::Next> FileLoader::Work::take_first() {
+// The first file that is ready, if all before it may be overtaken.
+std::optional<FileLoader::Next> FileLoader::Work::take_ready() {
   if (window_.empty()) {
     if (started_ == files_.size()) return Next{State::finished, {}};
     return std::nullopt;
   }
+  auto place = window_.begin();
   {
     const std::lock_guard lock(mutex_);
-    if (window_.front()->stage != Slot::Stage::ready) return std::nullopt;
+    while (place != window_.end() && (*place)->stage != Slot::Stage::ready && may_be_overtaken(**place)) ++place;
+    if (place == window_.end() || (*place)->stage != Slot::Stage::ready) return std::nullopt;
   }
-  Next next{State::loaded, std::move(window_.front()->file)};
-  bytes_ -= window_.front()->listed->size;
-  window_.pop_front();
+  Next next{State::loaded, std::move((*place)->file)};
+  bytes_ -= (*place)->listed->size;
+  window_.erase(place);
   return next;
+}
+
+// After a stop all are, since the rest is only what was ready.
+bool FileLoader::Work::may_be_overtaken(const Slot& slot) const {
+  if (stop_.load()) return true;
+  return slot.is_running() && slot.since && Clock::now() - *slot.since > options_.hold;
 }
 
 bool FileLoader::Work::has_event() const {
@@ -195,12 +230,21 @@ bool FileLoader::Work::has_event() const {
                      [](const auto& slot) { return slot->stage == Slot::Stage::hashed; });
 }
 
-// Whether a thread is at work on the first file. After a stop it soon ends, and the file may still be complete.
-bool FileLoader::Work::first_is_running() {
-  if (window_.empty()) return false;
+// Whether a thread is at work on a file. After a stop it soon ends, and the file may still be complete.
+bool FileLoader::Work::is_one_running() {
   const std::lock_guard lock(mutex_);
-  const Slot::Stage stage = window_.front()->stage;
-  return stage == Slot::Stage::hashing || stage == Slot::Stage::loading;
+  return std::ranges::any_of(window_, [](const auto& slot) { return slot->is_running() && slot->since; });
+}
+
+std::optional<FileLoader::AtWork> FileLoader::Work::longest_at_work() {
+  const std::lock_guard lock(mutex_);
+  const Slot* longest = nullptr;
+  for (const auto& slot : window_)
+    if (slot->is_running() && slot->since && (longest == nullptr || *slot->since < *longest->since))
+      longest = slot.get();
+  if (longest == nullptr) return std::nullopt;
+  return AtWork{path_text(longest->listed->path),
+                std::chrono::duration_cast<milliseconds>(Clock::now() - *longest->since)};
 }
 
 void FileLoader::Work::run(Slot& slot, Slot::Stage stage) {
@@ -210,6 +254,10 @@ void FileLoader::Work::run(Slot& slot, Slot::Stage stage) {
     ++running_;
   }
   arena_.enqueue([this, &slot, stage] {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!slot.since) slot.since = Clock::now();
+    }
     const Slot::Stage after = stop_.load() ? Slot::Stage::dropped : outcome(slot, stage);
     // Notified under the lock: once it is released, the destructor may end the life of all this.
     const std::lock_guard lock(mutex_);
@@ -223,18 +271,22 @@ void FileLoader::Work::run(Slot& slot, Slot::Stage stage) {
 Slot::Stage FileLoader::Work::outcome(Slot& slot, Slot::Stage stage) {
   LoadedFile& file = slot.file;
   const algebra3d::MemoryUserScope memory(memory_user_);
-  const algebra3d::InterruptionScope interruption(&stop_);
-  const auto work = [&] { return stage == Slot::Stage::hashing ? hash(slot, options_.hash_seed, &stop_) : load(slot); };
+  const algebra3d::InterruptionScope interruption(&slot.is_to_stop);
+  const auto work = [&] {
+    return stage == Slot::Stage::hashing ? hash(slot, options_.hash_seed, &slot.is_to_stop) : load(slot);
+  };
   try {
     try {
       const std::shared_lock beside_others(turns_);
-      return work();
+      const Slot::Stage after = work();
+      return after == Slot::Stage::dropped ? ended(slot) : after;
     } catch (const algebra3d::MemoryLimitReached&) {
       const std::unique_lock alone(turns_);
-      return work();
+      const Slot::Stage after = work();
+      return after == Slot::Stage::dropped ? ended(slot) : after;
     }
   } catch (const algebra3d::Interrupted&) {
-    return Slot::Stage::dropped;
+    return ended(slot);
   } catch (const std::bad_alloc& failure) {
     file.status = algebra3d::memory_error(failure).text();
   } catch (const std::exception& exception) {
@@ -244,9 +296,19 @@ Slot::Stage FileLoader::Work::outcome(Slot& slot, Slot::Stage stage) {
   return stage == Slot::Stage::hashing ? Slot::Stage::hashed : Slot::Stage::ready;
 }
 
+/// A file whose work was stopped: dropped with all others, or late.
+Slot::Stage FileLoader::Work::ended(Slot& slot) {
+  const std::lock_guard lock(mutex_);
+  if (!slot.is_late) return Slot::Stage::dropped;
+  slot.file.status = fmt::format("it took longer than {} s (option file-seconds)",
+                                 std::chrono::duration<double>(*options_.file_limit).count());
+  slot.file.identity.reset();
+  return Slot::Stage::ready;
+}
+
 Slot::Stage FileLoader::Work::load(Slot& slot) {
   LoadedFile& file = slot.file;
-  auto result = reader_(slot.listed->path, &stop_);
+  auto result = reader_(slot.listed->path, &slot.is_to_stop);
   if (!result && result.error().code == ErrorCode::interrupted) return Slot::Stage::dropped;
   if (!result) {
     file.status = reason_of(result.error());
@@ -268,6 +330,10 @@ FileLoader::~FileLoader() = default;
 
 Result<FileLoader::Next> FileLoader::next(milliseconds patience) {
   return work_->next(patience);
+}
+
+std::optional<FileLoader::AtWork> FileLoader::longest_at_work() {
+  return work_->longest_at_work();
 }
 
 }  // namespace queries

@@ -43,7 +43,9 @@ using SolidReader =
     std::function<Result<SolidOrReason>(const std::filesystem::path& file, const std::atomic<bool>* cancel)>;
 
 /// Loads files on several threads and returns them in the order of their list, so that results do not depend on the
-/// threads. Whether a file is known is asked on the calling thread only, to which the database belongs.
+/// threads; but a file that has been at work for longer than `hold` is overtaken by those that are ready, which then
+/// are in the database and not lost with an interruption. Whether a file is known is asked on the calling thread only,
+/// to which the database belongs.
 ///
 /// Memory is bounded: at most `max_files` files are loading or waiting, with at most `max_bytes` bytes, unless a single
 /// file is larger. Used by one thread; the files outlive the loader. The destructor ends running work and waits for it.
@@ -56,6 +58,10 @@ class FileLoader {
     const std::atomic<bool>* cancel = nullptr;
     /// Part of the identity of each file: files loaded with another seed are not known.
     std::uint64_t hash_seed = 0;
+    /// After this time others overtake a file.
+    std::chrono::milliseconds hold{2000};
+    /// A file that takes longer has no solid, with that reason; nothing: no limit.
+    std::optional<std::chrono::milliseconds> file_limit;
   };
   /// Whether a file with this path and content was imported before.
   using IsKnown = std::function<Result<bool>(const Store::ImportedFile&)>;
@@ -63,11 +69,16 @@ class FileLoader {
     loaded,       ///< `file` is the next one
     not_yet,      ///< `patience` has expired
     finished,     ///< no more files
-    interrupted,  ///< `cancel` was set before the next file was loaded; no more files will come
+    interrupted,  ///< `cancel` was set, and all files that were ready have been returned; no more will come
   };
   struct Next {
     State state;
     LoadedFile file;
+  };
+  /// The file that has been at work for longest.
+  struct AtWork {
+    std::string path;
+    std::chrono::milliseconds time;
   };
 
   FileLoader(const std::vector<ListedFile>& files, SolidReader reader, IsKnown is_known, const Options& options);
@@ -77,6 +88,7 @@ class FileLoader {
 
   /// Returns the next file; waits at most `patience`. Errors: those of `is_known`.
   Result<Next> next(std::chrono::milliseconds patience);
+  std::optional<AtWork> longest_at_work();
 
  private:
   class Work;

@@ -2,9 +2,11 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <ostream>
 #include <string>
 
+#include "queries/importer/detail/file_loader.h"
 #include "queries/importer/detail/import_summary.h"
 
 namespace queries {
@@ -21,8 +23,10 @@ class ProgressDisplay {
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-  /// Shows the progress, unless it was shown very recently. `pending_count`: files that are not committed yet.
-  void update(const ImportSummary& summary, std::uint64_t pending_count);
+  /// Shows the progress, unless it was shown very recently. `pending_count`: files that are not committed yet. A file
+  /// that has been `at_work` for some seconds is named.
+  void update(const ImportSummary& summary, std::uint64_t pending_count,
+              const std::optional<FileLoader::AtWork>& at_work = {});
   /// Erases the bar before other output.
   void clear();
 
@@ -35,7 +39,9 @@ class ProgressDisplay {
   bool is_shown_ = false;
 };
 
-/// The line of a bar, without control characters; fits into 80 columns except for extremely large numbers.
-std::string progress_line(const ImportSummary& summary, std::uint64_t pending_count);
+/// The line of a bar, without control characters; fits into 80 columns except for extremely large numbers and long
+/// names of files.
+std::string progress_line(const ImportSummary& summary, std::uint64_t pending_count,
+                          const std::optional<FileLoader::AtWork>& at_work = {});
 
 }  // namespace queries

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "import_folder.h"
+#include "queries/importer/detail/file_loader.h"
 
 namespace queries {
 namespace {
@@ -410,27 +411,78 @@ TEST_F(Importer, a_cancel_flag_that_is_set_imports_nothing_and_a_second_run_comp
 TEST_F(Importer, an_interrupted_import_keeps_what_is_complete) {
   for (const char* name : {"a.stl", "b.stl", "c.stl", "d.stl"}) write(name, box_stl(1, 1, 1));
   std::atomic<bool> cancel = false;
-  std::atomic<int> before_c = 2;
+  std::atomic<int> others = 3;
   ImportOptions all_at_once = options();
   all_at_once.jobs = 4;
   const SolidReader reader = [&](const std::filesystem::path& file,
                                  const std::atomic<bool>* stop) -> Result<SolidOrReason> {
     if (file.stem() == "c") {
-      while (before_c.load() > 0) usleep(1000);
+      while (others.load() > 0) usleep(1000);
       cancel.store(true);
       while (!stop->load()) usleep(1000);
       return Error{ErrorCode::interrupted, "interrupted"};
     }
-    if (file.stem() < "c") --before_c;
+    --others;
     return SolidOrReason{algebra3d::Volume3d(), "ok"};
   };
   EXPECT_EQ(import(all_at_once, reader, &cancel), 130);
-  EXPECT_EQ(err_, "interrupted: 2 of 4 files are in 'Parts'; run the same import again to go on from there\n");
+  EXPECT_EQ(err_, "interrupted: 3 of 4 files are in 'Parts'; run the same import again to go on from there\n");
   const auto found = rows();
-  ASSERT_EQ(found.size(), 2);
-  EXPECT_TRUE(found.contains("a.stl") && found.contains("b.stl"));
+  ASSERT_EQ(found.size(), 3);
+  EXPECT_TRUE(found.contains("a.stl") && found.contains("b.stl") && found.contains("d.stl"));
   ASSERT_EQ(import(all_at_once), 0) << err_;
   EXPECT_EQ(rows().size(), 4);
+}
+
+TEST_F(Importer, others_overtake_a_slow_file) {
+  std::vector<ListedFile> files;
+  for (const char* name : {"a.stl", "b.stl", "c.stl", "d.stl"}) {
+    write(name, box_stl(1, 1, 1));
+    files.push_back({parts() / name, 1000});
+  }
+  std::atomic<bool> may_end = false;
+  const SolidReader reader = [&](const std::filesystem::path& file, const std::atomic<bool>*) -> Result<SolidOrReason> {
+    while (file.stem() == "a" && !may_end.load()) usleep(1000);
+    return SolidOrReason{algebra3d::Volume3d(), "ok"};
+  };
+  FileLoader loader(files, reader, [](const Store::ImportedFile&) { return false; },
+                    {.jobs = 2, .hold = std::chrono::milliseconds(50)});
+  const auto next_name = [&] {
+    while (true) {
+      const auto next = loader.next(std::chrono::milliseconds(10));
+      if (next->state != FileLoader::State::not_yet) return next->file.name;
+    }
+  };
+  EXPECT_EQ(next_name(), "b");
+  EXPECT_EQ(next_name(), "c");
+  EXPECT_EQ(next_name(), "d");
+  const auto slow = loader.longest_at_work();
+  ASSERT_TRUE(slow);
+  EXPECT_EQ(slow->path, (parts() / "a.stl").string());
+  EXPECT_GE(slow->time, std::chrono::milliseconds(50));
+  may_end = true;
+  EXPECT_EQ(next_name(), "a");
+  EXPECT_EQ(loader.next(std::chrono::milliseconds(10))->state, FileLoader::State::finished);
+}
+
+TEST_F(Importer, a_file_may_be_given_a_limit_of_time) {
+  for (const char* name : {"a.stl", "b.stl", "c.stl"}) write(name, box_stl(1, 1, 1));
+  const SolidReader reader = [](const std::filesystem::path& file,
+                                const std::atomic<bool>* stop) -> Result<SolidOrReason> {
+    while (file.stem() == "b" && !stop->load()) usleep(1000);
+    if (file.stem() == "b") return Error{ErrorCode::interrupted, "interrupted"};
+    return SolidOrReason{algebra3d::Volume3d(), "ok"};
+  };
+  ImportOptions limited = options();
+  limited.file_seconds = 0.25;
+  ASSERT_EQ(import(limited, reader), 0) << err_;
+  const auto found = rows();
+  ASSERT_EQ(found.size(), 3);
+  EXPECT_FALSE(found.at("b.stl").is_defined);
+  EXPECT_EQ(found.at("b.stl").status, "it took longer than 0.25 s (option file-seconds)");
+  EXPECT_TRUE(found.at("a.stl").is_defined && found.at("c.stl").is_defined);
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(rows().at("b.stl").status, "ok");
 }
 
 TEST_F(Importer, quiet_means_no_output) {
