@@ -74,6 +74,13 @@ void with_workers(const Work& work) {
   }
 }
 
+// Where a task of a call throws, oneTBB also cancels the calls within its other tasks. These then return as if they had
+// done their work; the caller must not go on with what they left undone. The exception that is thrown for them is
+// dropped in favour of the first one.
+void throw_if_cancelled(bool is_cancelled) {
+  if (is_cancelled) detail::throw_interrupted();
+}
+
 }  // namespace
 
 namespace scheduler_detail {
@@ -93,7 +100,7 @@ void run_both(const std::function<void()>& first, const std::function<void()>& s
     tbb::this_task_arena::isolate([&] {
       tbb::task_group tasks;
       tasks.run(rounding_to_nearest(second));
-      tasks.run_and_wait(rounding_to_nearest(first));
+      throw_if_cancelled(tasks.run_and_wait(rounding_to_nearest(first)) == tbb::canceled);
     });
   });
 }
@@ -112,8 +119,11 @@ void run_ranges(std::size_t count, std::size_t grain,
     }
   };
   with_workers([&] {
-    tbb::this_task_arena::isolate(
-        [&] { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), visit_range); });
+    tbb::this_task_arena::isolate([&] {
+      tbb::task_group_context context;
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), visit_range, context);
+      throw_if_cancelled(context.is_group_execution_cancelled());
+    });
   });
 }
 

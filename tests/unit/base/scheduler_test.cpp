@@ -1,5 +1,6 @@
 #include "base/scheduler.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cfenv>
@@ -9,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -101,6 +103,37 @@ TEST(Scheduler, ThrowsWhatAPartThrows) {
   EXPECT_THROW(parallel_invoke(
                    true, [] {}, [] { throw std::bad_alloc(); }),
                std::bad_alloc);
+}
+
+// A part that another one has thrown out must not go on as if its own loops had been done.
+TEST(Scheduler, NestedLoopsAreWholeOrThrowWhenAnotherPartThrows) {
+  std::atomic<int> incomplete = 0, ended = 0;
+  for (int round = 0; round < 300; ++round) {
+    std::atomic<bool> has_begun = false;
+    std::vector<int> visits(4096);
+    const auto fail_beside = [&] {
+      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+      while (!has_begun && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+      throw std::runtime_error("first");
+    };
+    const auto loops = [&] {
+      has_begun = true;
+      for (int i = 0; i < 100; ++i) {
+        std::ranges::fill(visits, 0);
+        if (i % 2 == 0)
+          parallel_for(visits.size(), 64, [&](std::size_t k) { visits[k] = 1; });
+        else
+          parallel_invoke(
+              true, [&] { std::fill_n(visits.begin(), 2048, 1); },
+              [&] { std::fill_n(visits.begin() + 2048, 2048, 1); });
+        if (std::ranges::find(visits, 0) != visits.end()) ++incomplete;
+      }
+      ++ended;
+    };
+    EXPECT_THROW(parallel_invoke(true, fail_beside, loops), std::runtime_error);
+  }
+  EXPECT_EQ(incomplete, 0);
+  EXPECT_LT(ended, 300) << "no loop was ever ended";
 }
 
 TEST(Scheduler, UsesSoManyThreadsAsAllowed) {

@@ -8,7 +8,8 @@
 
 namespace {
 
-// Statements that begin within a microsecond of each other: an order by how long they have run changes while it is made.
+// Statements that begin within a microsecond of each other: an order by how long they have run changes while it is
+// made.
 TEST(RunningStatements, AreListedInTheOrderInWhichTheyBegan) {
   constexpr int kStatements = 500;
   constexpr int kLists = 2000;
