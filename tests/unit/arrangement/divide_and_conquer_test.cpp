@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/rounds.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 
@@ -38,7 +39,7 @@ void expect_as_at_once(const std::vector<TriangleMesh>& solids) {
 }
 
 TEST(DivideAndConquer, of_random_solids_is_one_arrangement_of_them) {
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint64_t seed = 1; seed <= rounds(3U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     SetOperations engine;
     RandomSolids random(seed, engine);
@@ -50,7 +51,8 @@ TEST(DivideAndConquer, of_random_solids_is_one_arrangement_of_them) {
 
 TEST(DivideAndConquer, of_solids_that_all_cross_one_another) {
   std::vector<TriangleMesh> solids;
-  for (int i = 1; i <= 13; ++i) solids.push_back(rotated(cube(-1, 1), {1, static_cast<double>(i), 3}, 0.5 * i));
+  for (int i = 1; i <= (is_thorough() ? 13 : 8); ++i)
+    solids.push_back(rotated(cube(-1, 1), {1, static_cast<double>(i), 3}, 0.5 * i));
   expect_as_at_once(solids);
 }
 

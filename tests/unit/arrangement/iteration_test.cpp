@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
+#include "support/rounds.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 
@@ -35,18 +35,13 @@ std::size_t longest_coordinate(const TriangleMesh& mesh) {
 // with at most 119 and 102 bits, and the unit adds 14 to the latter: 36 and 35 digits, a sign and a stroke.
 constexpr std::size_t kMaxDigits = 73;
 
-/// ALGEBRA3D_ITERATIONS says how many steps instead.
-int step_count() {
-  const char* value = std::getenv("ALGEBRA3D_ITERATIONS");
-  return value != nullptr ? std::atoi(value) : 80;
-}
-
 TEST(Iteration, intersections_in_a_row_stay_exact_and_valid) {
   Chance chance(1);
   SetOperations engine, unproved(Proofs::none);
   TriangleMesh common = random_cube(chance);
   Rational volume = exact_volume_of(common);
-  for (int step = 1; step < step_count(); ++step) {
+  const int steps = is_thorough() ? 80 : 41;
+  for (int step = 1; step < steps; ++step) {
     SCOPED_TRACE("step " + std::to_string(step));
     const TriangleMesh next = random_cube(chance);
     ASSERT_TRUE(prove_volume(next)->is_valid());

@@ -1,11 +1,11 @@
 // Results have no triangle that their set of points does not need, if their operands have none.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "algebra3d/kernel/arrangement/divide_and_conquer.h"
+#include "support/rounds.h"
 #include "unit/arrangement/micro_cases.h"
 #include "unit/arrangement/minimality.h"
 #include "unit/arrangement/random_solids.h"
@@ -92,9 +92,7 @@ TriangleMesh random_box(Chance& chance, int size) {
 }
 
 TEST(MinimalResults, of_random_unions_of_boxes) {
-  const char* rounds = std::getenv("ALGEBRA3D_LAW_ROUNDS");
-  const std::uint64_t last = rounds == nullptr ? 60 : std::strtoull(rounds, nullptr, 10);
-  for (std::uint64_t seed = 1; seed <= last; ++seed) {
+  for (std::uint64_t seed = 1; seed <= rounds(15U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Chance chance(seed);
     SetOperations engine;
@@ -114,7 +112,7 @@ TEST(MinimalResults, of_operands_that_touch_themselves) {
   const TriangleMesh corner_on_edge = joined({cube(0, 4), tetrahedron({4, 4, 2}, {6, 5, 1}, {6, 5, 3}, {5, 7, 2})});
   const TriangleMesh corner_on_face = joined({cube(0, 4), tetrahedron({2, 2, 4}, {3, 2, 6}, {1, 3, 6}, {1, 1, 6})});
   const TriangleMesh in_one_plane = joined({cube(0, 4), tetrahedron({2, 4, 4}, {1, 6, 4}, {3, 6, 4}, {2, 6, 2})});
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < rounds(15U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Chance chance(seed);
     const Vec3 low = chance.grid_point(6), size = chance.grid_point(5);

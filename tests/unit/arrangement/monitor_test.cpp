@@ -38,7 +38,7 @@ class Listener {
 };
 
 TEST(Monitor, hears_every_stage_and_growing_percents) {
-  const TriangleMesh a = geodesic_sphere(24), b = rotated(a, {1, 2, 3}, 0.4);
+  const TriangleMesh a = geodesic_sphere(12), b = rotated(a, {1, 2, 3}, 0.4);
   const std::vector<Operand> operands{{&a, 0}, {&b, 0}};
   const Listener run;
   ASSERT_TRUE(combine_solids(operands, in_any, run.monitor()).ok());
@@ -62,7 +62,7 @@ TEST(Monitor, hears_every_stage_and_growing_percents) {
 }
 
 TEST(Monitor, stops_solids_in_every_stage_but_the_last) {
-  const TriangleMesh a = geodesic_sphere(24), b = rotated(a, {1, 2, 3}, 0.4);
+  const TriangleMesh a = geodesic_sphere(12), b = rotated(a, {1, 2, 3}, 0.4);
   const std::vector<Operand> operands{{&a, 0}, {&b, 0}};
   const Listener whole;
   ASSERT_TRUE(combine_solids(operands, in_any, whole.monitor()).ok());

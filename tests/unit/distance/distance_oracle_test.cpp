@@ -6,17 +6,13 @@
 #include <random>
 #include <set>
 
+#include "support/rounds.h"
 #include "unit/distance/exact_distances.h"
 
 namespace algebra3d {
 namespace {
 
 using namespace exact_distances;
-
-int round_count() {
-  const char* rounds = std::getenv("ALGEBRA3D_ROUNDS");
-  return rounds == nullptr ? 60 : std::atoi(rounds);
-}
 
 class RandomSets {
  public:
@@ -82,7 +78,7 @@ void expect_agreement(const TriangleMesh& a, const TriangleMesh& b) {
 TEST(DistanceOracle, RandomSets) {
   using Coordinates = RandomSets::Coordinates;
   RandomSets sets(1);
-  for (int round = 0; round < round_count(); ++round)
+  for (int round = 0; round < rounds(15); ++round)
     for (const Coordinates kind : {Coordinates::grid, Coordinates::thirds, Coordinates::doubles})
       for (const double offset : {0.0, 2.0, 1e6}) {
         SCOPED_TRACE(testing::Message() << "round " << round << ", coordinates " << int(kind) << ", " << offset);

@@ -12,6 +12,7 @@
 #include "algebra3d/kernel/distance/detail/face_bounds.h"
 #include "algebra3d/kernel/distance/distance_bound.h"
 #include "base/scheduler.h"
+#include "support/rounds.h"
 #include "unit/distance/farthest.h"
 
 namespace algebra3d {
@@ -129,7 +130,7 @@ TEST(NearCoincident, TheSameSquare) {
 }
 
 TEST(NearCoincident, TurnedSpheresAgainstSamples) {
-  constexpr int kSteps = 12;
+  const int steps = is_thorough() ? 12 : 5;
   const Vec3 axis{2.0 / 7, 3.0 / 7, 6.0 / 7};
   for (const double noise : {0.0, 0.02})
     for (const double radians : {0.05, 1.0})
@@ -137,7 +138,7 @@ TEST(NearCoincident, TurnedSpheresAgainstSamples) {
         const TriangleSet a = sphere(6, 2, axis, 0, noise), b = sphere(other, 2, axis, radians, noise);
         const FarthestPoint point = farthest(a, b);
         double sampled = 0;
-        for_each_sample(a, kSteps,
+        for_each_sample(a, steps,
                         [&](FaceId, const Vec3& p) { sampled = std::max(sampled, rounded_distance_from(p, b)); });
         EXPECT_TRUE(point.is_bounded);
         EXPECT_LE(sampled, point.upper_bound);
@@ -183,7 +184,7 @@ void expect_bounds_with(const TriangleSet& from, const TriangleSet& to, bool is_
     EXPECT_LE(at_where, bound.upper + rounding);
     EXPECT_NEAR(at_where, bound.upper, is_tight ? 1e-12 : std::numeric_limits<double>::infinity());
   }
-  for_each_sample(from, 8, [&](FaceId f, const Vec3& p) {
+  for_each_sample(from, is_thorough() ? 8 : 3, [&](FaceId f, const Vec3& p) {
     sampled[f.index()] = std::max(sampled[f.index()], rounded_distance_from(p, to));
   });
   for (std::size_t f = 0; f < upper.size(); ++f) EXPECT_LE(sampled[f], upper[f] + rounding);
@@ -290,7 +291,8 @@ TEST(BoundedDistance, BetweenFansOfNeedles) {
     const TriangleSet moved = fan(160, {0x1p-53 * aside, 0, 1}, 0);
     const double bound = *bounded_distance(moved.mesh, all_faces(moved, 0x1p-53 * aside), given.operand(), 0);
     double farthest = 0;
-    for_each_sample(moved, 6, [&](FaceId, const Vec3& p) { farthest = std::max(farthest, distance_from(p, given)); });
+    for_each_sample(moved, is_thorough() ? 6 : 2,
+                    [&](FaceId, const Vec3& p) { farthest = std::max(farthest, distance_from(p, given)); });
     EXPECT_GE(bound + 0x1p-54, farthest);  // samples are rounded
     EXPECT_LE(bound, 0x1p-53 * (aside / 20 + 1));
   }

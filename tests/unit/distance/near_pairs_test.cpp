@@ -9,6 +9,7 @@
 
 #include "algebra3d/kernel/distance/detail/rounded_closest.h"
 #include "algebra3d/kernel/distance/distance.h"
+#include "support/rounds.h"
 #include "unit/distance/triangle_set.h"
 
 namespace algebra3d {
@@ -58,7 +59,7 @@ DistanceBounds bounds_of_all_pairs(const DistanceOperand& a, const DistanceOpera
 TEST(NearPairs, of_wavy_sheets_are_the_nearest_of_all) {
   std::mt19937 random(3);  // NOLINT(cert-msc51-cpp): the same sheets each time
   std::uniform_real_distribution<double> coordinate(-2.5, 2.5);
-  for (int round = 0; round < 25; ++round) {
+  for (int round = 0; round < rounds(7); ++round) {
     SCOPED_TRACE(round);
     const double scale = std::ldexp(1.0, (round % 5 - 2) * 200);
     // Some have too few faces for the first pair to be looked for.

@@ -1,6 +1,7 @@
 // Every operator over values at both ends of the range of doubles. Lengths that are multiplied by a power of two
 // multiply what an operator gives by a power of it, which is written down here for each; so the answer for small
 // integers says what the answer for 1e308 and for 5e-324 is.
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -9,6 +10,7 @@
 #include "algebra3d/operators/registry/aggregate.h"
 #include "algebra3d/values/types/codec.h"
 #include "base/propagate.h"
+#include "support/rounds.h"
 #include "unit/operators/call_operator.h"
 #include "unit/operators/range_samples.h"
 
@@ -165,24 +167,35 @@ void expect_law(const Operator& op, const Overload& overload, std::size_t choice
   }
 }
 
+// At 2^340 and 2^509 determinants of three and two differences reach the end of the range.
+constexpr std::array<int, 6> kScales = {1020, 509, 340, -500, -1000, -1074};
+constexpr std::size_t kChoices = 6;
+
 class AtScale : public testing::TestWithParam<int> {};
+
+/// Choices of operands at a scale: one, another at each scale, or all.
+std::vector<std::size_t> choices_at(int scale) {
+  std::vector<std::size_t> choices;
+  for (std::size_t choice = 0; choice < kChoices; ++choice)
+    if (is_thorough() || kScales[choice] == scale) choices.push_back(choice);
+  return choices;
+}
 
 TEST_P(AtScale, operators_give_the_scaled_answer) {
   // The largest length is 8, which becomes 2^1023, or 8 times the smallest double.
   const Rational factor = Rational(std::ldexp(1.0, GetParam()));
   for (const Operator* op : range_registry().operators())
     for (const Overload& overload : op->overloads)
-      for (std::size_t choice = 0; choice < 6; ++choice) {
+      for (const std::size_t choice : choices_at(GetParam())) {
         SCOPED_TRACE(op->name + overload.signature() + " choice " + std::to_string(choice));
         expect_law(*op, overload, choice, factor);
       }
 }
 
-// At 2^340 and 2^509 determinants of three and two differences reach the end of the range.
-INSTANTIATE_TEST_SUITE_P(EndsOfTheRange, AtScale, testing::Values(1020, 509, 340, -500, -1000, -1074),
-                         [](const auto& about) {
-                           return (about.param < 0 ? "minus" : "plus") + std::to_string(std::abs(about.param));
-                         });
+static_assert(kChoices == kScales.size());
+INSTANTIATE_TEST_SUITE_P(EndsOfTheRange, AtScale, testing::ValuesIn(kScales), [](const auto& about) {
+  return (about.param < 0 ? "minus" : "plus") + std::to_string(std::abs(about.param));
+});
 
 TEST(Ranges, samples_cover_every_spatial_type) {
   for (const Type* type : range_registry().types()) EXPECT_TRUE(!type->is_spatial() || is_shape(*type)) << type->name();
@@ -206,8 +219,8 @@ TEST(Ranges, no_operands_break_an_operator) {
     for (const Overload& overload : op->overloads) {
       SCOPED_TRACE(op->name + overload.signature());
       // Predicates have an overload for each pair of types.
-      const std::size_t calls = op->overloads.size() > 10 ? 5 : 25;
-      for (std::size_t i = 0; i < calls; ++i) {
+      const int calls = rounds(op->overloads.size() > 10 ? 1 : 6);
+      for (int i = 0; i < calls; ++i) {
         std::vector<Value> arguments;
         std::string text;
         for (const Parameter& parameter : overload.parameters)

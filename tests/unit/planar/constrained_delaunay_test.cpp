@@ -6,6 +6,7 @@
 #include <functional>
 #include <random>
 
+#include "support/rounds.h"
 #include "unit/planar/checks.h"
 
 namespace algebra3d {
@@ -167,7 +168,7 @@ TEST(ConstrainedDelaunay, long_edges_between_teeth) {
 /// Constraints among few points: what a line opens often has edges that jut out into it, or vertices on the line.
 TEST(ConstrainedDelaunay, random_segments_among_points) {
   auto random = numbers(7);
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < rounds(50); ++round) {
     std::vector<Vec3> places;
     std::vector<DirectedEdge> edges;
     const bool is_grid = round % 2 == 0;
@@ -198,13 +199,15 @@ TEST(ConstrainedDelaunay, large_fractals) {
 }
 
 // A snowflake with a hole of the same shape, and an island in that.
-TEST(ConstrainedDelaunay, a_hundred_thousand_corners) {
+// A hundred thousand, or a quarter of them.
+TEST(ConstrainedDelaunay, many_corners) {
   const Vec3 middle{0.5, std::sqrt(3.0) / 6, 0};
   const auto shrunk = [&](int depth, double factor) {
     return shifted(scaled(snowflake(depth), factor), (1 - factor) * middle.x, (1 - factor) * middle.y);
   };
-  const Polygons polygons = polygons_of({{snowflake(7), shrunk(7, 0.5)}, {shrunk(5, 0.25)}});
-  EXPECT_GT(polygons.corners.size(), 100'000U);
+  const int depth = is_thorough() ? 7 : 6;
+  const Polygons polygons = polygons_of({{snowflake(depth), shrunk(depth, 0.5)}, {shrunk(depth - 2, 0.25)}});
+  EXPECT_GT(polygons.corners.size(), is_thorough() ? 100'000U : 25'000U);
   check(polygons);
 }
 

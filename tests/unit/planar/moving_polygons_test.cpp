@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "algebra3d/kernel/planar/moving_polygons.h"
+#include "support/rounds.h"
 
 namespace algebra3d::moving_polygons_tests {
 namespace {
@@ -384,7 +385,7 @@ TEST(moving_polygons, that_cross_in_corners_all_the_time_are_none) {
 TEST(moving_polygons, random_ones_are_valid_or_not_as_samples_say) {
   std::mt19937 random(11);
   int valid = 0, invalid = 0, for_an_instant = 0;
-  for (int round = 0; round < 4000; ++round) {
+  for (int round = 0; round < rounds(1000); ++round) {
     const int range = 4 + round % 7;
     const auto any = [&] { return static_cast<double>(random() % range); };
     const auto near = [&](double x) { return x + static_cast<double>(random() % 5) - 2; };
@@ -408,9 +409,9 @@ TEST(moving_polygons, random_ones_are_valid_or_not_as_samples_say) {
     // What no sample shows happens for an instant, or for so short a time that none falls in.
     for_an_instant += !defect.empty() && is_valid ? 1 : 0;
   }
-  EXPECT_GT(valid, 100);
-  EXPECT_GT(invalid, 1000);
-  EXPECT_GT(for_an_instant, 20);
+  EXPECT_GT(valid, rounds(25));
+  EXPECT_GT(invalid, rounds(250));
+  EXPECT_GT(for_an_instant, rounds(5));
 }
 
 TEST(moving_polygons, with_changed_coordinates_are_judged_alike) {

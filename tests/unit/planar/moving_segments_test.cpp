@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "algebra3d/kernel/planar/detail/moving_segments.h"
+#include "support/rounds.h"
 
 namespace algebra3d::moving_segments_tests {
 namespace {
@@ -112,7 +113,7 @@ void expect_right(const MovingSegment& ab, const MovingSegment& cd, bool may_tou
 TEST(moving_segments, random_ones_meet_when_samples_say_so) {
   std::mt19937 random(5);
   int clashes = 0, apart = 0, for_an_instant = 0, overlaps = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < rounds(5000); ++i) {
     const int range = 2 + i % 5;
     const auto any = [&] { return static_cast<double>(static_cast<int>(random() % (2 * range + 1)) - range); };
     const MovingSegment ab = segment({any(), any(), any(), any(), any(), any(), any(), any()});
@@ -127,10 +128,10 @@ TEST(moving_segments, random_ones_meet_when_samples_say_so) {
     overlaps += clash && clash->intersection == SegmentIntersection::overlap ? 1 : 0;
     EXPECT_FALSE(clash && surely_apart(ab, cd));
   }
-  EXPECT_GT(clashes, 1000);
-  EXPECT_GT(apart, 1000);
-  EXPECT_GT(for_an_instant, 500);
-  EXPECT_GT(overlaps, 10);
+  EXPECT_GT(clashes, rounds(250));
+  EXPECT_GT(apart, rounds(250));
+  EXPECT_GT(for_an_instant, rounds(125));
+  EXPECT_GT(overlaps, rounds(2));
 }
 
 TEST(moving_segments, vanish_when_samples_say_so) {

@@ -2,6 +2,7 @@
 // damaged, whose volumes are known.
 #include <cmath>
 
+#include "support/rounds.h"
 #include "unit/repair/repaired.h"
 
 namespace algebra3d::soups {
@@ -36,7 +37,7 @@ TriangleSoup squared_box(int n, double size) {
 TEST(HostileDamage, corners_that_are_off_by_one_float_are_joined) {
   for (const double offset : {0.0, 1.0, 100.0})
     for (const int percent : {1, 5, 20, 60})
-      for (int seed = 1; seed <= 4; ++seed) {
+      for (int seed = 1; seed <= rounds(1); ++seed) {
         SCOPED_TRACE(std::to_string(offset) + ", percent " + std::to_string(percent) + ", seed " +
                      std::to_string(seed));
         Chance chance(static_cast<std::uint64_t>(seed));
@@ -70,7 +71,7 @@ TEST(HostileDamage, missing_triangles_are_no_gaps) {
     return Vec3{p.x * 1000, p.y * 0.02, p.z * 0.02};
   }));
   const double expected = solids::exact_volume_of(mesh_of(whole)).nearest_double();
-  for (int seed = 1; seed <= 20; ++seed) {
+  for (int seed = 1; seed <= rounds(5); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Chance chance(static_cast<std::uint64_t>(seed));
     TriangleSoup soup = whole;

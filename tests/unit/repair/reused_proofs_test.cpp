@@ -1,3 +1,4 @@
+#include "support/rounds.h"
 #include "unit/repair/damage.h"
 #include "unit/repair/repaired.h"
 
@@ -39,7 +40,7 @@ TEST(ReusedProofs, give_the_same_solid_for_hand_made_defects) {
 
 TEST(ReusedProofs, give_the_same_solid_for_damaged_bodies) {
   constexpr std::array<Damage, 5> kDamages{turn_some, repeat_some, add_degenerate_ones, divide_some, shuffle_triangles};
-  for (int seed = 1; seed <= 40; ++seed) {
+  for (int seed = 1; seed <= rounds(10); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Chance chance(static_cast<std::uint64_t>(seed));
     TriangleSoup soup = soup_of(body(chance.below(kBodyCount)));
@@ -54,7 +55,7 @@ TEST(ReusedProofs, give_the_same_solid_for_damaged_bodies) {
 }
 
 TEST(ReusedProofs, give_the_same_solid_for_random_triangles) {
-  for (int seed = 1; seed <= 40; ++seed) {
+  for (int seed = 1; seed <= rounds(10); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Chance chance(static_cast<std::uint64_t>(seed));
     TriangleSoup soup;

@@ -14,6 +14,7 @@
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/rounding/detail/bodies_apart.h"
 #include "algebra3d/kernel/validity/validity.h"
+#include "support/rounds.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/rounding/distances.h"
@@ -126,7 +127,7 @@ TriangleMesh boxes_that_nearly_touch(std::uint64_t seed) {
 }
 
 TEST(RoundedSolid, of_boxes_that_nearly_touch_is_found) {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= rounds(10U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const TriangleMesh solid = boxes_that_nearly_touch(seed);
     for (const CoordinateGrid& grid : {CoordinateGrid::doubles(), CoordinateGrid::floats()}) {
@@ -141,7 +142,7 @@ TEST(RoundedSolid, of_boxes_that_nearly_touch_is_found) {
 
 // On a grid that is coarse for the solid nearly everything collides.
 TEST(RoundedSolid, to_a_coarse_grid_is_valid_and_near) {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= rounds(10U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Chance chance(seed);
     const TriangleMesh solid = mapped(geodesic_sphere(6), [&](const Vec3& p) { return (1 + 0.4 * chance.unit()) * p; });
@@ -212,7 +213,7 @@ TriangleMesh sphere_without_itself_turned(int corners, double radians) {
 TEST(RoundedSolid, of_nearly_coincident_spheres_is_found) {
   for (const double radians : {1e-6, 1e-9, 1e-12, 1e-14}) {
     SCOPED_TRACE(radians);
-    const TriangleMesh solid = sphere_without_itself_turned(4, radians);
+    const TriangleMesh solid = sphere_without_itself_turned(is_thorough() ? 4 : 2, radians);
     const auto rounded = rounded_solid(solid, CoordinateGrid::doubles());
     ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
     EXPECT_EQ(prove_volume(*rounded->mesh)->text(), "");

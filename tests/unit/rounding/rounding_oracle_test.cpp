@@ -1,9 +1,8 @@
 // Rounded results of all degenerate families against the definition of a valid solid, by CGAL's exact intersections of
-// all pairs of triangles whose boxes meet. ALGEBRA3D_ROUNDS sets how many solids (60 without it); each is rounded to
-// doubles, to floats and to a coarse grid. Results that moved by more than 64 units are listed.
+// all pairs of triangles whose boxes meet. Each solid is rounded to doubles, to floats and to a coarse grid. Results
+// that moved by more than 64 units are listed.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <string>
@@ -11,6 +10,7 @@
 #include "algebra3d/kernel/exact/affine_map.h"
 #include "algebra3d/kernel/rounding/rounded_solid.h"
 #include "algebra3d/kernel/search/boxes.h"
+#include "support/rounds.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/rounding/faults_by_cgal.h"
@@ -44,12 +44,10 @@ TriangleMesh random_result(std::uint64_t seed) {
 }
 
 TEST(RoundingOracle, rounded_results_are_valid) {
-  const char* rounds = std::getenv("ALGEBRA3D_ROUNDS");
-  const std::uint64_t count = rounds != nullptr ? std::stoull(rounds) : 60;
   int results = 0, moved = 0, far = 0, points_inside = 0;
   std::size_t contacts = 0;
   std::map<std::string, int> methods;
-  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+  for (std::uint64_t seed = 1; seed <= rounds(15U); ++seed) {
     const TriangleMesh solid = random_result(seed);
     const double size = largest_coordinate(solid);
     const double step = size * (0.002 + 0.05 * static_cast<double>(seed % 11) / 11);

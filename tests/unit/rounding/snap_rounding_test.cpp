@@ -9,6 +9,7 @@
 
 #include "algebra3d/kernel/autorefinement/winding_selection.h"
 #include "algebra3d/kernel/validity/validity.h"
+#include "support/rounds.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 
@@ -43,7 +44,7 @@ TEST(SnapRounding, of_what_has_not_moved_is_itself) {
 
 // Whatever the vertices do, every edge keeps its two sides.
 TEST(SnapRounding, stays_closed_however_vertices_move) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= rounds(15U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     SetOperations engine;
     RandomSolids random(seed, engine);

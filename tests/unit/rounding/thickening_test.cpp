@@ -16,6 +16,7 @@
 #include "algebra3d/kernel/rounding/detail/solid_rounding.h"
 #include "algebra3d/kernel/rounding/detail/thickened_faces.h"
 #include "algebra3d/kernel/validity/validity.h"
+#include "support/rounds.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/rounding/distances.h"
@@ -86,7 +87,7 @@ TEST(ThickenedFaces, cover_random_solids) {
 }
 
 TEST(Thickening, rounds_thin_shells) {
-  for (const double degrees : {1e-8, 1e-12}) {
+  for (const double degrees : is_thorough() ? std::vector{1e-8, 1e-12} : std::vector{1e-12}) {
     SCOPED_TRACE(degrees);
     const TriangleMesh solid = thin_shells(degrees);
     const SolidPart whole(solid);
