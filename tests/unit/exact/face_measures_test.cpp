@@ -12,6 +12,7 @@
 
 #include "algebra3d/kernel/exact/counters.h"
 #include "algebra3d/kernel/exact/plane.h"
+#include "support/rounds.h"
 #include "unit/exact/point_families.h"
 
 namespace algebra3d {
@@ -102,13 +103,15 @@ void expect_nearest_of(int count, Coordinate coordinate) {
 }
 
 TEST(FaceMeasures, are_rounded_once) {
-  expect_nearest_of(4000, [](auto& random) { return Rational(std::uniform_real_distribution(-1.0, 1.0)(random)); });
-  expect_nearest_of(4000, [](auto& random) { return Rational(std::uniform_int_distribution(-3, 3)(random)); });
-  expect_nearest_of(2000, [](auto& random) { return Rational(0.1 * std::uniform_int_distribution(-3, 3)(random)); });
+  expect_nearest_of(rounds(1000),
+                    [](auto& random) { return Rational(std::uniform_real_distribution(-1.0, 1.0)(random)); });
+  expect_nearest_of(rounds(1000), [](auto& random) { return Rational(std::uniform_int_distribution(-3, 3)(random)); });
+  expect_nearest_of(rounds(500),
+                    [](auto& random) { return Rational(0.1 * std::uniform_int_distribution(-3, 3)(random)); });
   // Far from the origin, and of all sizes.
-  expect_nearest_of(2000,
+  expect_nearest_of(rounds(500),
                     [](auto& random) { return Rational(1e6 + std::uniform_real_distribution(0.0, 1.0)(random)); });
-  expect_nearest_of(1000, [](auto& random) {
+  expect_nearest_of(rounds(250), [](auto& random) {
     return Rational(
         std::ldexp(std::uniform_real_distribution(-1.0, 1.0)(random), std::uniform_int_distribution(-90, 190)(random)));
   });

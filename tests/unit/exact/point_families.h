@@ -12,6 +12,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include "algebra3d/kernel/exact/predicates.h"
+#include "support/rounds.h"
 
 /// Points for tests of exact geometry, each in both worlds: ours and CGAL's over GMP rationals, which is the oracle.
 namespace algebra3d::point_families {
@@ -165,8 +166,8 @@ inline std::vector<TestPoint> make_points(Family family, Random& random, std::si
 
 /// The oracle's numbers are long where exponents are extreme.
 inline int sample_count(Family family) {
-  if (family == Family::extreme || family == Family::scaled_thirds) return 300;
-  return family == Family::grid ? 4000 : 2000;  // in few samples of a grid all kinds of contact occur
+  if (family == Family::extreme || family == Family::scaled_thirds) return rounds(100);
+  return rounds(family == Family::grid ? 4000 : 600);  // in few samples of a grid all kinds of contact occur
 }
 
 inline int sign_of(CGAL::Sign sign) {

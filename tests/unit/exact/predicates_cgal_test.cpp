@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "algebra3d/kernel/exact/predicates.h"
+#include "support/rounds.h"
 #include "unit/exact/point_families.h"
 
 namespace algebra3d {
@@ -208,7 +209,7 @@ TEST_P(EachFamily, segment_and_triangle_meet_as_in_exact_arithmetic) {
 
 TEST_P(EachFamily, points_on_triangles_and_segments_are_those_of_exact_arithmetic) {
   Random random(17);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < rounds(500); ++i) {
     const auto p = make_points(GetParam(), random, 4);
     const TestTriangle t(p[1], p[2], p[3]);
     if (p[1].oracle != p[2].oracle) {
@@ -223,7 +224,7 @@ TEST_P(EachFamily, points_on_triangles_and_segments_are_those_of_exact_arithmeti
 
 TEST_P(EachFamily, contacts_of_triangles_tell_the_sides_of_corners) {
   Random random(18);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < rounds(500); ++i) {
     const auto p = make_points(GetParam(), random, 6);
     const TestTriangle s(p[0], p[1], p[2]), t(p[3], p[4], p[5]);
     if (s.is_degenerate() || t.is_degenerate()) continue;
@@ -254,12 +255,12 @@ TEST_P(EachFamily, neighbours_meet_beyond_their_common_corner_as_in_exact_arithm
     ASSERT_EQ(meet(1, 2, 4, 3), expected) << "sample " << i;
     ASSERT_EQ(meet(4, 3, 2, 1), expected) << "sample " << i;
   }
-  EXPECT_GT(std::min(seen[0], seen[1]), 10);
+  EXPECT_GT(std::min(seen[0], seen[1]), rounds(3));
 }
 
 TEST_P(EachFamily, neighbours_overlap_beyond_their_common_edge_as_in_exact_arithmetic) {
   Random random(9);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < rounds(500); ++i) {
     const auto p = make_points(GetParam(), random, 4);
     const TestTriangle s(p[0], p[1], p[2]), t(p[0], p[1], p[3]);
     if (s.is_degenerate() || t.is_degenerate()) continue;

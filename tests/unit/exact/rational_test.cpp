@@ -14,6 +14,7 @@
 #include <mpfr.h>
 
 #include "algebra3d/kernel/exact/counters.h"
+#include "support/rounds.h"
 
 namespace algebra3d {
 namespace {
@@ -293,8 +294,8 @@ void expect_roundings_of(const Rational& number) {
 
 TEST(Rational, roundings_agree_with_mpfr) {
   NumberSource source;
-  for (int round = 0; round < 40'000; ++round) expect_roundings_of(source.number());
-  for (int round = 0; round < 20'000; ++round) {
+  for (int round = 0; round < rounds(10'000); ++round) expect_roundings_of(source.number());
+  for (int round = 0; round < rounds(5000); ++round) {
     const double value = source.any_double();
     const Rational exact(value);
     ASSERT_TRUE(exact.is_double());

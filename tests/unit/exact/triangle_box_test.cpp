@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "algebra3d/kernel/exact/triangle_box.h"
+#include "support/rounds.h"
 #include "unit/exact/point_families.h"
 
 namespace algebra3d {
@@ -20,7 +21,7 @@ INSTANTIATE_TEST_SUITE_P(families, TriangleBox, testing::ValuesIn(kFamilies));
 TEST_P(TriangleBox, meets_as_cgal_says) {
   Random random(7);
   int met = 0, tested = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < rounds(750); ++i) {
     const auto p = make_points(GetParam(), random, 5);
     if (collinear(p[0].ours, p[1].ours, p[2].ours)) continue;
     // Boxes have doubles as corners.

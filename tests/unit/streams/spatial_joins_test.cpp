@@ -13,6 +13,7 @@
 #include "queries/streams/detail/nearest_join.h"
 #include "queries/streams/detail/refined_join.h"
 #include "queries/streams/detail/spatial_pairs.h"
+#include "support/rounds.h"
 #include "unit/streams/stream_fixture.h"
 
 namespace queries {
@@ -122,7 +123,7 @@ TEST_F(SpatialJoins, find_the_nearest_partners_with_little_memory) {
 // The boxes are few different ones, so that most distances occur many times, 0 among them.
 TEST_F(SpatialJoins, find_the_nearest_partners_among_equal_distances) {
   for (const int extent : {1, 2, 9}) {
-    const auto probes = random_boxes(60, extent), partners = random_boxes(600, extent);
+    const auto probes = random_boxes(algebra3d::rounds(15U), extent), partners = random_boxes(600, extent);
     for (const std::size_t count : {1, 5, 100})
       EXPECT_EQ(nearest(probes, partners, count), nearest_pairs(probes, partners, count));
     auto away = partners;
