@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "support/rounds.h"
 #include "unit/rtree/rtree_samples.h"
 
 // Boxes that differ by less than keys of 32 bits can tell: compared with a scan over the doubles.
@@ -63,7 +64,7 @@ Pairs pairs_of(BoxTree::JoinCursor cursor) {
 }
 
 template <typename Coordinate>
-void expect_exact(const Coordinate& coordinate, std::size_t count = 300) {
+void expect_exact(const Coordinate& coordinate, std::size_t count = algebra3d::is_thorough() ? 300 : 150) {
   const Entries first = entries_of(coordinate, count, 1), second = entries_of(coordinate, count, 2);
   const std::vector<Box3> first_boxes = boxes_of(first), second_boxes = boxes_of(second);
   const Tree bulk = Tree::bulk_load(first), grown = samples::inserted(first);

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "base/scheduler.h"
+#include "support/rounds.h"
 #include "unit/rtree/rtree_samples.h"
 
 namespace rtree {
@@ -343,7 +344,7 @@ TEST(Image, damaged_bytes_do_no_harm) {
   const StoredImage sound = stored(tree);
   std::mt19937_64 random(9);
   std::size_t refused = 0, used = 0;
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < algebra3d::rounds(750); ++round) {
     StoredImage image = sound;
     ByteVector* const arrays[] = {&image.header, &image.inner, &image.leaves};
     for (std::size_t times = random() % 3 + 1; times > 0; --times) {
@@ -364,8 +365,8 @@ TEST(Image, damaged_bytes_do_no_harm) {
       }
     }
   }
-  EXPECT_GT(refused, 300U);
-  EXPECT_GT(used, 300U);
+  EXPECT_GT(refused, algebra3d::rounds(75U));
+  EXPECT_GT(used, algebra3d::rounds(75U));
 }
 
 }  // namespace
