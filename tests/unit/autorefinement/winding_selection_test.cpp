@@ -7,6 +7,7 @@
 
 #include "algebra3d/kernel/exact/vertical_line.h"
 #include "algebra3d/kernel/halfedge/topology.h"
+#include "support/rounds.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/validity/sample_meshes.h"
@@ -92,7 +93,7 @@ TEST(WindingSolid, of_one_large_part_and_many_small_ones) {
 
 // Set operations on valid solids are what winding numbers of their triangles, thrown together, say as well.
 TEST(WindingSolid, of_two_solids_is_union_intersection_and_difference) {
-  for (int seed = 1; seed <= 60; ++seed) {
+  for (int seed = 1; seed <= rounds(15); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     SetOperations engine;
     RandomSolids random(static_cast<std::uint64_t>(seed), engine);
@@ -157,10 +158,10 @@ TEST(WindingSolid, closes_what_degenerate_triangles_held_together) {
 
 // The oracle counts crossings of vertical lines with all triangles of the crumpled mesh.
 TEST(WindingSolid, of_crumpled_spheres_holds_the_places_with_its_winding_number) {
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= rounds(6U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Chance chance(seed);
-    const TriangleMesh crumpled = mapped(geodesic_sphere(4), [&](const Vec3& p) {
+    const TriangleMesh crumpled = mapped(geodesic_sphere(is_thorough() ? 4 : 3), [&](const Vec3& p) {
       const Vec3 push{chance.unit(), chance.unit(), chance.unit()};
       const Vec3 moved = p + (seed % 3 == 0 ? 1.5 : 0.4) * push;
       if (seed % 2 == 0) return moved;
@@ -170,7 +171,7 @@ TEST(WindingSolid, of_crumpled_spheres_holds_the_places_with_its_winding_number)
     const TriangleMesh welded = together({&crumpled});
     const TriangleMesh positive = inside_of(welded);
     const TriangleMesh twofold = solid_of(welded, [](int winding) { return winding == 2; });
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < (is_thorough() ? 60 : 30); ++i) {
       const ExactPoint point(Vec3{4 * chance.unit(), 4 * chance.unit(), 4 * chance.unit()});
       const int winding = winding_about(welded, point);
       EXPECT_EQ(winding_about(positive, point), static_cast<int>(winding > 0));
