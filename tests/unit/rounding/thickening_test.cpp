@@ -33,7 +33,7 @@ TriangleMesh cells_with_thick_faces(const TriangleMesh& closed, const Thickness&
 
 /// A sphere without itself turned by so many degrees.
 TriangleMesh thin_shells(double degrees) {
-  const TriangleMesh sphere = geodesic_sphere(2);
+  const TriangleMesh sphere = geodesic_sphere(is_thorough() ? 2 : 1);
   const AffineMap turn = *AffineMap::rotation(RationalVec3(Vec3{0, 0, 0}), RationalVec3(Vec3{1, 2, 3}), degrees);
   return SetOperations().subtract(sphere,
                                   mapped(sphere, [&](const Vec3& p) { return turn.apply_rounded(ExactPoint(p)); }));
