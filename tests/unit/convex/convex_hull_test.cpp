@@ -1,6 +1,5 @@
 // Hulls of random points, most of them degenerate. CGAL's exact kernel tells that a hull is the hull: it bounds a valid
 // solid, no point is in front of a facet, and the normals at each vertex, which is one of the points, span the space.
-// ALGEBRA3D_ROUNDS sets the number of sets.
 #include "algebra3d/kernel/convex/convex_hull.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include <cstdlib>
 
 #include "support/cgal_verdict.h"
+#include "support/rounds.h"
 #include "unit/convex/clouds.h"
 
 namespace algebra3d {
@@ -60,8 +60,7 @@ void expect_equal(const TriangleMesh& a, const TriangleMesh& b) {
 }
 
 TEST(convex_hull, cgal_agrees_on_random_sets) {
-  const char* rounds = std::getenv("ALGEBRA3D_ROUNDS");
-  const int count = rounds == nullptr ? 200 : std::atoi(rounds);
+  const int count = rounds(50);
   int solid_count = 0;
   for (int seed = 0; seed < count; ++seed) {
     SCOPED_TRACE(seed);

@@ -9,9 +9,8 @@
 #include <CGAL/Min_sphere_annulus_d_traits_d.h>
 #include <CGAL/Min_sphere_d.h>
 
-#include <cstdlib>
-
 #include "algebra3d/kernel/exact/plane.h"
+#include "support/rounds.h"
 #include "unit/convex/clouds.h"
 
 namespace algebra3d {
@@ -38,9 +37,7 @@ Rational squared_distance(const RationalVec3& a, const RationalVec3& b) {
 }
 
 TEST(enclosing_ball, cgal_agrees_on_random_sets) {
-  const char* rounds = std::getenv("ALGEBRA3D_ROUNDS");
-  const int count = rounds == nullptr ? 100 : std::atoi(rounds);
-  for (int seed = 0; seed < count; ++seed) {
+  for (int seed = 0; seed < rounds(50); ++seed) {
     SCOPED_TRACE(seed);
     const std::vector<ExactPoint> points = clouds::Cloud(static_cast<std::uint64_t>(seed)).draw();
     const PointArray array = array_of(points);
