@@ -2,7 +2,6 @@
 // in random sequences against an oracle that knows lists of corners only (face_list_edits.h).
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <random>
 
 #include "algebra3d/kernel/halfedge/audit.h"
@@ -10,6 +9,7 @@
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "face_list_edits.h"
 #include "mesh_samples.h"
+#include "support/rounds.h"
 
 namespace algebra3d {
 namespace {
@@ -197,8 +197,7 @@ class ComparedEdits {
 
 TEST(MeshEditorSlits, random_edits_are_those_of_face_lists) {
   constexpr std::size_t kEditsOfAMesh = 25;
-  const char* wanted = std::getenv("ALGEBRA3D_EDITS");
-  const std::size_t meshes = (wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 15'000) / kEditsOfAMesh;
+  const std::size_t meshes = rounds(600U);
   RandomMeshes random(1);
   std::size_t edited = 0;
   for (std::size_t mesh = 0; mesh < meshes && !testing::Test::HasFailure(); ++mesh) {

@@ -5,13 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <optional>
 #include <random>
 
 #include "algebra3d/kernel/halfedge/audit.h"
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "mesh_samples.h"
+#include "support/rounds.h"
 
 namespace algebra3d {
 namespace {
@@ -309,8 +309,7 @@ class RandomEdits {
 };
 
 TEST(MeshEditor, random_edits_keep_a_manifold) {
-  const char* wanted = std::getenv("ALGEBRA3D_EDITS");
-  const std::size_t edits = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 20'000;
+  const std::size_t edits = rounds(20'000U);
   const std::vector<PolygonMesh> starts{
       polygons(kCube, 8), polygons(samples::octahedron()), polygons(samples::grid(6, 7, true, true)),
       polygons(samples::grid(5, 8, true, false)), polygons(samples::grid(6, 6, false, false))};
