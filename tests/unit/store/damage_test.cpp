@@ -2,6 +2,7 @@
 #include <random>
 
 #include "base/propagate.h"
+#include "support/rounds.h"
 #include "unit/store/store_fixture.h"
 
 namespace queries {
@@ -80,14 +81,14 @@ class StoreDamage : public StoreTest {
   }
 };
 
-TEST_F(StoreDamage, a_thousand_random_bits_and_truncations_give_an_error_or_the_right_answer) {
+TEST_F(StoreDamage, random_bits_and_truncations_give_an_error_or_the_right_answer) {
   let_everything(25);
   const std::string whole = bytes(path());
   const auto expected = contents();
   ASSERT_TRUE(expected.ok()) << expected.error().text();
   std::mt19937 random(11);
   int errors = 0;
-  for (int round = 0; round < 1000; ++round) {
+  for (int round = 0; round < algebra3d::rounds(250); ++round) {
     std::string damaged = whole;
     const std::size_t byte = random() % damaged.size();
     const bool is_cut = round % 10 == 9;
@@ -109,7 +110,7 @@ TEST_F(StoreDamage, a_thousand_random_bits_and_truncations_give_an_error_or_the_
     if (HasFailure()) return;
   }
   // Most of the file is data that no change leaves as it is; the rest is free space, which nobody misses.
-  EXPECT_GT(errors, 250);
+  EXPECT_GT(errors, algebra3d::rounds(62));
 }
 
 TEST_F(StoreDamage, a_changed_value_is_named) {
