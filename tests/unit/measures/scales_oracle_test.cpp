@@ -1,6 +1,6 @@
 // Searches in rounded arithmetic before exact decisions, at all ratios of scale: sets of sizes, and at distances, from
 // 2^-80 to 2^80, whose coordinates are doubles or not, against CGAL's distances over GMP rationals and against signs of
-// rational determinants. ALGEBRA3D_ROUNDS sets the number of pairs of each kind.
+// rational determinants.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,5 +1,5 @@
 // Clashes, contacts, common volumes and hits of rays of random sets of unit cells, where all can be counted. Most pairs
-// touch in corners, edges or faces, or have parts of faces in common. ALGEBRA3D_ROUNDS sets the number of pairs.
+// touch in corners, edges or faces, or have parts of faces in common.
 #include <gtest/gtest.h>
 
 #include <cmath>

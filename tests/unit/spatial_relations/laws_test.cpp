@@ -1,11 +1,9 @@
 // Relations of solids against set operations, also of solids that are results of these and have fractions: interiors
 // meet if the intersection is not empty, and a solid is inside another if nothing of it is left without that one.
-// ALGEBRA3D_ROUNDS sets the number of pairs.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "algebra3d/values/spatial_relations/relation.h"
+#include "support/rounds.h"
 #include "unit/arrangement/random_solids.h"
 
 namespace algebra3d {
@@ -33,9 +31,7 @@ void expect_laws(solids::SetOperations& engine, const TriangleMesh& a, const Tri
 }
 
 TEST(SpatialRelationLaws, set_operations_agree) {
-  const char* rounds = std::getenv("ALGEBRA3D_ROUNDS");
-  const int count = rounds == nullptr ? 25 : std::atoi(rounds);
-  for (int seed = 0; seed < count; ++seed) {
+  for (int seed = 0; seed < rounds(20); ++seed) {
     SCOPED_TRACE(seed);
     solids::SetOperations engine;
     solids::RandomSolids draw(static_cast<std::uint64_t>(seed), engine);
