@@ -80,6 +80,7 @@ class MeasuredNode final : public TypedNode {
     return measured(std::move(result).value(), step_);
   }
   bool is_always_defined() const override { return node_->is_always_defined(); }
+  bool never_fails() const override { return node_->never_fails(); }
 
  private:
   TypedPtr node_;

@@ -1,5 +1,6 @@
 #include "queries/language/typed_tree.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -52,6 +53,7 @@ class ConstantNode final : public TypedNode {
     const auto* value = std::get_if<Value>(&value_.content);
     return value != nullptr && value->is_defined();
   }
+  bool never_fails() const override { return true; }
 
  private:
   Datum value_;
@@ -65,6 +67,7 @@ class UndefinedNode final : public ValueNode {
     context.diagnostics.report_undefined(reason_);
     return value_;
   }
+  bool never_fails() const override { return true; }
 
  private:
   Value value_;
@@ -96,6 +99,7 @@ class ParameterNode final : public TypedNode {
     for (std::size_t level = 0; level < level_; ++level) frame = frame->outer;
     return &frame->arguments[index_];
   }
+  bool never_fails() const override { return true; }
 
  private:
   std::size_t level_;
@@ -111,6 +115,7 @@ class AttributeNode final : public ValueNode {
     A3D_ASSIGN(const Datum tuple, tuple_->evaluate(frame, context));
     return tuple.tuple()->attributes[index_];
   }
+  bool never_fails() const override { return tuple_->never_fails(); }
 
  private:
   TypedPtr tuple_;
@@ -154,30 +159,40 @@ class ValueCallNode final : public ValueNode {
       if (!call_.overload->parameters[place].accepts_undefined && !arguments_[place]->is_always_defined()) return false;
     return true;
   }
+  bool never_fails() const override {
+    return call_.overload->never_fails &&
+           std::ranges::all_of(arguments_, [](const TypedPtr& argument) { return argument->never_fails(); });
+  }
 
  private:
   ResolvedCall call_;
   std::vector<TypedPtr> arguments_;
 };
 
-/// `and` or `or` whose second operand is always defined, so that it does not matter where the first one decides: it is
-/// not evaluated then, and gives no notes.
+/// `and` or `or` whose second operand is not evaluated where the first one decides, with which it gives no notes
+/// either.
 class ShortCircuitNode final : public ValueNode {
  public:
-  ShortCircuitNode(bool decisive, TypedPtr first, TypedPtr second, SourcePlace place)
+  ShortCircuitNode(bool decisive, ResolvedCall call, TypedPtr first, TypedPtr second, SourcePlace place)
       : ValueNode("bool", std::move(place)),
         decisive_(decisive),
+        call_(call),
         first_(std::move(first)),
         second_(std::move(second)) {}
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
     A3D_ASSIGN(const Value first, first_->evaluate_value(frame, context));
-    if (!first.is_defined() || first.get<bool>() == decisive_) return first;
-    return second_->evaluate_value(frame, context);
+    if (first.is_defined() && first.get<bool>() == decisive_) return first;
+    A3D_ASSIGN(const Value second, second_->evaluate_value(frame, context));
+    if (first.is_defined()) return second;
+    std::array<Value, 2> operands{first, second};
+    return Registry::call(call_, operands, context);
   }
-  bool is_always_defined() const override { return first_->is_always_defined(); }
+  bool is_always_defined() const override { return first_->is_always_defined() && second_->is_always_defined(); }
+  bool never_fails() const override { return first_->never_fails() && second_->never_fails(); }
 
  private:
   bool decisive_;
+  ResolvedCall call_;
   TypedPtr first_;
   TypedPtr second_;
 };
@@ -338,6 +353,7 @@ class ConversionNode final : public ValueNode {
   bool is_always_defined() const override { return argument_->is_always_defined(); }
 
  private:
+  bool never_fails() const override { return argument_->never_fails(); }
   TypedPtr argument_;
   const algebra3d::Type& to_;
 };
@@ -373,8 +389,8 @@ TypedPtr make_value_call(ResolvedCall call, std::vector<TypedPtr> arguments, Sou
   if (call.overload->kind() == algebra3d::OperatorKind::table)
     return std::make_shared<TableCallNode>(call, std::move(arguments), std::move(place));
   const bool is_and = call.op->name == "and";
-  if ((is_and || call.op->name == "or") && arguments[1]->is_always_defined())
-    return std::make_shared<ShortCircuitNode>(!is_and, std::move(arguments[0]), std::move(arguments[1]),
+  if ((is_and || call.op->name == "or") && (arguments[1]->is_always_defined() || arguments[1]->never_fails()))
+    return std::make_shared<ShortCircuitNode>(!is_and, call, std::move(arguments[0]), std::move(arguments[1]),
                                               std::move(place));
   return std::make_shared<ValueCallNode>(call, std::move(arguments), std::move(place));
 }

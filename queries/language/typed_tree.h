@@ -37,6 +37,8 @@ class TypedNode : public std::enable_shared_from_this<TypedNode> {
   virtual const Datum* find(const Frame* /*frame*/) const { return nullptr; }
   /// True if the value is defined for all arguments.
   virtual bool is_always_defined() const { return false; }
+  /// True if the evaluation ends in no error, whatever the arguments; exhausted memory and interruptions do not count.
+  virtual bool never_fails() const { return false; }
 
  protected:
   TypedNode(TypeExpr type, SourcePlace place) : type_(std::move(type)), place_(std::move(place)) {}

@@ -30,6 +30,7 @@ Overload comparison(const Type& left, const Type& right, Test holds) {
   Overload overload;
   overload.is_symmetric = &left == &right && holds(std::strong_ordering::less) == holds(std::strong_ordering::greater);
   overload.is_total = true;
+  overload.never_fails = !left.is_large() && !right.is_large();
   overload.parameters = {{"a", &left}, {"b", &right}};
   overload.result = &TypeOf<bool>::type();
   overload.function = [holds](std::span<const Value> values, Context&) -> Result<Outcome> {
@@ -45,6 +46,7 @@ Overload comparison(const Type& left, const Type& right, Test holds) {
 Overload range_test(const Type& type, const Type& lower, const Type& upper) {
   Overload overload;
   overload.is_total = true;
+  overload.never_fails = !type.is_large();
   overload.parameters = {{"x", &type}, {"low", &lower}, {"high", &upper}};
   overload.result = &TypeOf<bool>::type();
   overload.function = [](std::span<const Value> values, Context&) -> Result<Outcome> {
@@ -59,6 +61,7 @@ Overload range_test(const Type& type, const Type& lower, const Type& upper) {
 Overload definedness(const Type& type) {
   Overload overload;
   overload.is_total = true;
+  overload.never_fails = true;
   overload.parameters = {{"x", &type, true}};
   overload.result = &TypeOf<bool>::type();
   overload.function = [](std::span<const Value> values, Context&) -> Result<Outcome> {
@@ -69,6 +72,7 @@ Overload definedness(const Type& type) {
 
 Overload choice(const Type& type) {
   Overload overload;
+  overload.never_fails = true;
   overload.parameters = {{"condition", &TypeOf<bool>::type(), true}, {"yes", &type, true}, {"no", &type, true}};
   overload.result = &type;
   overload.function = [](std::span<const Value> values, Context&) -> Result<Outcome> {

@@ -83,6 +83,7 @@ struct Overload {
   bool gives_elements = false;        ///< of a table of one column: its rows are plain values (see Elements)
   bool is_total = false;              ///< the function never returns undefined
   bool is_symmetric = false;          ///< two parameters of one type can be exchanged without effect
+  bool never_fails = false;           ///< the function returns no error, and loads no geometry
   bool counts_undefined = false;      ///< of an aggregate: reports how many undefined values it left out
   /// Of a scalar. Arguments have exactly the parameter types, and are undefined only where accepted. Loads arguments as
   /// needed.

@@ -83,6 +83,7 @@ struct ResultOf {
   using Returned = Outcome;
   static constexpr bool kIsTable = false;
   static constexpr bool kIsTotal = !std::is_same_v<T, double>;
+  static constexpr bool kNeverFails = true;
   static void describe(Overload& overload) { overload.result = &TypeOf<T>::type(); }
   static Result<Outcome> outcome(T result) {
     if constexpr (std::is_same_v<T, double>)
@@ -97,6 +98,7 @@ struct ResultOf<Rows<T...>> {
   using Returned = TableOutcome;
   static constexpr bool kIsTable = true;
   static constexpr bool kIsTotal = false;
+  static constexpr bool kNeverFails = false;  // a row may fail
   static void describe(Overload& overload) {
     for (const Type* type : Rows<T...>::types()) overload.columns.push_back({"", type});
   }
@@ -159,6 +161,7 @@ struct OverloadMaker {
   template <typename P>
   using Argument = ArgumentOf<std::remove_cvref_t<P>>;
 
+  static constexpr bool kNeverFails = false;
   template <std::size_t... Index>
   static Result<Returned> call([[maybe_unused]] std::span<const Value> given, Context& context,
                                std::index_sequence<Index...> places) {
@@ -194,6 +197,12 @@ struct OverloadMaker {
     [[maybe_unused]] std::size_t place = 0;
     (overload.parameters.push_back(
          {std::string(names[place++]), &Argument<Parameters>::type(), Argument<Parameters>::kAcceptsUndefined}),
+  /// Whether an argument may be deferred, and is loaded before the call.
+  template <typename P>
+  static bool may_load() {
+    return Argument<P>::kNeedsContent && Argument<P>::type().is_large();
+  }
+
      ...);
     Results::describe(overload);
     overload.is_total = Results::kIsTotal;
@@ -211,6 +220,7 @@ struct OverloadMaker {
 template <auto Function, typename Signature>
 struct SignatureOf;
 
+    overload.never_fails = Results::kNeverFails && (!may_load<Parameters>() && ...);
 template <auto Function, typename Return, typename... Parameters>
 struct SignatureOf<Function, Return (*)(Parameters...)> : OverloadMaker<Function, false, Return, Parameters...> {
   static constexpr std::size_t kParameters = sizeof...(Parameters);

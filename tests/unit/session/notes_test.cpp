@@ -35,10 +35,21 @@ TEST_F(Notes, what_is_not_evaluated_notes_nothing) {
   EXPECT_EQ(session_.notes(), "");
   EXPECT_EQ(session_.run("query Shapes feed filter[not(isdefined(.Shape)) or not(isEmpty(.Shape))] count"), "4");
   EXPECT_EQ(session_.notes(), "");
-  // Where the second operand may be undefined, it decides, too.
-  EXPECT_EQ(session_.run("query (1 = 2) and [const bool value undefined]"), "undefined");
-  EXPECT_EQ(session_.run("query (1 = 1) or (1 / 0 > 1)"), "undefined");
+  // Also where the second operand may be undefined, but not end in an error.
+  EXPECT_EQ(session_.run("query (1 = 1) or (1 / 0 > 1)"), "TRUE");
+  EXPECT_EQ(session_.notes(), "");
+  EXPECT_EQ(session_.run("query Shapes feed filter[(.No # 3) and (6 / (.No - 3) > 1)] count"), "2");
+  EXPECT_EQ(session_.notes(), "");
+}
+
+TEST_F(Notes, operands_that_do_not_decide_note_why_they_are_undefined) {
+  EXPECT_EQ(session_.run("query (1 / 0 > 1) or (1 = 1)"), "TRUE");
   EXPECT_EQ(session_.notes(), "/: division by zero\n");
+  EXPECT_EQ(session_.run("query (1 / 0 > 1) and (1 = 1)"), "undefined");
+  EXPECT_EQ(session_.notes(), "/: division by zero\n");
+  // Loading a solid could end in an error, so it is loaded; the notes are those of its evaluation.
+  EXPECT_EQ(session_.run("query (1 = 2) and (volume(importSTL('gone.stl')) > 1)"), "FALSE");
+  EXPECT_NE(session_.notes().find("importSTL"), std::string::npos);
 }
 
 TEST_F(Notes, a_filter_by_an_index_tells_why_its_operand_is_undefined) {
