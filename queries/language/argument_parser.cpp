@@ -9,24 +9,44 @@ namespace queries {
 
 using algebra3d::SyntaxPattern;
 
-Status ExpressionParser::places(const SyntaxPattern& pattern, std::string_view close,
+namespace {
+
+/// Whether `,` and `;` separate alike here: before the last argument, after one attribute, as in joins. After a list of
+/// attributes they do not.
+bool takes_either_separator(const SyntaxPattern& pattern, std::size_t index) {
+  return index > 0 && index + 1 >= pattern.places.size() && index <= pattern.places.size() &&
+         pattern.places[index - 1].kind == SyntaxPattern::PlaceKind::attribute;
+}
+
+}  // namespace
+
+Status ExpressionParser::places(const algebra3d::Operator& op, std::string_view close,
                                 std::vector<Argument>& arguments) {
-  const std::string context = "in the arguments of '" + pattern.name + "'";
+  const SyntaxPattern& pattern = registry_.syntax(op);
+  const auto expect_here = [&](std::string_view spelling) -> Status {
+    if (accept(spelling)) return {};
+    return unexpected_in(op, fmt::format("'{}' in the arguments of '{}'", spelling, pattern.name));
+  };
   std::size_t index = 0;
   while (index < pattern.places.size() || pattern.is_open_ended || !at(close)) {
     const bool is_declared = index < pattern.places.size();
     const Place place = is_declared ? pattern.places[index] : Place{};
     const bool may_be_empty = place.kind == SyntaxPattern::PlaceKind::attributes && index + 1 < pattern.places.size();
     if (at(close) && !may_be_empty) break;
-    if (index > 0) A3D_TRY(expect(is_declared && place.before == ';' ? ";" : ",", context));
+    const char separator = is_declared ? place.before : ',';
+    if (takes_either_separator(pattern, index) && accept(separator == ';' ? "," : ";")) {
+      // The other separator than the one in the syntax.
+    } else if (index > 0) {
+      A3D_TRY(expect_here(std::string_view(&separator, 1)));
+    }
     A3D_ASSIGN(Argument next, argument(place));
     arguments.push_back(std::move(next));
     ++index;
     if (at(close) || at(",") || at(";")) continue;
     const bool is_incomplete = index < pattern.places.size() && pattern.places[index].before == ';';
-    return expect(is_incomplete ? ";" : close, context);
+    return expect_here(is_incomplete ? ";" : close);
   }
-  return expect(close, context);
+  return expect_here(close);
 }
 
 Result<Argument> ExpressionParser::argument(const Place& place) {

@@ -3,6 +3,7 @@
 #include "algebra3d/operators/registry/operator.h"
 #include "base/propagate.h"
 #include "queries/language/checker.h"
+#include "queries/language/parser.h"
 
 namespace queries {
 
@@ -136,11 +137,11 @@ Result<TypedPtr> Checker::check(const FunctionCall& call, const SourcePlace& pla
       return Error(ErrorCode::unknown_name, "there is no function '{}'; the operator of that name is written {}",
                    call.name, op->written())
           .at(place);
-    std::string suggestion = registry_.suggestion(call.name);
-    if (suggestion.empty()) suggestion = algebra3d::nearest_name(call.name, objects_.names());
-    return Error(ErrorCode::unknown_name, "unknown operator '{}'{}", call.name,
-                 suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?")
-        .at(place);
+    std::string hint = did_you_mean(call.name, registry_);
+    if (const std::string object = algebra3d::nearest_name(call.name, objects_.names());
+        hint.empty() && !object.empty())
+      hint = ", did you mean '" + object + "'?";
+    return Error(ErrorCode::unknown_name, "unknown operator '{}'{}", call.name, hint).at(place);
   }
   const TypeExpr& type = (*function)->type();
   if (!type.is_function())

@@ -19,7 +19,7 @@ using algebra3d::SyntaxPattern;
 using Kind = Token::Kind;
 using Shape = SyntaxPattern::Shape;
 
-constexpr std::array<std::pair<std::string_view, int>, 10> kPrecedences = {{
+constexpr std::array<std::pair<std::string_view, int>, 11> kPrecedences = {{
     {"or", 1},
     {"and", 2},
     {"+", 4},
@@ -30,6 +30,7 @@ constexpr std::array<std::pair<std::string_view, int>, 10> kPrecedences = {{
     {"/", 5},
     {"div", 5},
     {"mod", 5},
+    {"intersection", 5},
 }};
 
 // Every infix operator that the table leaves out is a predicate and stands with the comparisons.
@@ -96,16 +97,26 @@ const Operator* ExpressionParser::operator_at(Shape shape) {
   return op != nullptr && registry_.syntax(*op).shape == shape ? op : nullptr;
 }
 
+bool ExpressionParser::at_call_of_infix() {
+  const Operator* op = operator_at(Shape::infix);
+  return op != nullptr && op->also_prefix && scanner_.peek(1).is("(") && scanner_.has_comma_in_next_parentheses();
+}
+
+const Operator* ExpressionParser::infix_operator_at() {
+  return at_call_of_infix() ? nullptr : operator_at(Shape::infix);
+}
+
 // Precedence climbing; all operators group to the left.
 Result<ExpressionPtr> ExpressionParser::binary(int lowest_precedence) {
   A3D_TRY(deeper());
   ++depth_;
   A3D_ASSIGN(ExpressionPtr left, chain());
   A3D_TRY(check_height(*left));
-  for (const Operator* op = operator_at(Shape::infix); op != nullptr; op = operator_at(Shape::infix)) {
+  for (const Operator* op = infix_operator_at(); op != nullptr; op = infix_operator_at()) {
     const int precedence = precedence_of(op->name);
     if (precedence < lowest_precedence) break;
     const SourcePlace place = scanner_.take().place;
+    if (at_argument_brackets()) return unexpected_in(*op, "an operand after '" + op->name + "'");
     A3D_ASSIGN(ExpressionPtr right, binary(precedence + 1));
     left =
         make(place, Application{op->name, {value_argument(std::move(left)), value_argument(std::move(right))}, false});
@@ -169,7 +180,7 @@ bool ExpressionParser::starts_operand() {
       return token.text == "(" || token.text == "[";
     case Kind::word: {
       if (token.text == "fun" || token.text == "group" || token.text == "tuple") return true;
-      return !is_reserved(token.text) && operator_at(Shape::infix) == nullptr;
+      return !is_reserved(token.text) && infix_operator_at() == nullptr;
     }
     default:
       return true;
@@ -215,7 +226,8 @@ Result<ExpressionPtr> ExpressionParser::primary() {
     A3D_TRY(expect(")", "to close the bracket"));
     return inner;
   }
-  return unexpected("an operand");
+  const Operator* const op = token.kind == Kind::special ? registry_.find_operator(token.text) : nullptr;
+  return op == nullptr ? unexpected("an operand") : unexpected_in(*op, "an operand");
 }
 
 Result<ExpressionPtr> ExpressionParser::word_primary() {
@@ -230,13 +242,13 @@ Result<ExpressionPtr> ExpressionParser::word_primary() {
   scanner_.take();
   if (op != nullptr && at("(")) {
     if (registry_.syntax(*op).shape == Shape::prefix) return prefix_application(*op, token.place);
-    if (op->also_prefix) return call_of_postfix(*op, token.place);
+    if (op->also_prefix) return call_of_operator(*op, token.place);
   }
   return name_or_call(token);
 }
 
-// `rect2region(r)` for `r rect2region`.
-Result<ExpressionPtr> ExpressionParser::call_of_postfix(const Operator& op, const SourcePlace& place) {
+// `rect2region(r)` for `r rect2region`, `intersection(a, b)` for `a intersection b`.
+Result<ExpressionPtr> ExpressionParser::call_of_operator(const Operator& op, const SourcePlace& place) {
   A3D_ASSIGN(const ExpressionPtr written, function_call(op.name, place));
   Application application{op.name, {}, true};
   for (const ExpressionPtr& operand : std::get<FunctionCall>(written->node).arguments)
@@ -257,7 +269,7 @@ Result<ExpressionPtr> ExpressionParser::name_or_call(const Token& token) {
 Result<ExpressionPtr> ExpressionParser::prefix_application(const Operator& op, SourcePlace place) {
   scanner_.take();
   Application application{op.name, {}, true};
-  A3D_TRY(places(registry_.syntax(op), ")", application.arguments));
+  A3D_TRY(places(op, ")", application.arguments));
   return make(std::move(place), std::move(application));
 }
 
@@ -269,13 +281,18 @@ Result<ExpressionPtr> ExpressionParser::function_call(std::string function, Sour
     call.arguments.push_back(std::move(argument));
     if (!accept(",")) break;
   }
-  A3D_TRY(expect(")", "to close the arguments of '" + call.name + "'"));
+  if (!accept(")")) {
+    const std::string expected = "')' to close the arguments of '" + call.name + "'";
+    const Operator* const op = registry_.find_operator(call.name);
+    return op == nullptr ? unexpected(expected) : unexpected_in(*op, expected);
+  }
   return make(std::move(place), std::move(call));
 }
 
 Status ExpressionParser::postfix_application(const Operator& op, std::vector<ExpressionPtr>& operands) {
   const SyntaxPattern& pattern = registry_.syntax(op);
-  const SourcePlace place = scanner_.take().place;
+  const Token word = scanner_.take();
+  const SourcePlace& place = word.place;
   Application application{op.name, {}, false};
   const auto first = operands.end() - static_cast<std::ptrdiff_t>(pattern.operand_count);
   for (auto operand = first; operand != operands.end(); ++operand)
@@ -284,8 +301,10 @@ Status ExpressionParser::postfix_application(const Operator& op, std::vector<Exp
   // `_ rduph[...]`: where nothing must stand in the brackets they may be left out.
   const bool may_leave_out = pattern.places.empty() && !at("[");
   if (pattern.has_brackets && !may_leave_out) {
-    A3D_TRY(expect("[", "after '" + op.name + "' (syntax: " + op.syntax + ")"));
-    A3D_TRY(places(pattern, "]", application.arguments));
+    if (!accept("[")) return unexpected_in(op, "'[' after '" + op.name + "'");
+    A3D_TRY(places(op, "]", application.arguments));
+  } else if (!pattern.has_brackets) {
+    A3D_TRY(check_no_arguments(op, word));
   }
   operands.push_back(make(place, std::move(application)));
   return check_height(*operands.back());

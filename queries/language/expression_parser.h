@@ -24,8 +24,10 @@ using algebra3d::Status;
 /// - Where an operand begins (at the beginning, after an infix operator, a bracket, a comma) a word is a name, or with
 ///   `(` behind it a call. A call of a prefix operator's name is an Application with `is_call`: the checker gives it to
 ///   a function of that name if the parameters take the arguments.
-/// - After an operand the name of an infix operator is that operator; so is the name of a postfix operator if it has
-///   enough operands before it. Any other word is a further operand of a following postfix operator.
+/// - After an operand the name of an infix operator is that operator, unless it may be called and a comma in
+/// parentheses
+///   behind it says that it is: `a intersection (b)`, but `R intersection(a, b) ...`; so is the name of a postfix
+///   operator if it has enough operands before it. Any other word is a further operand of a following postfix operator.
 /// - A word in backquotes is a name wherever it stands. Words of the language are reserved (is_reserved).
 class ExpressionParser {
  public:
@@ -64,11 +66,11 @@ class ExpressionParser {
   Result<ExpressionPtr> name_or_call(const Token& token);
   Result<ExpressionPtr> prefix_application(const algebra3d::Operator& op, SourcePlace place);
   Result<ExpressionPtr> function_call(std::string function, SourcePlace place);
-  Result<ExpressionPtr> call_of_postfix(const algebra3d::Operator& op, const SourcePlace& place);
+  Result<ExpressionPtr> call_of_operator(const algebra3d::Operator& op, const SourcePlace& place);
   Status postfix_application(const algebra3d::Operator& op, std::vector<ExpressionPtr>& operands);
   Status annotation(ExpressionPtr& operand);
 
-  Status places(const algebra3d::SyntaxPattern& pattern, std::string_view close, std::vector<Argument>& arguments);
+  Status places(const algebra3d::Operator& op, std::string_view close, std::vector<Argument>& arguments);
   Result<Argument> argument(const Place& place);
   Status attribute_names(Argument& argument, bool with_order);
   Status function_list(Argument& argument);
@@ -79,6 +81,16 @@ class ExpressionParser {
   bool starts_operand();
   const algebra3d::Operator* operator_at(algebra3d::SyntaxPattern::Shape shape);
   const algebra3d::Operator* postfix_operator_at(std::size_t operand_count);
+  /// After an operand: the infix operator there, if it is not a call of it.
+  const algebra3d::Operator* infix_operator_at();
+  /// After an operand: whether `intersection(a, b)` is a call, which is known by the comma.
+  bool at_call_of_infix();
+  /// Whether brackets begin that hold no constant, so arguments.
+  bool at_argument_brackets();
+  /// Of a postfix operator without brackets, which is read: whether arguments follow it.
+  Status check_no_arguments(const algebra3d::Operator& op, const Token& word);
+  /// The error of `unexpected` in an application of an operator, with the form in which it is written.
+  algebra3d::Error unexpected_in(const algebra3d::Operator& op, std::string_view what);
   void suspect_operator(std::size_t operand_count);
   algebra3d::Error not_an_operator(const ExpressionPtr& second);
   ExpressionPtr make(SourcePlace place, ExpressionNode node) const;

@@ -39,6 +39,10 @@ bool means_implicit_parameter(std::string_view word);
 inline constexpr std::string_view kInsteadOfSelect =
     "write query RELATION feed filter[CONDITION] project[ATTRIBUTES] consume";
 
+/// ", did you mean 'inside' or 'withinDistance'?" for an unknown operator, also one of another language or host; empty
+/// if no operator is near.
+std::string did_you_mean(std::string_view word, const algebra3d::Registry& registry);
+
 /// True for reserved words, which cannot be names. Names of operators are not reserved.
 bool is_reserved(std::string_view word);
 /// The message for a reserved word in place of an operand.

@@ -318,6 +318,40 @@ Token Scanner::literal_at(std::size_t offset) {
   return token;
 }
 
+// Skips a quoted or tagged literal, or a comment of nested lists; false if there is none.
+bool Scanner::skip_literal() {
+  if (const char c = at(position_); c == '"' || c == '\'') {
+    scan_quoted(literal_at(position_), c);
+    return true;
+  }
+  if (starts_with("<text>") || starts_with(algebra3d::kFileAtomBegin)) {
+    scan_tagged(literal_at(position_), starts_with("<text>") ? Kind::text : Kind::file);
+    return true;
+  }
+  if (!starts_with("_!")) return false;
+  const std::size_t end = source_.find("!_", position_ + 2);
+  position_ = end == std::string_view::npos ? source_.size() : end + 2;
+  return true;
+}
+
+bool Scanner::has_comma_in_next_parentheses() {
+  const std::size_t begin = peek(1).begin;
+  if (known_comma_.first == begin) return known_comma_.second;
+  Scanner ahead(source_.substr(begin + 1));  // with errors of its own: the parser finds them again
+  int depth = 0;
+  bool has_comma = false;
+  while (depth >= 0 && !has_comma && ahead.position_ < ahead.source_.size()) {
+    algebra3d::poll_interruption_at(ahead.position_);
+    if (ahead.skip_literal()) continue;
+    const char c = ahead.source_[ahead.position_++];
+    if (c == '(' || c == '[' || c == '{') ++depth;
+    if (c == ')' || c == ']' || c == '}') --depth;
+    has_comma = c == ',' && depth == 0;
+  }
+  known_comma_ = {begin, has_comma};
+  return has_comma;
+}
+
 std::optional<std::string_view> Scanner::take_raw_until(char closing) {
   rewind_to_next();
   const std::size_t begin = position_;
@@ -326,19 +360,7 @@ std::optional<std::string_view> Scanner::take_raw_until(char closing) {
     algebra3d::poll_interruption_at(position_);
     const char c = source_[position_];
     if (depth == 0 && c == closing) return source_.substr(begin, position_ - begin);
-    if (c == '"' || c == '\'') {
-      scan_quoted(literal_at(position_), c);
-      continue;
-    }
-    if (starts_with("<text>") || starts_with(algebra3d::kFileAtomBegin)) {
-      scan_tagged(literal_at(position_), starts_with("<text>") ? Kind::text : Kind::file);
-      continue;
-    }
-    if (starts_with("_!")) {
-      const std::size_t end = source_.find("!_", position_ + 2);
-      position_ = end == std::string_view::npos ? source_.size() : end + 2;
-      continue;
-    }
+    if (skip_literal()) continue;
     if (c == '(') ++depth;
     if (c == ')') --depth;
     ++position_;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "queries/language/token.h"
 
@@ -31,6 +32,10 @@ class Scanner {
   /// The first invalid token (an unterminated string, a number out of range) that `peek` has found, if any.
   const std::optional<algebra3d::Error>& error() const { return error_; }
 
+  /// Whether the parentheses that begin at the token after the next hold a comma outside of further brackets, as those
+  /// of a call with several arguments do; raw text in them is not read as tokens. Domain: that token is `(`.
+  bool has_comma_in_next_parentheses();
+
   /// Returns and skips the text up to the enclosing bracket `closing` (']' or ')'), which stays. Brackets within
   /// strings and comments of nested lists are ignored. Nothing if the bracket is missing.
   std::optional<std::string_view> take_raw_until(char closing);
@@ -55,6 +60,7 @@ class Scanner {
   std::string other_unclosed_quote() const;
   void fail(const Token& token, std::string message);
   void rewind_to_next();
+  bool skip_literal();
   bool starts_with(std::string_view text) const { return source_.substr(position_).starts_with(text); }
   char at(std::size_t offset) const { return offset < source_.size() ? source_[offset] : '\0'; }
 
@@ -64,6 +70,7 @@ class Scanner {
   std::size_t position_ = 0;
   std::deque<Token> buffer_;
   std::optional<algebra3d::Error> error_;
+  std::pair<std::size_t, bool> known_comma_{std::string_view::npos, false};  // of the parentheses asked for last
   std::optional<SourcePlace> long_literal_;  // the first quoted literal with a line break
 };
 

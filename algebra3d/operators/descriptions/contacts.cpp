@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/operators/descriptions/detail/box_solids.h"
 #include "algebra3d/operators/descriptions/detail/sample_values.h"
 #include "algebra3d/operators/descriptions/detail/spatial_sets.h"
 #include "algebra3d/operators/registry/operator.h"
@@ -21,16 +22,6 @@
 
 namespace algebra3d {
 namespace {
-
-// ---- operands: a box is a solid too
-
-Maybe<Volume3d> solid_of(const Volume3d& solid) {
-  return solid;
-}
-Maybe<Volume3d> solid_of(const Box3& box) {
-  if (dimension_of(box) < 3) return Undefined{"a flat box is not a solid"};
-  return solid_of_box(box);
-}
 
 /// The number of a triangle of a value, as by faces; the triangles of a box have none.
 template <typename T>

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/operators/descriptions/detail/box_solids.h"
 #include "algebra3d/operators/descriptions/detail/sample_values.h"
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/constructions/region_meshes.h"
 #include "algebra3d/values/constructions/solid_sets.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -69,6 +71,18 @@ Result<Volume3d> solid_symmetric_difference(Context& context, const Volume3d& a,
   return in_either(context, a, b);
 }
 
+using SolidOperation = Result<Volume3d> (*)(Context&, const Volume3d&, const Volume3d&);
+
+/// The operation on a solid and a box, or on two boxes, as solids. Undefined for a flat box.
+template <SolidOperation kOperation, typename A, typename B>
+Result<Maybe<Volume3d>> with_boxes(Context& context, const A& a, const B& b) {
+  const Maybe<Volume3d> first = solid_of(a), second = solid_of(b);
+  if (!first) return first;
+  if (!second) return second;
+  A3D_ASSIGN(Volume3d result, kOperation(context, *first, *second));
+  return Maybe<Volume3d>(std::move(result));
+}
+
 template <SurfaceRule kRule>
 Result<Surface3d> surface_sets(Context& context, const Surface3d& a, const Surface3d& b) {
   return combined(context, a, b, kRule);
@@ -84,8 +98,14 @@ Result<Region> region_sets(Context& context, const Region& a, const Region& b) {
   symmetric(overload<&operation<Point3d, Point3d>>("a", "b")), overload<&operation<Point3d, Points3d>>("a", "b"), \
       overload<&operation<Points3d, Point3d>>("a", "b"), symmetric(overload<&operation<Points3d, Points3d>>("a", "b"))
 
+/// An operation on a solid and a box, in either order.
+#define ALGEBRA3D_BOX_OVERLOADS(operation)                     \
+  overload<&with_boxes<&operation, Volume3d, Box3>>("a", "b"), \
+      overload<&with_boxes<&operation, Box3, Volume3d>>("a", "b")
+
 const std::string kBoxA = "(rectangle3 0 1 0 1 0 1)";
 const std::string kBoxB = "(rectangle3 1 2 0 1 0 1)";
+const std::string kFlatBox = "(rectangle3 0 1 0 1 1 1)";
 const std::string kPointsA = "(points3d ((0 0 0) (1 0 0)))";
 const std::string kPointB = "(makePoint3D 1 0 0)";
 const std::string kCubeA = "(createCube (makePoint3D 0 0 0) (makePoint3D 2 2 2))";
@@ -98,7 +118,9 @@ constexpr const char* kSolids =
     "operands that contain or touch each other. Where the operands touch, coplanar faces are merged, and the result "
     "has no superfluous corners and triangles there. Nothing is rounded: corners that are not doubles are kept as "
     "fractions, and the laws of set algebra hold. Surfaces: their triangles are divided at one another; the parts "
-    "are kept that lie in either, in both (where they overlap), or in the first only.";
+    "are kept that lie in either, in both (where they overlap), or in the first only. A box beside a solid is the "
+    "solid "
+    "of its points; undefined for a flat one.";
 
 void register_infix_sets(Registry& registry) {
   registry.add({
@@ -110,83 +132,94 @@ void register_infix_sets(Registry& registry) {
       .exactness = Exactness::exact,
       .overloads = {symmetric(overload<&box_union>("a", "b")), ALGEBRA3D_SYMMETRIC_POINT_OVERLOADS(point_union),
                     symmetric(overload<&surface_sets<SurfaceRule::either>>("a", "b")),
-                    symmetric(overload<&solid_union>("a", "b")),
+                    symmetric(overload<&solid_union>("a", "b")), ALGEBRA3D_BOX_OVERLOADS(solid_union),
                     symmetric(overload<&region_sets<SurfaceRule::either>>("a", "b"))},
       .examples = {{{kCubeA, kCubeB}, "36", "(size _)"},
                    {{kCubeA, kCubeB}, "15.0", "(volume _)"},
                    {{kSquareA, kSquareB}, "7.0", "(area _)"},
                    {{kPointsA, kPointB}, "((0.0 0.0 0.0) (1.0 0.0 0.0))"},
                    {{kBoxA, kBoxB}, "(0.0 2.0 0.0 1.0 0.0 1.0)"},
+                   {{kCubeB, kBoxA}, "9.0", "(volume _)"},
                    {{kCubeA, kUndefinedSolid}, "undefined"}},
       .errors = {{{kBoxA, "1"}, "union: expected (rect3 rect3)"}},
   });
   registry.add({
-      .name = "minus",
-      .host_name = "difference",
-      .syntax = "_ minus _",
-      .doc = "The difference of two sets of points, surfaces, solids or regions: the first without the second.",
-      .detail = kSolids,
-      .exactness = Exactness::exact,
-      .overloads = {overload<&point_minus<Point3d, Point3d>>("a", "b"),
-                    overload<&point_minus<Point3d, Points3d>>("a", "b"),
-                    overload<&point_minus<Points3d, Point3d>>("a", "b"),
-                    overload<&point_minus<Points3d, Points3d>>("a", "b"),
-                    overload<&surface_sets<SurfaceRule::first_only>>("a", "b"), overload<&solid_minus>("a", "b"),
-                    overload<&region_sets<SurfaceRule::first_only>>("a", "b")},
-      .examples = {{{kCubeA, kCubeB}, "7.0", "(volume _)"},
-                   {{kCubeA, kCubeA}, "0", "(size _)"},
-                   {{kSquareA, kSquareB}, "3.0", "(area _)"},
-                   {{kPointsA, kPointB}, "((0.0 0.0 0.0))"},
-                   {{kCubeA, kUndefinedSolid}, "undefined"}},
-      .errors = {{{kCubeA, "1"}, "minus: expected (point3d point3d)"}},
-  });
-}
-
-void register_prefix_sets(Registry& registry) {
-  registry.add({
       .name = "intersection",
-      .syntax = "intersection(_, _)",
+      .syntax = "_ intersection _",
+      .also_prefix = true,
       .doc = "The intersection of two sets of points, surfaces, solids, regions or boxes.",
       .detail = std::string(kSolids) + " Undefined for boxes that do not meet.",
       .exactness = Exactness::exact,
       .overloads = {symmetric(overload<&box_intersection>("a", "b")),
                     ALGEBRA3D_SYMMETRIC_POINT_OVERLOADS(point_intersection),
                     symmetric(overload<&surface_sets<SurfaceRule::both>>("a", "b")),
-                    symmetric(overload<&solid_intersection>("a", "b")),
+                    symmetric(overload<&solid_intersection>("a", "b")), ALGEBRA3D_BOX_OVERLOADS(solid_intersection),
                     symmetric(overload<&region_sets<SurfaceRule::both>>("a", "b"))},
       .examples = {{{kCubeA, kCubeB}, "1.0", "(volume _)"},
                    {{kSquareA, kSquareB}, "1.0", "(area _)"},
                    {{kPointsA, kPointB}, "((1.0 0.0 0.0))"},
                    {{kBoxA, kBoxB}, "(1.0 1.0 0.0 1.0 0.0 1.0)"},
                    {{kBoxA, "(rectangle3 2 3 0 1 0 1)"}, "undefined"},
+                   {{kBoxA, kCubeA}, "1.0", "(volume _)"},
                    {{kCubeA, kUndefinedSolid}, "undefined"}},
       .errors = {{{kBoxA, "1"}, "intersection: expected (rect3 rect3)"}},
   });
   registry.add({
+      .name = "minus",
+      .host_name = "difference",
+      .syntax = "_ minus _",
+      .doc = "The difference of two sets of points, surfaces, solids, regions or boxes: the first without the second.",
+      .detail = std::string(kSolids) + " So is each of two boxes.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&point_minus<Point3d, Point3d>>("a", "b"),
+                    overload<&point_minus<Point3d, Points3d>>("a", "b"),
+                    overload<&point_minus<Points3d, Point3d>>("a", "b"),
+                    overload<&point_minus<Points3d, Points3d>>("a", "b"),
+                    overload<&surface_sets<SurfaceRule::first_only>>("a", "b"), overload<&solid_minus>("a", "b"),
+                    ALGEBRA3D_BOX_OVERLOADS(solid_minus), overload<&with_boxes<&solid_minus, Box3, Box3>>("a", "b"),
+                    overload<&region_sets<SurfaceRule::first_only>>("a", "b")},
+      .examples = {{{kCubeA, kCubeB}, "7.0", "(volume _)"},
+                   {{kCubeA, kCubeA}, "0", "(size _)"},
+                   {{kSquareA, kSquareB}, "3.0", "(area _)"},
+                   {{kPointsA, kPointB}, "((0.0 0.0 0.0))"},
+                   {{kCubeA, kBoxA}, "7.0", "(volume _)"},
+                   {{kCubeA, kFlatBox}, "undefined"},
+                   {{kCubeA, kUndefinedSolid}, "undefined"}},
+      .errors = {{{kCubeA, "1"}, "minus: expected (point3d point3d)"}},
+  });
+}
+
+void register_symmetric_difference(Registry& registry) {
+  registry.add({
       .name = "symmetricDifference",
       .syntax = "symmetricDifference(_, _)",
-      .doc = "The symmetric difference of two sets of points, surfaces, solids or regions: the points in exactly one "
-             "of them.",
-      .detail = kSolids,
+      .doc =
+          "The symmetric difference of two sets of points, surfaces, solids, regions or boxes: the points in exactly "
+          "one of them.",
+      .detail = std::string(kSolids) + " So is each of two boxes.",
       .exactness = Exactness::exact,
       .overloads = {ALGEBRA3D_SYMMETRIC_POINT_OVERLOADS(point_symmetric_difference),
                     symmetric(overload<&surface_sets<SurfaceRule::exactly_one>>("a", "b")),
                     symmetric(overload<&solid_symmetric_difference>("a", "b")),
+                    ALGEBRA3D_BOX_OVERLOADS(solid_symmetric_difference),
+                    symmetric(overload<&with_boxes<&solid_symmetric_difference, Box3, Box3>>("a", "b")),
                     symmetric(overload<&region_sets<SurfaceRule::exactly_one>>("a", "b"))},
       .examples = {{{kCubeA, kCubeB}, "14.0", "(volume _)"},
                    {{kPointsA, "(makePoint3D 2 0 0)"}, "((0.0 0.0 0.0) (1.0 0.0 0.0) (2.0 0.0 0.0))"},
+                   {{kBoxA, kBoxB}, "2.0", "(volume _)"},
                    {{kCubeA, kUndefinedSolid}, "undefined"}},
       .errors = {{{kCubeA, "1"}, "symmetricDifference: expected (point3d point3d)"}},
   });
 }
 
+#undef ALGEBRA3D_BOX_OVERLOADS
 #undef ALGEBRA3D_SYMMETRIC_POINT_OVERLOADS
 
 }  // namespace
 
 void register_set_operations(Registry& registry) {
   register_infix_sets(registry);
-  register_prefix_sets(registry);
+  register_symmetric_difference(registry);
 }
 
 }  // namespace algebra3d

@@ -82,8 +82,8 @@ struct Overload {
   std::vector<Column> columns;        ///< of a table
   bool gives_elements = false;        ///< of a table of one column: its rows are plain values (see Elements)
   bool is_total = false;              ///< the function never returns undefined
-  bool is_symmetric = false;          ///< two parameters of one type can be exchanged without effect
   bool never_fails = false;           ///< the function returns no error, and loads no geometry
+  bool is_symmetric = false;          ///< two parameters of one type can be exchanged without effect
   bool counts_undefined = false;      ///< of an aggregate: reports how many undefined values it left out
   /// Of a scalar. Arguments have exactly the parameter types, and are undefined only where accepted. Loads arguments as
   /// needed.
@@ -162,10 +162,12 @@ struct Operator {
   std::string name = {};
   std::string host_name = {};  ///< in hosts with snake_case; by default derived from the name (host_name.h)
   std::string syntax = {};     ///< in the query language, see SyntaxPattern; of an aggregate it follows from its kind
-  bool also_prefix = false;    ///< a postfix operator without brackets that may also be written `name(...)`
-  std::string family = {};     ///< set by the registry
-  std::string doc = {};        ///< one sentence: result and unit
-  std::string detail = {};     ///< domain, special cases, undefined results; may be empty
+  /// A postfix operator without brackets, or an infix operator, that may also be written `name(...)`. After an operand
+  /// the infix operator is a call only with a comma in its parentheses.
+  bool also_prefix = false;
+  std::string family = {};         ///< set by the registry
+  std::string doc = {};            ///< one sentence: result and unit
+  std::string detail = {};         ///< domain, special cases, undefined results; may be empty
   std::string language_note = {};  ///< a note on the query language; set by Registry::add_language_note
   Exactness exactness = Exactness::not_numeric;
   FrameUse frame_use = FrameUse::none;

@@ -145,11 +145,13 @@ TEST(SyntaxErrors, say_where_what_was_found_and_what_is_possible) {
   EXPECT_EQ(parsed("1 + )"), "error 1:5 expected an operand, found ')'");
   EXPECT_EQ(parsed("(1\n + 2"), "error 2:5 expected ')' to close the bracket, found the end of the command");
   EXPECT_EQ(parsed("1 2"), "error 1:3 expected an operator between two operands");
-  EXPECT_EQ(parsed("size x"), "error 1:6 expected '(' after the operator 'size', found 'x'");
+  EXPECT_EQ(parsed("size x"), "error 1:6 expected '(' after the operator 'size', found 'x' (syntax: size(_))");
   EXPECT_EQ(parsed("s filter(.A)"),
-            "error 1:9 expected '[' after 'filter' (syntax: _ filter[fun(STREAMELEM)]), found '('");
+            "error 1:9 expected '[' after 'filter', found '(' (syntax: _ filter[fun(STREAMELEM)])");
   EXPECT_EQ(parsed("s extend[A 1]"), "error 1:12 expected ':' after the name of the new attribute 'A', found '1'");
-  EXPECT_EQ(parsed("s groupby[A, N: 1]"), "error 1:15 expected ';' in the arguments of 'groupby', found ':'");
+  EXPECT_EQ(parsed("s groupby[A, N: 1]"),
+            "error 1:15 expected ';' in the arguments of 'groupby', found ':' (syntax: _ groupby[attributes; "
+            "functions(GROUP)])");
   EXPECT_EQ(parsed("s project[1]"), "error 1:11 expected an attribute name, found '1'");
   EXPECT_EQ(parsed("r feed {+}"), "error 1:9 expected a name or a number after '{', found '+'");
   EXPECT_EQ(parsed("fun(a int) a"), "error 1:7 expected ':' after the parameter 'a', found 'int'");
@@ -311,7 +313,8 @@ TEST(Hints, a_missing_semicolon_is_shown_where_it_belongs) {
             "1:8 expected ';' at the end of the command: 'quit' in line 2 begins another one");
   EXPECT_EQ(command_error("query 1 query 2"), "1:8 expected ';' at the end of the command: 'query' begins another one");
   EXPECT_EQ(command_error("query 1 +\nlet a = 2"), "2:1 expected an operand, found 'let', a word of the language");
-  EXPECT_EQ(command_error("query size(r\nlet a = 2"), "2:1 expected ')' in the arguments of 'size', found 'let'");
+  EXPECT_EQ(command_error("query size(r\nlet a = 2"),
+            "2:1 expected ')' in the arguments of 'size', found 'let' (syntax: size(_))");
   EXPECT_EQ(command_error("if TRUE query 1 endif"), "1:9 expected 'then' after the condition, found 'query'");
 }
 
@@ -388,6 +391,96 @@ TEST(NamesOfOperators, are_calls_before_a_bracket) {
   EXPECT_EQ(parsed("area(area)"), "(area area)");
   EXPECT_EQ(parsed("union(a, b)"), "(union a b)");
   EXPECT_EQ(parsed("a union (b)"), "(union a b)");
+}
+
+TEST(Intersection, stands_between_its_operands) {
+  EXPECT_EQ(parsed("a intersection b"), "(intersection a b)");
+  EXPECT_EQ(parsed("a intersection (b)"), "(intersection a b)");
+  EXPECT_EQ(parsed("a intersection (f(b, c))"), "(intersection a (f b c))");
+  EXPECT_EQ(parsed("a intersection (\"x, y\")"), "(intersection a \"x, y\")");
+  EXPECT_EQ(parsed("a intersection (b rotate[p, v, 30])"), "(intersection a (rotate b p v 30))");
+  EXPECT_EQ(parsed("a intersection [const volume3d value (1, 2)]").substr(0, 5), "error");
+  EXPECT_EQ(parsed("a intersection b intersection c"), "(intersection (intersection a b) c)");
+  EXPECT_EQ(parsed("a union b intersection c minus d"), "(minus (union a (intersection b c)) d)");
+  EXPECT_EQ(parsed("a intersection b = c"), "(= (intersection a b) c)");
+  EXPECT_EQ(parsed("a intersection (b) union c"), "(union (intersection a b) c)");
+}
+
+TEST(Intersection, is_a_call_at_the_beginning_of_an_operand) {
+  EXPECT_EQ(parsed("intersection(a, b)"), "(intersection a b)");
+  EXPECT_EQ(parsed("x + intersection(a, b)"), "(+ x (intersection a b))");
+  EXPECT_EQ(parsed("intersection(a, b) intersection c"), "(intersection (intersection a b) c)");
+  EXPECT_EQ(parsed("a intersection intersection(b, c)"), "(intersection a (intersection b c))");
+  EXPECT_EQ(parsed("intersection(a, b) union intersection(c, d)"), "(union (intersection a b) (intersection c d))");
+  EXPECT_EQ(parsed("(intersection(a intersection b, c))"), "(intersection (intersection a b) c)");
+  EXPECT_EQ(parsed("intersection"), "intersection");
+}
+
+TEST(Intersection, is_a_call_with_a_comma_in_its_parentheses) {
+  EXPECT_EQ(parsed("R intersection(a, b) product"), "(product R (intersection a b))");
+  EXPECT_EQ(parsed("R intersection (f(a, b), c) product"), "(product R (intersection (f a b) c))");
+  EXPECT_EQ(parsed("a intersection (b, c)"),
+            "error 1:3 expected an operator between two operands before the call of 'intersection' (syntax: _ "
+            "intersection _, intersection(_, _))");
+  EXPECT_EQ(parsed("a intersection"), "error 1:15 expected an operand, found the end of the command");
+  EXPECT_EQ(parsed("intersection b"),
+            "error 1:1 intersection: expected 1 operand before it, found 0 (syntax: _ intersection _, "
+            "intersection(_, _))");
+}
+
+TEST(Joins, take_both_separators_before_their_last_argument) {
+  for (const std::string op : {"knnJoin", "distanceJoin", "spatialJoin"}) {
+    const std::string expected = "(" + op + " a b A B 3)";
+    EXPECT_EQ(parsed("a b " + op + "[A, B, 3]"), expected);
+    EXPECT_EQ(parsed("a b " + op + "[A, B; 3]"), expected);
+    EXPECT_NE(parsed("a b " + op + "[A; B, 3]"), expected);
+  }
+  for (const std::string op : {"knnSelfJoin", "distanceSelfJoin", "spatialSelfJoin", "pointsInside"}) {
+    EXPECT_EQ(parsed("a " + op + "[A, 3]"), "(" + op + " a A 3)");
+    EXPECT_EQ(parsed("a " + op + "[A; 3]"), "(" + op + " a A 3)");
+  }
+  for (const std::string op :
+       {"hashjoin", "itHashJoin", "mergejoin", "sortmergejoin", "smouterjoin", "closestPair", "itSpatialJoin"}) {
+    EXPECT_EQ(parsed("a b " + op + "[A, B]"), "(" + op + " a b A B)");
+    EXPECT_EQ(parsed("a b " + op + "[A; B]"), "(" + op + " a b A B)");
+  }
+  EXPECT_EQ(parsed("a b hashjoin[A, B; 7]"), "(hashjoin a b A B 7)");
+  EXPECT_EQ(parsed("a b hashjoin[A, B, 7]"), "(hashjoin a b A B 7)");
+  // A list of attributes ends at the semicolon only.
+  EXPECT_EQ(parsed("a projectextend[A, N: 1]").substr(0, 5), "error");
+}
+
+TEST(SyntaxErrors, show_the_form_of_an_operator_that_is_written_in_another) {
+  EXPECT_EQ(parsed("a symmetricDifference b"),
+            "error 1:23 expected '(' after the operator 'symmetricDifference', found 'b' (syntax: "
+            "symmetricDifference(_, _))");
+  EXPECT_EQ(parsed("a symmetricDifference (b)"),
+            "error 1:3 expected an operator between two operands before the call of 'symmetricDifference' (syntax: "
+            "symmetricDifference(_, _))");
+  EXPECT_EQ(parsed("a symmetricDifference(b, c)"),
+            "error 1:3 expected an operator between two operands before the call of 'symmetricDifference' (syntax: "
+            "symmetricDifference(_, _))");
+  EXPECT_EQ(parsed("S volume"),
+            "error 1:9 expected '(' after the operator 'volume', found the end of the command "
+            "(syntax: volume(_))");
+  EXPECT_EQ(parsed("volume[S]"), "error 1:7 expected '(' after the operator 'volume', found '[' (syntax: volume(_))");
+  EXPECT_EQ(parsed("R count()"), "error 1:8 count: expected no arguments behind it, found '(' (syntax: _ count)");
+  EXPECT_EQ(parsed("R count[A]"), "error 1:8 count: expected no arguments behind it, found '[' (syntax: _ count)");
+  EXPECT_EQ(parsed("R feed(S)"), "error 1:7 feed: expected no arguments behind it, found '(' (syntax: _ feed)");
+  EXPECT_EQ(parsed("R feed (S feed) product"), "(product (feed R) (feed S))");
+  EXPECT_EQ(parsed("a union[b]"), "error 1:8 expected an operand after 'union', found '[' (syntax: _ union _)");
+  EXPECT_EQ(parsed("a union [const volume3d value ()]"), "(union a (const volume3d value ()))");
+  EXPECT_EQ(parsed("* 3"), "error 1:1 expected an operand, found '*' (syntax: _ * _)");
+  EXPECT_EQ(parsed("groupby(R; A; N: 1)"),
+            "error 1:10 expected ')' to close the arguments of 'groupby', found ';' (syntax: _ groupby[attributes; "
+            "functions(GROUP)])");
+}
+
+TEST(SyntaxErrors, name_the_operators_for_those_of_other_languages) {
+  EXPECT_EQ(parsed("a within b"), "error 1:3 unknown operator 'within', did you mean 'inside' or 'withinDistance'?");
+  EXPECT_EQ(parsed("a within[b]"), "error 1:3 unknown operator 'within', did you mean 'inside' or 'withinDistance'?");
+  EXPECT_EQ(parsed("a difference b"), "error 1:3 unknown operator 'difference', did you mean 'minus'?");
+  EXPECT_EQ(parsed("R where[.A]"), "error 1:3 unknown operator 'where', did you mean 'filter'?");
 }
 
 TEST(NamesOfOperators, are_further_operands_where_no_operator_fits) {
