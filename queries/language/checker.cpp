@@ -30,6 +30,16 @@ Result<TypedPtr> Checker::check(const Expression& expression) {
   return std::visit([&](const auto& node) { return check(node, expression.place); }, expression.node);
 }
 
+Result<TypedPtr> Checker::check_result(const Expression& expression) {
+  A3D_ASSIGN(TypedPtr node, check(expression));
+  if (!node->gives_one_tuple()) return node;
+  const Operator& consume = *registry_.find_operator("consume");
+  ArgumentType argument;
+  argument.type = node->type();
+  A3D_ASSIGN(BoundOperator bound, bind_operator(registry_, consume, {&argument, 1}, context_));
+  return make_stream_call(consume, std::move(bound), {std::move(node)}, expression.place);
+}
+
 Result<TypedPtr> Checker::check(const Literal& literal, const SourcePlace& place) {
   const NestedList& atom = literal.atom;
   const std::string_view type = atom.is_int()      ? "int"

@@ -26,6 +26,8 @@ class Checker {
 
   /// Checks an expression. Errors: type_error, unknown_name and invalid_value, each with line and column.
   Result<TypedPtr> check(const Expression& expression);
+  /// Checks the expression of a query or of an object: an operator's stream of at most one tuple becomes a relation.
+  Result<TypedPtr> check_result(const Expression& expression);
   /// The type of a type expression, `typeOf` included. Errors: unknown_name for a type that does not exist.
   Result<TypeExpr> resolve(const TypeSyntax& syntax);
 

@@ -81,6 +81,7 @@ class MeasuredNode final : public TypedNode {
   }
   bool is_always_defined() const override { return node_->is_always_defined(); }
   bool never_fails() const override { return node_->never_fails(); }
+  bool gives_one_tuple() const override { return node_->gives_one_tuple(); }
 
  private:
   TypedPtr node_;

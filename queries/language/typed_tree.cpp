@@ -208,6 +208,7 @@ class TableCallNode final : public TypedNode {
     if (!rows) return std::move(rows).error().at(place());
     return stream_of(std::move(rows).value(), *call_.overload, context);
   }
+  bool gives_one_tuple() const override { return call_.overload->has_one_row; }
 
  private:
   ResolvedCall call_;
@@ -225,6 +226,7 @@ class StreamCallNode final : public TypedNode {
     if (!result) return std::move(result).error().at(place());
     return result;
   }
+  bool gives_one_tuple() const override { return op_.gives_one_tuple; }
 
  private:
   const algebra3d::Operator& op_;
@@ -351,9 +353,9 @@ class ConversionNode final : public ValueNode {
     return algebra3d::converted(value, to_);
   }
   bool is_always_defined() const override { return argument_->is_always_defined(); }
+  bool never_fails() const override { return argument_->never_fails(); }
 
  private:
-  bool never_fails() const override { return argument_->never_fails(); }
   TypedPtr argument_;
   const algebra3d::Type& to_;
 };

@@ -39,6 +39,8 @@ class TypedNode : public std::enable_shared_from_this<TypedNode> {
   virtual bool is_always_defined() const { return false; }
   /// True if the evaluation ends in no error, whatever the arguments; exhausted memory and interruptions do not count.
   virtual bool never_fails() const { return false; }
+  /// True for a stream of at most one tuple.
+  virtual bool gives_one_tuple() const { return false; }
 
  protected:
   TypedNode(TypeExpr type, SourcePlace place) : type_(std::move(type)), place_(std::move(place)) {}

@@ -117,7 +117,7 @@ Status Session::run(const DeriveObject& command, Presenter&, Context& context) {
 // A name of a file is evaluated by the checker, which refuses one that would write something in other words.
 Result<TypedPtr> Session::checked_definition(const Expression& value, bool is_derived, Objects& objects,
                                              Context& context) {
-  auto node = Checker(registry_, objects, context).check(value);
+  auto node = Checker(registry_, objects, context).check_result(value);
   if (!node && is_derived) A3D_TRY(check_derivable(value, *store_, registry_));
   return node;
 }
@@ -164,7 +164,7 @@ Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
       return Error{ErrorCode::wrong_usage,
                    "update: '{}' is derived from other objects; delete it and use let for a value of its own",
                    command.name};
-    A3D_ASSIGN(TypedPtr node, Checker(registry_, objects, context).check(*command.value));
+    A3D_ASSIGN(TypedPtr node, Checker(registry_, objects, context).check_result(*command.value));
     if (const bool are_characters = existing->type.is("string") || existing->type.is("text");
         are_characters && algebra3d::conversion_cost(node->type(), existing->type.name()))
       node = make_conversion(std::move(node), *registry_.find_type(existing->type.name()));

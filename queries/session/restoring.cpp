@@ -354,7 +354,7 @@ Result<Session::Restorer::Evaluated> Session::Restorer::evaluate(const Dependent
   A3D_ASSIGN(const ExpressionPtr expression, NestedReader(registry_, dependent.place).expression(dependent.expression));
   A3D_ASSIGN(const auto change, find_change(*expression, store_, registry_));
   if (change) return Error{ErrorCode::wrong_usage, "its expression {}", change->text()};
-  A3D_ASSIGN(const TypedPtr node, Checker(registry_, objects, context_).check(*expression));
+  A3D_ASSIGN(const TypedPtr node, Checker(registry_, objects, context_).check_result(*expression));
   A3D_ASSIGN(Datum value, node->evaluate(nullptr, context_));
   const auto* single = std::get_if<Value>(&value.content);
   if (dependent.was_defined && single != nullptr && !single->is_defined())

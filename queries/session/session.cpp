@@ -280,7 +280,9 @@ Status Session::run(const Query& command, Presenter& presenter, Context& context
   bool has_shown = false;
   const auto work = [&]() -> Status {
     Objects objects(registry_, store_.get(), context);
-    A3D_ASSIGN(const TypedPtr node, Checker(registry_, objects, context).check(*command.value));
+    Checker checker(registry_, objects, context);
+    A3D_ASSIGN(const TypedPtr node,
+               presenter.takes_streams() ? checker.check(*command.value) : checker.check_result(*command.value));
     if ((node->type().is_stream() && !presenter.takes_streams()) || node->type().is_tuple())
       return Error{ErrorCode::not_evaluable, "a result of type {} cannot be shown; end a stream with consume or count",
                    node->type().text()};

@@ -132,6 +132,7 @@ void register_updates(algebra3d::Registry& registry) {
       .signatures = {"(rel(tuple) tid ((NAME (map tuple DATA)) ...)) -> stream(tuple)",
                      "(rel(tuple) int ((NAME (map tuple DATA)) ...)) -> stream(tuple)"},
       .handles_undefined = true,
+      .gives_one_tuple = true,
       .query_examples = {{"Boxes updatebyid[2; No: .No * 10] project[No, No_old, TID] consume", "((20 2 2))"},
                          {"Boxes updatebyid[[const tid value undefined]; No: 1] count", "0"}},
       .query_errors = {{"query Boxes updatebyid[TRUE; No: 1] count", "updatebyid: expected tid or int, got bool"},

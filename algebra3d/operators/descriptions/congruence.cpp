@@ -32,15 +32,15 @@ Result<bool> are_congruent(Context& context, const Volume3d& a, const Volume3d& 
   return motion.has_value();
 }
 
-using MotionRows = Rows<Point3d, Vector3d, double, Vector3d, bool>;
+using MotionRow = std::tuple<Point3d, Vector3d, double, Vector3d, bool>;
 
-Result<MotionRows> congruence_row(Context& context, const Volume3d& a, const Volume3d& b, double tolerance) {
-  std::vector<MotionRows::Cells> rows;
+Result<std::optional<MotionRow>> congruence_row(Context& context, const Volume3d& a, const Volume3d& b,
+                                                double tolerance) {
   A3D_ASSIGN(const auto motion, motion_between(context, a, b, tolerance));
-  if (motion && is_finite(motion->translation))
-    rows.emplace_back(Point3d{ExactPoint(motion->centre)}, Vector3d{ExactPoint(motion->axis)}, motion->angle_degrees,
-                      Vector3d{ExactPoint(motion->translation)}, motion->is_mirrored);
-  return MotionRows(std::move(rows));
+  if (!motion || !is_finite(motion->translation)) return std::optional<MotionRow>();
+  return std::optional(MotionRow(Point3d{ExactPoint(motion->centre)}, Vector3d{ExactPoint(motion->axis)},
+                                 motion->angle_degrees, Vector3d{ExactPoint(motion->translation)},
+                                 motion->is_mirrored));
 }
 
 constexpr const char* kMeaningOfCongruence =

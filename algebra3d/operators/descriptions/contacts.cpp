@@ -38,8 +38,8 @@ std::optional<double> root_of(const Rational& squared) {
 
 // ---- clash
 
-using ClashRows = Rows<std::string, std::optional<double>, std::optional<double>, Point3d, std::optional<std::int64_t>,
-                       std::optional<std::int64_t>>;
+using ClashRow = std::tuple<std::string, std::optional<double>, std::optional<double>, Point3d,
+                            std::optional<std::int64_t>, std::optional<std::int64_t>>;
 
 /// True if the boxes are clearly farther apart than the clearance.
 bool are_clear(const Box3& a, const Box3& b, double clearance) {
@@ -48,24 +48,23 @@ bool are_clear(const Box3& a, const Box3& b, double clearance) {
 }
 
 template <typename A, typename B>
-Result<Maybe<ClashRows>> clash_row(Context& context, const OnDemand<A>& a, const OnDemand<B>& b, double clearance) {
-  std::vector<ClashRows::Cells> rows;
+Result<Maybe<std::optional<ClashRow>>> clash_row(Context& context, const OnDemand<A>& a, const OnDemand<B>& b,
+                                                 double clearance) {
+  using Row = std::optional<ClashRow>;
   const Box3 first_box = a.header().box, second_box = b.header().box;
-  if (first_box.is_empty() || second_box.is_empty() || are_clear(first_box, second_box, clearance))
-    return Maybe(ClashRows(std::move(rows)));
+  if (first_box.is_empty() || second_box.is_empty() || are_clear(first_box, second_box, clearance)) return Maybe(Row());
   A3D_ASSIGN(const A first, a.load());
   A3D_ASSIGN(const B second, b.load());
   const Maybe<Volume3d> first_solid = solid_of(first), second_solid = solid_of(second);
-  if (!first_solid) return Maybe<ClashRows>(Undefined{first_solid.reason()});
-  if (!second_solid) return Maybe<ClashRows>(Undefined{second_solid.reason()});
+  if (!first_solid) return Maybe<Row>(Undefined{first_solid.reason()});
+  if (!second_solid) return Maybe<Row>(Undefined{second_solid.reason()});
   A3D_ASSIGN(const std::optional<Clash> clash,
              clash_of(*first_solid, *second_solid, Rational(clearance), context.monitor()));
-  if (clash)
-    rows.emplace_back(std::string(name_of(clash->kind)),
-                      clash->squared_depth ? root_of(*clash->squared_depth) : std::nullopt,
-                      root_of(clash->squared_distance), Point3d{clash->point}, triangle_number<A>(clash->first_face),
-                      triangle_number<B>(clash->second_face));
-  return Maybe(ClashRows(std::move(rows)));
+  if (!clash) return Maybe(Row());
+  return Maybe(Row(ClashRow(std::string(name_of(clash->kind)),
+                            clash->squared_depth ? root_of(*clash->squared_depth) : std::nullopt,
+                            root_of(clash->squared_distance), Point3d{clash->point},
+                            triangle_number<A>(clash->first_face), triangle_number<B>(clash->second_face))));
 }
 
 template <typename A, typename B>

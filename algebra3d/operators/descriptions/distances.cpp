@@ -38,7 +38,7 @@ Result<bool> is_within(Context& context, const OnDemand<A>& a, const OnDemand<B>
   });
 }
 
-using ClosestRows = Rows<Point3d, Point3d, std::optional<double>>;
+using ClosestRow = std::tuple<Point3d, Point3d, std::optional<double>>;
 
 /// Nothing beyond the range of doubles.
 std::optional<double> length_of(const NearestPoints& nearest) {
@@ -47,13 +47,13 @@ std::optional<double> length_of(const NearestPoints& nearest) {
 }
 
 template <typename A, typename B>
-Result<ClosestRows> closest_points_row(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
-  std::vector<ClosestRows::Cells> rows;
-  if (is_either_empty(a.header(), b.header())) return ClosestRows(std::move(rows));
-  return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<ClosestRows> {
+Result<std::optional<ClosestRow>> closest_points_row(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
+  using Row = std::optional<ClosestRow>;
+  if (is_either_empty(a.header(), b.header())) return Row();
+  return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<Row> {
     A3D_ASSIGN(const auto nearest, nearest_points(first, second, context.monitor()));
-    if (nearest) rows.emplace_back(Point3d{nearest->first}, Point3d{nearest->second}, length_of(*nearest));
-    return ClosestRows(std::move(rows));
+    if (!nearest) return Row();
+    return Row(ClosestRow(Point3d{nearest->first}, Point3d{nearest->second}, length_of(*nearest)));
   });
 }
 

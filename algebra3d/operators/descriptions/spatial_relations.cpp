@@ -99,7 +99,7 @@ Result<RelationRow> relation_row(Context& context, const OnDemand<A>& a, const O
   });
 }
 
-using WitnessRows = Rows<Point3d, std::optional<std::int64_t>, std::optional<std::int64_t>>;
+using WitnessRow = std::tuple<Point3d, std::optional<std::int64_t>, std::optional<std::int64_t>>;
 
 /// The number of a triangle, as by faces.
 std::optional<std::int64_t> number_of(FaceId face) {
@@ -108,14 +108,13 @@ std::optional<std::int64_t> number_of(FaceId face) {
 }
 
 template <typename A, typename B>
-Result<WitnessRows> common_point_row(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
-  std::vector<WitnessRows::Cells> rows;
-  if (are_apart(a.header(), b.header())) return WitnessRows(std::move(rows));
-  return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<WitnessRows> {
+Result<std::optional<WitnessRow>> common_point_row(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
+  using Row = std::optional<WitnessRow>;
+  if (are_apart(a.header(), b.header())) return Row();
+  return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<Row> {
     A3D_ASSIGN(const auto witness, witness_of_meeting(first, second, context.monitor()));
-    if (witness)
-      rows.emplace_back(Point3d{witness->point}, number_of(witness->first_face), number_of(witness->second_face));
-    return WitnessRows(std::move(rows));
+    if (!witness) return Row();
+    return Row(WitnessRow(Point3d{witness->point}, number_of(witness->first_face), number_of(witness->second_face)));
   });
 }
 

@@ -81,6 +81,7 @@ struct Overload {
   const Type* result = nullptr;       ///< of a scalar or aggregate
   std::vector<Column> columns;        ///< of a table
   bool gives_elements = false;        ///< of a table of one column: its rows are plain values (see Elements)
+  bool has_one_row = false;           ///< of a table: it has at most one row
   bool is_total = false;              ///< the function never returns undefined
   bool never_fails = false;           ///< the function returns no error, and loads no geometry
   bool is_symmetric = false;          ///< two parameters of one type can be exchanged without effect
@@ -184,6 +185,7 @@ struct Operator {
   std::shared_ptr<const StreamImplementation> stream = nullptr;  ///< of a relational operator
   std::vector<std::string> signatures = {};  ///< of a relational operator, for people; others deduce theirs
   bool handles_undefined = false;            ///< of a relational operator; others deduce it from their parameters
+  bool gives_one_tuple = false;              ///< of a relational operator: a stream of at most one tuple
   std::vector<Example> examples = {};
   std::vector<ErrorExample> errors = {};
   std::vector<QueryExample> query_examples = {};  ///< of a relational operator

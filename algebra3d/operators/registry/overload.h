@@ -128,8 +128,22 @@ struct ResultOf<std::vector<T>> : ResultOf<Elements<T>> {
 // One row, for functions that return several numbers.
 template <typename... T>
 struct ResultOf<std::tuple<T...>> : ResultOf<Rows<T...>> {
+  static void describe(Overload& overload) {
+    ResultOf<Rows<T...>>::describe(overload);
+    overload.has_one_row = true;
+  }
   static Result<TableOutcome> outcome(std::tuple<T...> row) {
     return ResultOf<Rows<T...>>::outcome(Rows<T...>(std::vector{std::move(row)}));
+  }
+};
+
+// One row or none.
+template <typename... T>
+struct ResultOf<std::optional<std::tuple<T...>>> : ResultOf<std::tuple<T...>> {
+  static Result<TableOutcome> outcome(std::optional<std::tuple<T...>> row) {
+    std::vector<std::tuple<T...>> rows;
+    if (row) rows.push_back(*std::move(row));
+    return ResultOf<Rows<T...>>::outcome(Rows<T...>(std::move(rows)));
   }
 };
 
@@ -147,6 +161,7 @@ template <typename T>
 struct ResultOf<Result<T>> : ResultOf<T> {
   using Returned = typename ResultOf<T>::Returned;
   static constexpr bool kIsTotal = false;
+  static constexpr bool kNeverFails = false;
   static Result<Returned> outcome(Result<T> result) {
     if (!result) return std::move(result).error();
     return ResultOf<T>::outcome(std::move(result).value());
@@ -161,7 +176,6 @@ struct OverloadMaker {
   template <typename P>
   using Argument = ArgumentOf<std::remove_cvref_t<P>>;
 
-  static constexpr bool kNeverFails = false;
   template <std::size_t... Index>
   static Result<Returned> call([[maybe_unused]] std::span<const Value> given, Context& context,
                                std::index_sequence<Index...> places) {
@@ -183,6 +197,12 @@ struct OverloadMaker {
     return call(values, context, places);
   }
 
+  /// Whether an argument may be deferred, and is loaded before the call.
+  template <typename P>
+  static bool may_load() {
+    return Argument<P>::kNeedsContent && Argument<P>::type().is_large();
+  }
+
   static void load(Value& value, Status& status) {
     if (!value.is_deferred()) return;
     auto loaded = value.loaded();
@@ -197,15 +217,10 @@ struct OverloadMaker {
     [[maybe_unused]] std::size_t place = 0;
     (overload.parameters.push_back(
          {std::string(names[place++]), &Argument<Parameters>::type(), Argument<Parameters>::kAcceptsUndefined}),
-  /// Whether an argument may be deferred, and is loaded before the call.
-  template <typename P>
-  static bool may_load() {
-    return Argument<P>::kNeedsContent && Argument<P>::type().is_large();
-  }
-
      ...);
     Results::describe(overload);
     overload.is_total = Results::kIsTotal;
+    overload.never_fails = Results::kNeverFails && (!may_load<Parameters>() && ...);
     const auto implementation = [](std::span<const Value> values, Context& context) {
       return call(values, context, std::index_sequence_for<Parameters...>());
     };
@@ -220,7 +235,6 @@ struct OverloadMaker {
 template <auto Function, typename Signature>
 struct SignatureOf;
 
-    overload.never_fails = Results::kNeverFails && (!may_load<Parameters>() && ...);
 template <auto Function, typename Return, typename... Parameters>
 struct SignatureOf<Function, Return (*)(Parameters...)> : OverloadMaker<Function, false, Return, Parameters...> {
   static constexpr std::size_t kParameters = sizeof...(Parameters);
@@ -247,7 +261,8 @@ Overload overload(Names... names) {
 }
 
 /// The overload of a table operator that calls `Function`, with the names of its columns and one name per parameter.
-/// The function returns Rows<T...>, `std::tuple<T...>` (one row), or Maybe or Result of these.
+/// The function returns Rows<T...>, `std::tuple<T...>` (one row), an optional of that (one row or none), or Maybe or
+/// Result of these.
 template <auto Function, typename... Names>
 Overload table(std::initializer_list<std::string_view> columns, Names... names) {
   Overload made = overload<Function>(names...);

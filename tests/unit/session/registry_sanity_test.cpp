@@ -90,6 +90,35 @@ TEST_P(EveryOperator, examples_give_what_they_say) {
     EXPECT_EQ(answer(query), result) << query;
 }
 
+bool gives_one_tuple(const Operator& op) {
+  return op.gives_one_tuple || std::ranges::any_of(op.overloads, &Overload::has_one_row);
+}
+
+// What is shown without `consume` has one tuple at most.
+TEST_P(EveryOperator, streams_of_at_most_one_tuple_need_no_consume) {
+  const std::string consume = " consume";
+  for (const auto& [query, result] : example_queries(test_registry(), *GetParam())) {
+    if (!query.ends_with(" " + GetParam()->name + consume) && !query.ends_with(")" + consume)) continue;
+    const std::string shown = answer(query.substr(0, query.size() - consume.size()));
+    if (!gives_one_tuple(*GetParam())) continue;
+    EXPECT_EQ(shown, result) << query;
+    EXPECT_EQ(answer("query ((" + query + ") count) <= 1"), "TRUE") << query;
+  }
+}
+
+TEST(Operators, that_give_at_most_one_tuple) {
+  std::vector<std::string> found;
+  for (const Operator* op : test_registry().operators()) {
+    if (!gives_one_tuple(*op)) continue;
+    found.push_back(op->name);
+    EXPECT_TRUE(op->gives_one_tuple || std::ranges::all_of(op->overloads, &Overload::has_one_row)) << op->name;
+  }
+  EXPECT_EQ(found,
+            (std::vector<std::string>{"boundingCylinder", "boundingSphere", "clash", "closestPair", "closestPoints",
+                                      "closestSelfPair", "commonPoint", "congruence", "deletebyid", "inertia",
+                                      "inserttuple", "minimalBox", "relation", "updatebyid"}));
+}
+
 TEST_P(EveryOperator, errors_say_what_they_say) {
   for (const auto& [query, message] : failing_queries(test_registry(), *GetParam())) {
     const std::string found = answer(query);
