@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/atomic_file.h"
+#include "mesh_formats/file_ending.h"
 
 namespace mesh_formats {
 
@@ -27,10 +28,7 @@ std::string MeshFormat::word_of(const FileForm& form) const {
 }
 
 bool MeshFormat::has_ending_of(std::string_view file_name) const {
-  std::string ending = std::filesystem::path(file_name).extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return std::ranges::find(endings, ending) != endings.end();
+  return std::ranges::find(endings, file_ending(file_name)) != endings.end();
 }
 
 }  // namespace mesh_formats

@@ -95,6 +95,11 @@ std::vector<std::filesystem::path> failure_folders(const Options& options) {
 }
 
 RunResult run_standard_input(StatementRunner& runner) {
+  // Known by its content only if it is a regular file, of which nothing is read by that.
+  if (const std::string why = why_no_script("/dev/stdin"); !why.empty()) {
+    std::cerr << "error: cannot read standard input as a script: " << why << "\n";
+    return RunResult::failed;
+  }
   algebra3d::PolledInput input(STDIN_FILENO, &Interruption::flag());
   std::istream commands(&input);
   return runner.run_script(commands, "stdin");
@@ -210,6 +215,11 @@ int run_session(const CLI::App& app, const Options& options, const algebra3d::Re
 }
 
 int run_tests(const Options& options, const algebra3d::Registry& registry) {
+  for (const std::string& file : options.test_files)
+    if (const std::string why = why_no_script(file); !why.empty()) {
+      std::cerr << "error: '" << printable(file) << "' holds no tests: " << why << "\n";
+      return kWrongUsage;
+    }
   const TestOptions test_options{[](const std::string& line) { std::cout << line << "\n"; }, &Interruption::flag(),
                                  options.test_filter, options.tests_keep_scratch, options.tests_vary};
   // One limit for the sessions of all files that run at once.

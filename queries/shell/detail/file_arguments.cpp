@@ -56,12 +56,33 @@ bool is_binary(std::string_view head) {
   return head.find('\0') != std::string_view::npos;
 }
 
+/// What to do with a file that is no script, no database and no mesh file.
+std::string advice_for(mesh_formats::ForeignContent content, const std::string& name) {
+  switch (content) {
+    case mesh_formats::ForeignContent::shapes:
+      return fmt::format(
+          "algebra3d reads {} files (`algebra3d FILE` shows one, `query {}('FILE')` and `algebra3d import` read it "
+          "into "
+          "a database): save it as one of these in the program that made it",
+          mesh_formats::known_mesh_formats().names("and"), importing_operators().front());
+    case mesh_formats::ForeignContent::regions:
+      return fmt::format("`query importGeoJSON('{}') consume` reads such files", name);
+    case mesh_formats::ForeignContent::rows:
+      return fmt::format("`query importJSON('{}') consume` reads such files", name);
+    case mesh_formats::ForeignContent::other:
+      break;
+  }
+  return expected_text();
+}
+
 FileArgument kind_of(std::string_view head, std::size_t size, const std::string& name) {
   if (head.starts_with("SQLite format 3")) return {FileKind::database, {}};
   if (has_mesh_ending(name) || mesh_formats::known_mesh_formats().of_content(head, size) != nullptr)
     return {FileKind::mesh, {}};
-  if (const std::string_view kind = mesh_formats::foreign_kind(head); !kind.empty())
-    return {FileKind::other, fmt::format("it is {}; {}", kind, expected_text())};
+  if (const auto kind = mesh_formats::foreign_kind(head); !kind.name.empty())
+    return {FileKind::other, fmt::format("it is {}; {}", kind.name, advice_for(kind.content, name))};
+  if (const auto kind = mesh_formats::foreign_kind_of_name(name); !kind.name.empty())
+    return {FileKind::other, fmt::format("by its name it is {}; {}", kind.name, advice_for(kind.content, name))};
   if (is_binary(head))
     return {FileKind::other, fmt::format("it is a binary file of an unknown kind; {}", expected_text())};
   return {};
