@@ -9,16 +9,15 @@ namespace queries {
 
 CLI::App* add_serve_command(CLI::App& app, ServerOptions& options) {
   CLI::App* serve = app.add_subcommand("serve", "Serve a database over HTTP, with a viewer for the browser");
-  serve->add_option("--db", options.database, "Database file; created if it does not exist")
-      ->type_name("FILE")
-      ->required();
+  serve->add_option("--db", options.database, "Database file")->type_name("FILE")->required();
+  CLI::Option* const create = serve->add_flag("--create", options.creates, "Make the database if there is none");
   serve->add_option("--port", options.port, "TCP port; 0: any free one")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
   serve->add_option("--listen", options.listen, "Address to listen on; others than this machine's own need a token")
       ->type_name("ADDR")
       ->capture_default_str();
-  serve->add_flag("--read-only", options.read_only, "Change nothing: neither the database nor files");
+  serve->add_flag("--read-only", options.read_only, "Change nothing: neither the database nor files")->excludes(create);
   serve
       ->add_option("--token-file", options.token_file,
                    "File with the token that every request must give (default: $ALGEBRA3D_TOKEN, if it is set)")

@@ -14,6 +14,7 @@
 #include "base/temporary_folder.h"
 #include "queries/server/detail/api.h"
 #include "queries/server/detail/http_listener.h"
+#include "queries/store/database_creation.h"
 
 namespace queries {
 namespace {
@@ -51,10 +52,17 @@ Result<std::string> token_of(const ServerOptions& options, const std::atomic<boo
   return token;
 }
 
-// The file is there afterwards.
+// The file is there afterwards. A mistyped name makes no database.
 Status prepare_database(const ServerOptions& options, const algebra3d::Registry& registry,
                         const std::function<void(const std::string&)>& note) {
-  Session session(registry, {.read_only = options.read_only});
+  if (!options.creates && makes_database(options.database)) {
+    std::error_code unknown;
+    const bool is_empty = std::filesystem::exists(options.database, unknown);
+    return Error{ErrorCode::database_missing, "{} '{}'{}",
+                 is_empty ? "no database, but an empty file, is at" : "there is no database", options.database.string(),
+                 options.read_only ? "" : "; with --create a new, empty one is made"};
+  }
+  Session session(registry, {.read_only = options.read_only, .creates = options.creates});
   A3D_TRY(session.open_file(options.database));
   if (const std::string notice = session.store()->opening_notice(); !notice.empty()) note(notice);
   if (session.has_made_database())

@@ -13,6 +13,7 @@ namespace queries {
 /// Options of `algebra3d serve`.
 struct ServerOptions {
   std::filesystem::path database = {};
+  bool creates = false;  ///< makes the database if there is none
   /// Address to listen on: a name or number of this machine. Without a token it must be a loopback address.
   std::string listen = "127.0.0.1";
   int port = 8737;  ///< 0: any free one

@@ -59,7 +59,8 @@ class Served:
         surroundings = {name: value for name, value in os.environ.items() if name != "ALGEBRA3D_TOKEN"}
         surroundings["TMPDIR"] = self.temporary
         self.process = subprocess.Popen(
-            [PROGRAM, "serve", "--db", database, *(() if "--port" in options else ("--port", "0")), *options],
+            [PROGRAM, "serve", "--db", database, *(() if "--read-only" in options else ("--create",)),
+             *(() if "--port" in options else ("--port", "0")), *options],
             stdout=subprocess.PIPE, stderr=self.errors, cwd=self.folder, env={**surroundings, **(environment or {})})
         self.port = self._read_port()
         self.authority = f"127.0.0.1:{self.port}"

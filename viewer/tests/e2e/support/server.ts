@@ -48,7 +48,8 @@ export class Server {
 
   /** Starts the program, also again after `end`. */
   async begin(): Promise<void> {
-    const args = ["serve", "--db", "scratch.db", "--port", String(this.port), ...this.options];
+    const creation = this.options.includes("--read-only") ? [] : ["--create"];
+    const args = ["serve", "--db", "scratch.db", ...creation, "--port", String(this.port), ...this.options];
     const child = spawn(program, args, { cwd: this.folder, env: this.#env });
     this.#process = child;
     const killed = () => child.kill("SIGKILL");
