@@ -132,7 +132,8 @@ Result<TypedPtr> Checker::fitted(TypedPtr argument, const TypeExpr& wanted, cons
 Result<TypedPtr> Checker::check(const FunctionCall& call, const SourcePlace& place) {
   auto function = check(NameUse{call.name}, place);
   if (!function) {
-    if (function.error().code != ErrorCode::unknown_name) return std::move(function).error();
+    const bool is_without_database = function.error().code == ErrorCode::no_database;
+    if (function.error().code != ErrorCode::unknown_name && !is_without_database) return std::move(function).error();
     if (const Operator* op = registry_.find_operator(call.name); op != nullptr)
       return Error(ErrorCode::unknown_name, "there is no function '{}'; the operator of that name is written {}",
                    call.name, op->written())
@@ -141,6 +142,7 @@ Result<TypedPtr> Checker::check(const FunctionCall& call, const SourcePlace& pla
     if (const std::string object = algebra3d::nearest_name(call.name, objects_.names());
         hint.empty() && !object.empty())
       hint = ", did you mean '" + object + "'?";
+    if (is_without_database && hint.empty()) return std::move(function).error();
     return Error(ErrorCode::unknown_name, "unknown operator '{}'{}", call.name, hint).at(place);
   }
   const TypeExpr& type = (*function)->type();

@@ -37,7 +37,8 @@ class TypedNode : public std::enable_shared_from_this<TypedNode> {
   virtual const Datum* find(const Frame* /*frame*/) const { return nullptr; }
   /// True if the value is defined for all arguments.
   virtual bool is_always_defined() const { return false; }
-  /// True if the evaluation ends in no error, whatever the arguments; exhausted memory and interruptions do not count.
+  /// True if the evaluation has no effect and ends in no error, whatever the arguments; exhausted memory and
+  /// interruptions do not count.
   virtual bool never_fails() const { return false; }
   /// True for a stream of at most one tuple.
   virtual bool gives_one_tuple() const { return false; }
