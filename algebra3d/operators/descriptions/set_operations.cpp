@@ -185,7 +185,7 @@ void register_infix_sets(Registry& registry) {
                    {{kCubeA, kBoxA}, "7.0", "(volume _)"},
                    {{kCubeA, kFlatBox}, "undefined"},
                    {{kCubeA, kUndefinedSolid}, "undefined"}},
-      .errors = {{{kCubeA, "1"}, "minus: expected (point3d point3d)"}},
+      .errors = {{{kCubeA, "1"}, "minus: expected (volume3d volume3d), (volume3d rect3)"}},
   });
 }
 
@@ -208,7 +208,7 @@ void register_symmetric_difference(Registry& registry) {
                    {{kPointsA, "(makePoint3D 2 0 0)"}, "((0.0 0.0 0.0) (1.0 0.0 0.0) (2.0 0.0 0.0))"},
                    {{kBoxA, kBoxB}, "2.0", "(volume _)"},
                    {{kCubeA, kUndefinedSolid}, "undefined"}},
-      .errors = {{{kCubeA, "1"}, "symmetricDifference: expected (point3d point3d)"}},
+      .errors = {{{kCubeA, "1"}, "symmetricDifference: expected (volume3d volume3d), (volume3d rect3)"}},
   });
 }
 
