@@ -90,7 +90,8 @@ Status set_option(RepairOptions& options, const WrittenOption& option) {
   double* amount = amount_option(changed, name);
   if (amount == nullptr)
     return Error{ErrorCode::invalid_value,
-                 "there is no option '{}'; expected gaps, holes, cavities, smallest, dropped, added, work or strict", name};
+                 "there is no option '{}'; expected gaps, holes, cavities, smallest, dropped, added, work or strict",
+                 name};
   A3D_ASSIGN(*amount, parse_amount(option));
   options = changed;
   return {};

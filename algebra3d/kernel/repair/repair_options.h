@@ -45,8 +45,9 @@ struct RepairOptions {
 
 /// Parses options as people write them, separated by semicolons, in any order and each at most once: "gaps=0.001" (or
 /// by its old name "cracks=0.001"), "holes=20", "cavities=keep" or "cavities=drop", "smallest=0.5", "dropped=0.5",
-/// "added=0.2", "work=1000", "strict". Lengths, volumes and the work are numbers from 0, `dropped` from 0 to 1; all but `strict`
-/// have a value. The empty text means the defaults. Errors: invalid_value, with what was found and what was expected.
+/// "added=0.2", "work=1000", "strict". Lengths, volumes and the work are numbers from 0, `dropped` from 0 to 1; all but
+/// `strict` have a value. The empty text means the defaults. Errors: invalid_value, with what was found and what was
+/// expected.
 Result<RepairOptions> parse_repair_options(std::string_view text);
 
 /// The options in the notation of `parse_repair_options`, without those that have their default. Equal options have

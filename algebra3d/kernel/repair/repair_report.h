@@ -128,7 +128,7 @@ struct RepairReport {
   double largest_move() const;
   /// The report for people, one line, never empty: "3 duplicate triangles dropped (near (0 0 1)), 1 hole closed (near
   /// (2 0 0)); left out: 2 triangles, area 10 (62.5 %), up to 9 from the solid (near (0 0 10)); added: area 1 (6.25 %),
-  /// up to 0.5 from the triangles". If more than a tenth was added, it begins with that: "25 % of the area seen added;".
+  /// up to 0.5 from the triangles". If more than a tenth was added, it begins with "25 % of the area seen added;".
   std::string text() const;
 
  private:

@@ -24,7 +24,8 @@ struct SolidFromSoup {
   std::optional<Amount> area_seen;     ///< of the triangles as given, as in RepairAmounts; nothing if there is no solid
 
   /// The status for people, one line: "ok", "ok: turned right side out", "ok: no triangles, the solid is empty",
-  /// "repaired: 1 hole closed (near (0 0 1)); added: area 0.5 (1 %), up to 0.2 from the triangles", or why there is no solid.
+  /// "repaired: 1 hole closed (near (0 0 1)); added: area 0.5 (1 %), up to 0.2 from the triangles", or why there is no
+  /// solid.
   std::string status() const;
 };
 

@@ -33,7 +33,7 @@ void add_up(Edges& edges) {
 
 GeneralizedWindingNumbers::GeneralizedWindingNumbers(const IndexedSoup& soup) : soup_(soup) {
   for (const FaceId triangle : soup.triangles.ids()) order_.push_back(triangle);
-  if (!order_.empty()) add_part(0, static_cast<std::uint32_t>(order_.size()));
+  if (!order_.empty()) add_part(0, order_.size());
 }
 
 GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::boundary_of(std::span<const FaceId> triangles) const {
@@ -41,7 +41,7 @@ GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::boundary_of(std::
   for (const FaceId triangle : triangles) {
     const TriangleMesh::Triangle& t = soup_.triangles[triangle];
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = t[i], to = t[(i + 1) % 3];
+      const VertexId from(t[i]), to(t[(i + 1) % 3]);
       if (from != to) edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
     }
   }
@@ -51,10 +51,10 @@ GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::boundary_of(std::
 }
 
 /// Adds the part with its children; gives its boundary.
-GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::add_part(std::uint32_t begin, std::uint32_t end) {
+GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::add_part(std::size_t begin, std::size_t end) {
   poll_interruption();
   const std::size_t number = parts_.size();
-  Part part{{}, begin, end, 0, 0};
+  Part part{.box = {}, .begin = begin, .end = end};
   const std::span<FaceId> triangles = std::span(order_).subspan(begin, end - begin);
   for (const FaceId triangle : triangles)
     for (std::size_t i = 0; i < 3; ++i) part.box.extend(soup_.corner(triangle, i));
@@ -65,8 +65,8 @@ GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::add_part(std::uin
   } else {
     const Vec3 extent = part.box.max - part.box.min;
     const std::size_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-    const std::uint32_t half = begin + (end - begin) / 2;
-    std::ranges::nth_element(triangles, triangles.begin() + (half - begin), {},
+    const std::size_t half = begin + (end - begin) / 2;
+    std::ranges::nth_element(triangles, triangles.begin() + static_cast<std::ptrdiff_t>(half - begin), {},
                              [&](FaceId triangle) { return std::pair(soup_.middle(triangle)[axis], triangle); });
     const Boundary first = add_part(begin, half), second = add_part(half, end);
     std::ranges::merge(
@@ -74,28 +74,27 @@ GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::add_part(std::uin
         [](const BoundaryEdge& e) { return std::tuple(e.from, e.to); });
     add_up(boundary);
   }
-  parts_[number].behind = static_cast<std::uint32_t>(parts_.size());
-  parts_[number].boundary_begin = static_cast<std::uint32_t>(boundaries_.size());
-  // A long boundary is not kept: its triangles, or those of its children, are fewer.
-  if (boundary.size() < triangles.size()) boundaries_.insert(boundaries_.end(), boundary.begin(), boundary.end());
-  parts_[number].boundary_end = static_cast<std::uint32_t>(boundaries_.size());
-  if (boundary.size() >= triangles.size()) parts_[number].boundary_end = parts_[number].boundary_begin = UINT32_MAX;
+  Part& made = parts_[number];
+  made.behind = parts_.size();
+  made.has_cone = boundary.size() < triangles.size();
+  made.boundary_begin = boundaries_.size();
+  if (made.has_cone) boundaries_.insert(boundaries_.end(), boundary.begin(), boundary.end());
+  made.boundary_end = boundaries_.size();
   return boundary;
 }
 
 /// Half the solid angle of a triangle. A normal points away from places that see it from inside.
-double GeneralizedWindingNumbers::half_angle(std::uint32_t i, std::uint32_t j, std::uint32_t k,
-                                             const Vec3& point) const {
-  const Vec3 a = soup_.points[i] - point, b = soup_.points[j] - point, c = soup_.points[k] - point;
+double GeneralizedWindingNumbers::half_angle(VertexId i, VertexId j, VertexId k, const Vec3& point) const {
+  const Vec3 a = soup_.point(i) - point, b = soup_.point(j) - point, c = soup_.point(k) - point;
   const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
   return std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
 }
 
 double GeneralizedWindingNumbers::half_angles_of_triangles(const Part& part, const Vec3& point) const {
   double sum = 0;
-  for (std::uint32_t at = part.begin; at < part.end; ++at) {
+  for (std::size_t at = part.begin; at < part.end; ++at) {
     const auto& [i, j, k] = soup_.triangles[order_[at]];
-    sum += half_angle(i, j, k, point);
+    sum += half_angle(VertexId(i), VertexId(j), VertexId(k), point);
   }
   angle_count_ += part.end - part.begin;
   return sum;
@@ -104,7 +103,7 @@ double GeneralizedWindingNumbers::half_angles_of_triangles(const Part& part, con
 /// The tip of the cone is an end of its first edge.
 double GeneralizedWindingNumbers::half_angles_of_cone(const Part& part, const Vec3& point) const {
   double sum = 0;
-  for (std::uint32_t at = part.boundary_begin; at < part.boundary_end; ++at) {
+  for (std::size_t at = part.boundary_begin; at < part.boundary_end; ++at) {
     const BoundaryEdge& edge = boundaries_[at];
     sum += edge.count * half_angle(boundaries_[part.boundary_begin].from, edge.from, edge.to, point);
   }
@@ -114,11 +113,10 @@ double GeneralizedWindingNumbers::half_angles_of_cone(const Part& part, const Ve
 
 double GeneralizedWindingNumbers::at(const Vec3& point) const {
   double sum = 0;
-  for (std::uint32_t number = 0; number < parts_.size();) {
+  for (std::size_t number = 0; number < parts_.size();) {
     const Part& part = parts_[number];
     const bool is_leaf = part.behind == number + 1;
-    const bool has_cone = part.boundary_begin != UINT32_MAX;
-    if (has_cone && is_outside(part.box, point)) {
+    if (part.has_cone && is_outside(part.box, point)) {
       sum += half_angles_of_cone(part, point);
       number = part.behind;
     } else if (is_leaf) {

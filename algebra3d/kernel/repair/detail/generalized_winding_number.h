@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -30,21 +29,22 @@ class GeneralizedWindingNumbers {
  private:
   /// An edge of the boundary of a part, that many times.
   struct BoundaryEdge {
-    std::uint32_t from, to;  // from < to; numbers of points
-    int count;               // negative: the other way
+    VertexId from, to;  // from < to
+    int count;          // negative: the other way
   };
   using Boundary = std::vector<BoundaryEdge>;
   /// A part of the triangles. Its children follow it.
   struct Part {
     Box3 box;
-    std::uint32_t begin, end;                    // of its triangles in order_
-    std::uint32_t boundary_begin, boundary_end;  // in boundaries_
-    std::uint32_t behind = 0;                    // the first part that is not within it
+    std::size_t begin, end;                            // of its triangles in order_
+    std::size_t boundary_begin = 0, boundary_end = 0;  // in boundaries_
+    bool has_cone = false;                             // it has fewer triangles than the part
+    std::size_t behind = 0;                            // the first part that is not within it
   };
 
-  Boundary add_part(std::uint32_t begin, std::uint32_t end);
+  Boundary add_part(std::size_t begin, std::size_t end);
   Boundary boundary_of(std::span<const FaceId> triangles) const;
-  double half_angle(std::uint32_t i, std::uint32_t j, std::uint32_t k, const Vec3& point) const;
+  double half_angle(VertexId i, VertexId j, VertexId k, const Vec3& point) const;
   double half_angles_of_triangles(const Part& part, const Vec3& point) const;
   double half_angles_of_cone(const Part& part, const Vec3& point) const;
 

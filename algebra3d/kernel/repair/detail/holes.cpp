@@ -190,7 +190,7 @@ class HoleCloser {
  private:
   CoveredHole cover(HoleLoop hole, const CoverTest& test) const;
   std::vector<bool> are_open_patches(const std::vector<CoveredHole>& holes);
-  std::uint32_t component(FaceId triangle) const { return components_.of_face[triangle.index()]; }
+  std::size_t component(FaceId triangle) const { return components_.of_face[triangle.index()]; }
   bool is_open_patch(std::span<const FaceId> patch, std::span<const CoveredHole* const> holes);
   double tolerance_of(std::span<const Triangle3> patch) const;
   Triangle3 scaled(const TriangleMesh::Triangle& t) const;
@@ -262,7 +262,7 @@ std::vector<bool> HoleCloser::are_open_patches(const std::vector<CoveredHole>& h
   for (const CoveredHole& covered : holes) holes_of[component(covered.hole.triangle)].push_back(&covered);
   std::vector<std::vector<FaceId>> faces_of(components_.count);
   for (const FaceId f : faces(*mesh_))
-    if (const std::uint32_t c = component(f); !holes_of[c].empty()) faces_of[c].push_back(f);
+    if (const std::size_t c = component(f); !holes_of[c].empty()) faces_of[c].push_back(f);
   std::vector<bool> result;
   for (std::size_t c = 0; c < components_.count; ++c)
     result.push_back(!holes_of[c].empty() && is_open_patch(faces_of[c], holes_of[c]));
@@ -303,7 +303,7 @@ Result<std::vector<Triangle3>> HoleCloser::run(const Monitor& monitor) {
   const std::vector<bool> are_left_open = are_open_patches(holes);
   std::vector<bool> is_reported(components_.count);
   for (const CoveredHole& covered : holes) {
-    const std::uint32_t patch = component(covered.hole.triangle);
+    const std::size_t patch = component(covered.hole.triangle);
     if (covered.cover.empty())
       report_.add(RepairStep::open_holes, covered.hole.loop.corners[0]);
     else if (!are_left_open[patch])

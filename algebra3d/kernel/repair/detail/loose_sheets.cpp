@@ -26,7 +26,7 @@ class SheetSearch {
 
  private:
   Triangle3 corners(FaceId face) const { return scale_.scaled(mesh_, face); }
-  std::uint32_t component(FaceId face) const { return components_.of_face[face.index()]; }
+  std::size_t component(FaceId face) const { return components_.of_face[face.index()]; }
   bool has_neighbour(FaceId face, double reach) const;
 
   const TriangleMesh& mesh_;
@@ -46,7 +46,7 @@ bool SheetSearch::has_neighbour(FaceId face, double reach) const {
   Box3 around = box_of(corners(face));
   around.min = around.min - Vec3{reach, reach, reach};
   around.max = around.max + Vec3{reach, reach, reach};
-  for (const std::uint32_t other : tree_.window(around))
+  for (const auto other : tree_.window(around))
     if (component(FaceId(other)) != component(face) && are_near(corners(face), corners(FaceId(other)), reach))
       return true;
   return false;
@@ -68,7 +68,7 @@ IdVector<FaceId, bool> SheetSearch::run(const std::vector<Triangle3>& sheets) {
     for (const Vec3& corner : corners(face)) boxes[component(face)].extend(corner);
   }
   for (const FaceId face : faces(mesh_)) {
-    const std::uint32_t c = component(face);
+    const std::size_t c = component(face);
     if (is_sheet[c]) is_sheet[c] = !has_neighbour(face, kReachPerDiagonal * length(boxes[c].max - boxes[c].min));
   }
   IdVector<FaceId, bool> result;

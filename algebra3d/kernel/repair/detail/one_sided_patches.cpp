@@ -16,7 +16,7 @@ namespace {
 std::vector<bool> cannot_be_oriented(const TriangleMesh& mesh, const FaceComponents& components) {
   std::vector<bool> has_boundary(components.count), has_fold(components.count);
   for (const HalfedgeId h : halfedges(mesh)) {
-    const std::uint32_t c = components.of_face[TriangleMesh::face(h).index()];
+    const std::size_t c = components.of_face[TriangleMesh::face(h).index()];
     if (mesh.is_boundary(h)) has_boundary[c] = true;
     if (!mesh.is_nonmanifold(h)) continue;
     const auto edge = mesh.edge_halfedges(h);
@@ -42,7 +42,7 @@ Result<IdVector<FaceId, bool>> need_much(IndexedSoup soup, const Monitor& monito
     (face.index() < own_count ? own : added)[components.of_face[face.index()]] += soup.area(face);
   IdVector<FaceId, bool> result;
   for (std::size_t f = 0; f < own_count; ++f) {
-    const std::uint32_t c = components.of_face[f];
+    const std::size_t c = components.of_face[f];
     result.push_back(added[c] > kMostOfArea * own[c]);
   }
   return result;

@@ -45,8 +45,8 @@ class RepairAttempt {
   /// Measures the parts left out and added, unless that was done. Requires a solid. Errors: interrupted.
   Status measure();
   /// Removes shells as the options say, proves the solid and completes the report. Gives no solid, with the reason, if
-  /// there is none, if it leaves out or adds a larger part of the area seen than the options allow (tested here only, so
-  /// no other strategy is tried because of it), or if the proof fails. Errors: interrupted.
+  /// there is none, if it leaves out or adds a larger part of the area seen than the options allow (tested here only,
+  /// so no other strategy is tried because of it), or if the proof fails. Errors: interrupted.
   Result<RepairedSolid> finish() &&;
   /// A result without a solid: this reason, and the report of this attempt.
   RepairedSolid nothing(std::string reason);

@@ -110,7 +110,7 @@ Status SoupRepair::drop_one_sided_patches() {
   for (const FaceId face : soup_.triangles.ids()) {
     if (!is_dropped[face]) continue;
     sheets_.push_back({soup_.corner(face, 0), soup_.corner(face, 1), soup_.corner(face, 2)});
-    const std::uint32_t c = components.of_face[face.index()];
+    const std::size_t c = components.of_face[face.index()];
     if (!is_reported[c]) report_.add(RepairStep::open_patches, soup_.corner(face, 0));
     is_reported[c] = true;
   }

@@ -63,7 +63,7 @@ bool UponTest::lies_upon(const Triangle3& triangle) const {
   constexpr std::size_t kMostParts = 200;
   const MeasuredTriangle whole(triangle);
   std::vector<ConvexPolygon> parts{{{triangle.begin(), triangle.end()}}};
-  for (const std::uint32_t number : surface_.tree.window(box_of(triangle))) {
+  for (const auto number : surface_.tree.window(box_of(triangle))) {
     const MeasuredTriangle& other = surface_.triangles[UnmatchedId(number)];
     if (are_coplanar(whole, other, tolerance_)) subtract(parts, whole, other, tolerance_);
     if (parts.size() > kMostParts) return false;
