@@ -19,7 +19,7 @@ class SheetSearch {
       : mesh_(mesh), scale_(largest_coordinate(mesh)), components_(connected_components(mesh)) {
     std::vector<rtree::Entry<std::uint32_t>> entries;
     for (const FaceId face : faces(mesh)) entries.push_back({box_of(corners(face)), face.index()});
-    tree_ = rtree::RTree<std::uint32_t>::bulk_load(entries);
+    tree_ = decltype(tree_)::bulk_load(entries);
   }
 
   IdVector<FaceId, bool> run(const std::vector<Triangle3>& sheets);
