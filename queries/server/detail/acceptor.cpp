@@ -84,6 +84,8 @@ void Acceptor::wait(int listening, Load load) {
   const int found = ::poll(polled_.data(), polled_.size(), std::max(0, static_cast<int>(time.count())));
   if (found <= 0)
     for (pollfd& each : polled_) each.revents = 0;
+  // More than the process may have open by now: its limit was lowered.
+  if (found < 0 && errno == EINVAL && !open_.empty()) close_oldest();
   std::uint64_t rings = 0;
   if (polled_[0].revents != 0) (void)!::read(bell_.number(), &rings, sizeof(rings));
 }
