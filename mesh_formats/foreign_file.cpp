@@ -14,7 +14,7 @@ using algebra3d::Status;
 
 namespace {
 
-/// What a file holds is looked for in this many of its first bytes.
+/// The number of first bytes of a file in which names of its format are looked for.
 constexpr std::size_t kLookedAt = std::size_t{64} << 10U;
 
 struct Sign {

@@ -7,7 +7,7 @@
 
 namespace mesh_formats {
 
-/// What the files of a kind hold, for advice.
+/// The content of a kind of files, on which advice depends.
 enum class ForeignContent : std::uint8_t {
   other,    ///< programs, images, archives, databases
   shapes,   ///< meshes, solids, drawings or points in a format that this library does not read

@@ -87,7 +87,7 @@ class ExpressionParser {
   bool at_call_of_infix();
   /// Whether brackets begin that hold no constant, so arguments.
   bool at_argument_brackets();
-  /// Of a postfix operator without brackets, which is read: whether arguments follow it.
+  /// Refuses arguments behind a postfix operator without brackets that was just read.
   Status check_no_arguments(const algebra3d::Operator& op, const Token& word);
   /// The error of `unexpected` in an application of an operator, with the form in which it is written.
   algebra3d::Error unexpected_in(const algebra3d::Operator& op, std::string_view what);

@@ -45,7 +45,7 @@ Error with_form(Error error, const Operator& op) {
   return error;
 }
 
-/// What algebra3d has in place of operators of other languages whose names are not near.
+/// Operators of other languages, and ours that do the same under other names.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kOperatorsOfOthers = {{
     {"within", "'inside' or 'withinDistance'"},
     {"where", "'filter'"},
@@ -89,7 +89,7 @@ Error ExpressionParser::unexpected_in(const Operator& op, std::string_view what)
   return is_about_token ? with_form(std::move(error), op) : error;
 }
 
-// `R count[A]` and `R count()` are no operands behind it; `R feed(A)` may be, if a blank is left out.
+// The brackets of `R count[A]` and `R count()` are not operands; those of `R feed(A)` may be, if a blank is left out.
 Status ExpressionParser::check_no_arguments(const Operator& op, const Token& word) {
   if (!at("(") && !at_argument_brackets()) return {};
   const Token& next = scanner_.peek();

@@ -318,7 +318,7 @@ Token Scanner::literal_at(std::size_t offset) {
   return token;
 }
 
-// Skips a quoted or tagged literal, or a comment of nested lists; false if there is none.
+// Skips a quoted or tagged literal, or a comment of nested lists. False if something else stands here.
 bool Scanner::skip_literal() {
   if (const char c = at(position_); c == '"' || c == '\'') {
     scan_quoted(literal_at(position_), c);

@@ -56,7 +56,7 @@ bool is_binary(std::string_view head) {
   return head.find('\0') != std::string_view::npos;
 }
 
-/// What to do with a file that is no script, no database and no mesh file.
+/// Advice on a file of another program.
 std::string advice_for(mesh_formats::ForeignContent content, const std::string& name) {
   switch (content) {
     case mesh_formats::ForeignContent::shapes:

@@ -139,7 +139,7 @@ TEST(TurnedFiles, have_as_many_bodies) {
   EXPECT_LE(differing, kKinds * kPlacements / 100) << which;
 }
 
-// What the volume of each kind is known to be: nothing, or that of the box.
+// The solids of these kinds are known: the box, or nothing.
 TEST(TurnedFiles, give_boxes_and_nothing_for_sheets) {
   for (int kind = 0; kind < 5; ++kind) {
     Chance chance(static_cast<std::uint64_t>(kind));

@@ -94,7 +94,7 @@ bool gives_one_tuple(const Operator& op) {
   return op.gives_one_tuple || std::ranges::any_of(op.overloads, &Overload::has_one_row);
 }
 
-// What is shown without `consume` has one tuple at most.
+// Streams that are shown without `consume` have one tuple at most.
 TEST_P(EveryOperator, streams_of_at_most_one_tuple_need_no_consume) {
   const std::string consume = " consume";
   for (const auto& [query, result] : example_queries(test_registry(), *GetParam())) {
