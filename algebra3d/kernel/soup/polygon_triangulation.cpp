@@ -108,14 +108,6 @@ FarCorner farthest_from_plane(const Polygon& polygon) {
   return farthest;
 }
 
-double noise_of(const Polygon& polygon, const PolygonSoup& soup) {
-  const Box3 box = Box3::around(polygon);
-  double largest = 0;
-  for (const Vec3& corner : polygon)
-    for (std::size_t axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(corner[axis]));
-  return rounding_noise(length(box.max - box.min), largest, soup.points);
-}
-
 }  // namespace
 
 std::string BentPolygons::text() const {
@@ -126,13 +118,14 @@ std::string BentPolygons::text() const {
 }
 
 BentPolygons bent_polygons(const PolygonSoup& polygons) {
+  const RoundingNoise noise(polygons.points);
   BentPolygons result;
   for (std::size_t face = 0; face < polygons.face_count(); ++face) {
     poll_interruption_at(face);
     if (polygons.face(face).size() <= 3) continue;
     const Polygon polygon = corners_of(polygons, face);
     const FarCorner far = farthest_from_plane(polygon);
-    if (!(far.distance > 0) || far.distance <= noise_of(polygon, polygons)) continue;
+    if (!(far.distance > 0) || far.distance <= noise.within(Box3::around(polygon))) continue;
     ++result.count;
     if (far.distance <= result.largest) continue;
     result.largest = far.distance;

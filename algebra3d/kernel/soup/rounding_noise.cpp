@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 namespace algebra3d {
@@ -18,20 +19,25 @@ bool may_be_float(double x) {
   return read == x;
 }
 
-bool are_floats(std::span<const Vec3> points) {
-  return std::ranges::all_of(points,
-                             [](const Vec3& p) { return may_be_float(p.x) && may_be_float(p.y) && may_be_float(p.z); });
-}
-
 }  // namespace
 
-double rounding_noise(double diagonal, double largest_coordinate, std::span<const Vec3> points) {
+bool RoundingNoise::are_floats() const {
+  const auto may_be_floats = [](const Vec3& p) { return may_be_float(p.x) && may_be_float(p.y) && may_be_float(p.z); };
+  if (!are_floats_) are_floats_ = std::ranges::all_of(points_, may_be_floats);
+  return *are_floats_;
+}
+
+double RoundingNoise::within(const Box3& box) const {
   constexpr double kPerDiagonal = 1e-6;
   constexpr double kSpacings = 4;
-  const double of_diagonal = kPerDiagonal * diagonal;
-  const double of_floats = kSpacings * std::numeric_limits<float>::epsilon() * largest_coordinate;
-  if (of_floats <= of_diagonal || are_floats(points)) return std::max(of_diagonal, of_floats);
-  return std::max(of_diagonal, kSpacings * std::numeric_limits<double>::epsilon() * largest_coordinate);
+  if (box.is_empty()) return 0;
+  double largest = 0;
+  for (const Vec3& corner : {box.min, box.max})
+    for (std::size_t axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(corner[axis]));
+  const double of_diagonal = kPerDiagonal * length(box.max - box.min);
+  const double of_floats = kSpacings * std::numeric_limits<float>::epsilon() * largest;
+  if (of_floats <= of_diagonal || are_floats()) return std::max(of_diagonal, of_floats);
+  return std::max(of_diagonal, kSpacings * std::numeric_limits<double>::epsilon() * largest);
 }
 
 }  // namespace algebra3d

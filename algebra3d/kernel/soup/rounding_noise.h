@@ -1,15 +1,30 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
+#include "algebra3d/base/box3.h"
 #include "algebra3d/base/vec3.h"
 
 namespace algebra3d {
 
-/// The largest distance between equal corners that were rounded: a millionth of the diagonal, or 4 spacings of the
-/// numbers of the file at the largest coordinate if that is more; both may be scaled. `points`: those of the file.
-/// Their numbers are floats if each is one or has at most nine significant digits, as a float has that was written as
-/// text; else doubles. Cost: linear, where the spacing of floats would decide.
-double rounding_noise(double diagonal, double largest_coordinate, std::span<const Vec3> points);
+/// The rounding noise of the coordinates of a file. Its numbers are floats if each is one or has at most nine
+/// significant digits, as a float has that was written as text; else doubles.
+class RoundingNoise {
+ public:
+  /// `points`: those of the file, which must outlive this.
+  explicit RoundingNoise(std::span<const Vec3> points) : points_(points) {}
+
+  /// The largest distance between equal corners in the box that were rounded: a millionth of its diagonal, or 4
+  /// spacings of the file's numbers at its largest coordinate if that is more. The box may be scaled. Cost: constant;
+  /// linear in the points once, where the spacing of floats would decide.
+  double within(const Box3& box) const;
+
+ private:
+  bool are_floats() const;
+
+  std::span<const Vec3> points_;
+  mutable std::optional<bool> are_floats_;  // once it was asked
+};
 
 }  // namespace algebra3d

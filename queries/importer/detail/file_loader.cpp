@@ -273,17 +273,17 @@ Slot::Stage FileLoader::Work::outcome(Slot& slot, Slot::Stage stage) {
   const algebra3d::MemoryUserScope memory(memory_user_);
   const algebra3d::InterruptionScope interruption(&slot.is_to_stop);
   const auto work = [&] {
-    return stage == Slot::Stage::hashing ? hash(slot, options_.hash_seed, &slot.is_to_stop) : load(slot);
+    const bool is_hashing = stage == Slot::Stage::hashing;
+    const Slot::Stage after = is_hashing ? hash(slot, options_.hash_seed, &slot.is_to_stop) : load(slot);
+    return after == Slot::Stage::dropped ? ended(slot) : after;
   };
   try {
     try {
       const std::shared_lock beside_others(turns_);
-      const Slot::Stage after = work();
-      return after == Slot::Stage::dropped ? ended(slot) : after;
+      return work();
     } catch (const algebra3d::MemoryLimitReached&) {
       const std::unique_lock alone(turns_);
-      const Slot::Stage after = work();
-      return after == Slot::Stage::dropped ? ended(slot) : after;
+      return work();
     }
   } catch (const algebra3d::Interrupted&) {
     return ended(slot);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -16,6 +17,8 @@ constexpr std::size_t kLeafTriangles = 16;
 bool is_outside(const Box3& box, const Vec3& p) {
   return p.x < box.min.x || p.y < box.min.y || p.z < box.min.z || p.x > box.max.x || p.y > box.max.y || p.z > box.max.z;
 }
+
+constexpr auto ends_of = [](const auto& edge) { return std::tuple(edge.from, edge.to); };
 
 /// Adds up edges that are sorted by their ends; those that cancel each other vanish.
 template <typename Edges>
@@ -45,7 +48,7 @@ GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::boundary_of(std::
       if (from != to) edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
     }
   }
-  std::ranges::sort(edges, {}, [](const BoundaryEdge& e) { return std::tuple(e.from, e.to); });
+  std::ranges::sort(edges, {}, ends_of);
   add_up(edges);
   return edges;
 }
@@ -69,9 +72,7 @@ GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::add_part(std::siz
     std::ranges::nth_element(triangles, triangles.begin() + static_cast<std::ptrdiff_t>(half - begin), {},
                              [&](FaceId triangle) { return std::pair(soup_.middle(triangle)[axis], triangle); });
     const Boundary first = add_part(begin, half), second = add_part(half, end);
-    std::ranges::merge(
-        first, second, std::back_inserter(boundary), {}, [](const BoundaryEdge& e) { return std::tuple(e.from, e.to); },
-        [](const BoundaryEdge& e) { return std::tuple(e.from, e.to); });
+    std::ranges::merge(first, second, std::back_inserter(boundary), {}, ends_of, ends_of);
     add_up(boundary);
   }
   Part& made = parts_[number];

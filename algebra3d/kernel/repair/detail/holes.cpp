@@ -183,7 +183,8 @@ class HoleCloser {
         report_(report),
         mesh_(soup.mesh()),
         components_(connected_components(*mesh_)),
-        scale_(largest_coordinate(*mesh_)) {}
+        scale_(largest_coordinate(*mesh_)),
+        noise_(mesh_->points().approx()) {}
 
   Result<std::vector<Triangle3>> run(const Monitor& monitor);
 
@@ -202,7 +203,8 @@ class HoleCloser {
   RepairReport& report_;
   std::shared_ptr<const TriangleMesh> mesh_;  // of the soup as given
   FaceComponents components_;
-  BinaryScale scale_;            // of areas
+  BinaryScale scale_;  // of areas
+  RoundingNoise noise_;
   std::vector<Triangle3> thin_;  // the triangles of thin patches
 };
 
@@ -227,13 +229,9 @@ CoveredHole HoleCloser::cover(HoleLoop hole, const CoverTest& test) const {
 double HoleCloser::tolerance_of(std::span<const Triangle3> patch) const {
   if (limits_.tolerance) return scale_.scaled(*limits_.tolerance);
   Box3 box;
-  double farthest = 0;
   for (const Triangle3& triangle : patch)
-    for (const Vec3& corner : triangle) {
-      box.extend(corner);
-      for (std::size_t axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(corner[axis]));
-    }
-  return rounding_noise(length(box.max - box.min), farthest, soup_.points);
+    for (const Vec3& corner : triangle) box.extend(corner);
+  return noise_.within(box);
 }
 
 /// True if a component encloses nothing when its holes are closed: it has one hole, whose cover cuts it and is too
@@ -301,16 +299,15 @@ Result<std::vector<Triangle3>> HoleCloser::run(const Monitor& monitor) {
     holes.push_back(cover(std::move(loop), test));
   }
   const std::vector<bool> are_left_open = are_open_patches(holes);
-  std::vector<bool> is_reported(components_.count);
+  std::vector<std::uint8_t> is_reported(components_.count);  // per component
   for (const CoveredHole& covered : holes) {
     const std::size_t patch = component(covered.hole.triangle);
     if (covered.cover.empty())
       report_.add(RepairStep::open_holes, covered.hole.loop.corners[0]);
     else if (!are_left_open[patch])
       close(covered);
-    else if (!is_reported[patch])
+    else if (std::exchange(is_reported[patch], 1) == 0)
       report_.add(RepairStep::open_patches, covered.hole.loop.corners[0]);
-    is_reported[patch] = is_reported[patch] || (are_left_open[patch] && !covered.cover.empty());
   }
   drop(are_left_open);
   return std::move(thin_);

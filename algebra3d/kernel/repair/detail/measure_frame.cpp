@@ -14,8 +14,7 @@ MeasureFrame::MeasureFrame(const TriangleMesh& given, const TriangleMesh& solid,
   scale_ = BinaryScale(largest);
   Box3 box;
   for (const Vec3& p : given.points().approx()) box.extend(scale_.scaled(p));
-  const double size = box.is_empty() ? 0 : length(box.max - box.min);
-  tolerance_ = std::max(scale_.scaled(moved), rounding_noise(size, scale_.scaled(largest), given.points().approx()));
+  tolerance_ = std::max(scale_.scaled(moved), RoundingNoise(given.points().approx()).within(box));
 }
 
 }  // namespace algebra3d

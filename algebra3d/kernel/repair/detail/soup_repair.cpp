@@ -24,12 +24,11 @@ namespace {
 
 constexpr double kGapPerDiagonal = 1e-4;
 
-double noise_of(const IndexedSoup& soup, double diagonal) {
-  double farthest = 0;
+double noise_of(const IndexedSoup& soup) {
+  Box3 box;
   for (const TriangleMesh::Triangle& triangle : soup.triangles)
-    for (const std::uint32_t corner : triangle)
-      for (std::size_t axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(soup.points[corner][axis]));
-  return rounding_noise(diagonal, farthest, soup.points);
+    for (const std::uint32_t corner : triangle) box.extend(soup.points[corner]);
+  return RoundingNoise(soup.points).within(box);
 }
 
 bool has_boundary(const TriangleMesh& mesh) {
@@ -93,7 +92,7 @@ void SoupRepair::stitch() {
   if (!has_boundary(mesh())) return;
   const double diagonal = soup_.diagonal();
   const double tolerance = strategy_.stitches_gaps ? options_.gap_tolerance.value_or(kGapPerDiagonal * diagonal) : 0;
-  merge_rounded_corners(soup_, std::min(tolerance, noise_of(soup_, diagonal)), report_);
+  merge_rounded_corners(soup_, std::min(tolerance, noise_of(soup_)), report_);
   drop_what_became_defective();
   if (!has_boundary(mesh())) return;
   split_t_junctions(soup_, report_);
