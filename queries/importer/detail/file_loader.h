@@ -61,7 +61,7 @@ class FileLoader {
     /// After this time others overtake a file.
     std::chrono::milliseconds hold{2000};
     /// A file that takes longer has no solid, with that reason; nothing: no limit.
-    std::optional<std::chrono::milliseconds> file_limit;
+    std::optional<std::chrono::milliseconds> file_limit = {};
   };
   /// Whether a file with this path and content was imported before.
   using IsKnown = std::function<Result<bool>(const Store::ImportedFile&)>;
