@@ -5,7 +5,9 @@
 //
 // For each file one line of fields with tabs between: file, status, `solid` or `undefined`, triangles, volume, CGAL's
 // volume (`-` if its tools give nothing closed), seconds for reading and making the solid, largest distance from the
-// facets, what was changed (steps, with commas between), what CGAL finds wrong.
+// facets, what was changed (steps, with commas between), what CGAL finds wrong, the triangles of the file, their area,
+// the length of their edges that an odd number of them has, the area of the solid, and the area that it should have by
+// the report: seen, less what was left out or lies inside, plus what was added.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -13,11 +15,17 @@
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "algebra3d/kernel/exact/exact_sum.h"
@@ -57,12 +65,57 @@ std::string volume_by_cgal(const std::string& path) {
   return text;
 }
 
+/// What a file holds, whatever is made of it.
+struct Given {
+  std::size_t triangles = 0;
+  double area = 0, boundary = 0;  ///< the boundary: edges that an odd number of triangles has, by equal coordinates
+};
+
+Given given_in(const std::string& path) {
+  Given given;
+  const auto file = read_mesh_file(path, nullptr);
+  if (!file) return given;
+  std::map<std::pair<std::array<double, 3>, std::array<double, 3>>, bool> is_odd;
+  for (const auto& triangle : file->soup.triangles) {
+    ++given.triangles;
+    given.area += length(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) / 2;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 &a = triangle[i], &b = triangle[(i + 1) % 3];
+      const auto ends = std::minmax(std::array{a.x, a.y, a.z}, std::array{b.x, b.y, b.z});
+      bool& odd = is_odd[{ends.first, ends.second}];
+      odd = !odd;
+    }
+  }
+  for (const auto& [ends, odd] : is_odd) {
+    const auto& [a, b] = ends;
+    if (odd) given.boundary += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  }
+  return given;
+}
+
+double area_of(const TriangleMesh& mesh) {
+  double area = 0;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const TriangleRef t = mesh.corners(FaceId(f));
+    area += length(cross(t[1].approx - t[0].approx, t[2].approx - t[0].approx)) / 2;
+  }
+  return area;
+}
+
+/// The area that the solid should have.
+double accounted_area(const SolidImport& imported, double seen) {
+  if (!imported.repair || !imported.repair->amounts) return seen;
+  const RepairAmounts& amounts = *imported.repair->amounts;
+  const auto area = [](const Amount& amount) { return amount.in_doubles().value_or(0); };
+  return area(amounts.area_seen) - area(amounts.left_out.area) - area(amounts.inside.area) + area(amounts.added.area);
+}
+
 void examine(const std::string& path) {
   const auto start = std::chrono::steady_clock::now();
   const auto imported = import_solid(path);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!imported) {
-    std::printf("%s\t%s\tundefined\t0\t0\t-\t%g\t0\t\tfailed\n", path.c_str(), imported.error().message.c_str(),
+    std::printf("%s\t%s\tundefined\t0\t0\t-\t%g\t0\t\tfailed\t0\t0\t0\t0\t0\n", path.c_str(), imported.error().message.c_str(),
                 seconds);
     return;
   }
@@ -72,9 +125,11 @@ void examine(const std::string& path) {
       steps += (steps.empty() ? "" : ",") + std::string(name_of(entry.step));
   const double deviation = imported->repair ? imported->repair->deviation() : 0;
   const TriangleMesh empty, &mesh = imported->solid ? imported->solid->mesh() : empty;
-  std::printf("%s\t%s\t%s\t%zu\t%.17g\t%s\t%g\t%g\t%s\t%s\n", path.c_str(), imported->status.c_str(),
+  const Given given = given_in(path);
+  std::printf("%s\t%s\t%s\t%zu\t%.17g\t%s\t%g\t%g\t%s\t%s\t%zu\t%.17g\t%.17g\t%.17g\t%.17g\n", path.c_str(), imported->status.c_str(),
               imported->solid ? "solid" : "undefined", mesh.face_count(), volume_of(mesh), volume_by_cgal(path).c_str(),
-              seconds, deviation, steps.c_str(), oracle::complaint(mesh).c_str());
+              seconds, deviation, steps.c_str(), oracle::complaint(mesh).c_str(), given.triangles, given.area, given.boundary, area_of(mesh),
+              accounted_area(*imported, given.area));
   std::fflush(stdout);
 }
 

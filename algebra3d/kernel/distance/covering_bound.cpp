@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/kernel/distance/detail/triangle_frame.h"
+#include "algebra3d/kernel/distance/triangle_frame.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "base/propagate.h"
 #include "base/scheduler.h"
@@ -16,7 +16,6 @@
 namespace algebra3d {
 namespace {
 
-using distances::TriangleFrame;
 using Polygon = TriangleFrame::Polygon;
 
 /// How far a piece reaches beyond a triangle, as a multiple of the distance of its middle.

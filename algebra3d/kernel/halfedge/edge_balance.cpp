@@ -5,13 +5,16 @@
 
 namespace algebra3d {
 
+void EdgeBalance::add(const PointRef& from, const PointRef& to, int count) {
+  const std::uint32_t first = places_.intern(from), second = places_.intern(to);
+  if (first < second)
+    excess_[{first, second}] += count;
+  else if (second < first)
+    excess_[{second, first}] -= count;
+}
+
 void EdgeBalance::add(const TriangleMesh& mesh, HalfedgeId halfedge, int count) {
-  const std::uint32_t from = places_.intern(mesh.point(mesh.origin(halfedge)));
-  const std::uint32_t to = places_.intern(mesh.point(mesh.target(halfedge)));
-  if (from < to)
-    excess_[{from, to}] += count;
-  else if (to < from)
-    excess_[{to, from}] -= count;
+  add(mesh.point(mesh.origin(halfedge)), mesh.point(mesh.target(halfedge)), count);
 }
 
 void EdgeBalance::add(const TriangleMesh& mesh, int count) {

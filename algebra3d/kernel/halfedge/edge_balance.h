@@ -14,7 +14,8 @@ namespace algebra3d {
 /// same balance.
 class EdgeBalance {
  public:
-  /// Counts a half-edge `count` times: -1 takes it away. Cost: logarithmic.
+  /// Counts a half-edge between two places `count` times: -1 takes it away. Cost: logarithmic.
+  void add(const PointRef& from, const PointRef& to, int count);
   void add(const TriangleMesh& mesh, HalfedgeId halfedge, int count);
   /// Counts all half-edges of a mesh. Cost: linear, and that of those at other edges than manifold ones.
   void add(const TriangleMesh& mesh, int count);

@@ -12,6 +12,8 @@ const char* name_of(RoundingMethod method) {
       return "edges led round vertices";
     case RoundingMethod::crossings_divided:
       return "divided where triangles crossed";
+    case RoundingMethod::gaps_closed:
+      return "gaps narrower than the grid closed";
     case RoundingMethod::features_joined:
       return "features joined";
     case RoundingMethod::facets_made_coplanar:

@@ -13,6 +13,7 @@ enum class RoundingMethod : std::uint8_t {
   vertices_moved,        ///< each vertex to the nearest point of the grid
   edges_led_round,       ///< as before, and edges led round vertices that they would have passed over
   crossings_divided,     ///< as before, and triangles divided where they crossed
+  gaps_closed,           ///< gaps in a solid that are nowhere wider than the grid closed, and divided as before
   features_joined,       ///< features of crossing triangles that are nearly one joined
   facets_made_coplanar,  ///< facets that nearly lie upon each other made coplanar, then features joined
   faces_thickened,       ///< prisms over the faces added, with corners on a coarser grid

@@ -68,7 +68,8 @@ struct BoxHierarchy::LazySlabs {
   std::atomic<std::size_t> steps = 0;  // of searches without them
 };
 
-BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh) : BoxHierarchy(mesh, all_faces(mesh), 0, mesh.face_order()) {}
+BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, double margin)
+    : BoxHierarchy(mesh, all_faces(mesh), margin, margin == 0 ? mesh.face_order() : nullptr) {}
 
 BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin)
     : BoxHierarchy(mesh, std::move(faces), margin, nullptr) {}

@@ -39,8 +39,8 @@ class BoxHierarchy {
   /// up to two margins apart meet. Cost: linear (radix sort).
   BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin = 0);
   /// Builds the hierarchy over all faces. If the mesh knows most of their order (TriangleMesh::face_order), only the
-  /// others are sorted; the hierarchy is the same.
-  explicit BoxHierarchy(const TriangleMesh& mesh);
+  /// others are sorted; the hierarchy is the same. `margin` as above.
+  explicit BoxHierarchy(const TriangleMesh& mesh, double margin = 0);
 
   std::size_t face_count() const { return faces_.size(); }
   std::size_t leaf_count() const { return (faces_.size() + kLeafSize - 1) / kLeafSize; }

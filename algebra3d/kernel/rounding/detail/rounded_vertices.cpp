@@ -12,9 +12,15 @@
 namespace algebra3d {
 namespace {
 
-/// An upper bound of the distance between a point and the doubles to which it is rounded: the double nearest to an
-/// exact coordinate is at most half a spacing away from it.
+Vec3 nearest(const CoordinateGrid& grid, const Vec3& point) {
+  return {grid.nearest(point.x), grid.nearest(point.y), grid.nearest(point.z)};
+}
+
+}  // namespace
+
+// The double nearest to an exact coordinate is at most half a spacing away from it.
 double distance_to_rounded(const PointRef& point, const Vec3& rounded) {
+  if (point.is_double() && point.approx == rounded) return 0;
   Vec3 difference;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double size = std::abs(point.approx[axis]);
@@ -25,12 +31,6 @@ double distance_to_rounded(const PointRef& point, const Vec3& rounded) {
   const double length = std::hypot(difference.x, difference.y, difference.z);
   return length * (1 + 8 * std::numeric_limits<double>::epsilon()) + std::numeric_limits<double>::denorm_min();
 }
-
-Vec3 nearest(const CoordinateGrid& grid, const Vec3& point) {
-  return {grid.nearest(point.x), grid.nearest(point.y), grid.nearest(point.z)};
-}
-
-}  // namespace
 
 std::vector<bool> are_moved(const TriangleMesh& mesh, const CoordinateGrid& grid) {
   std::vector<bool> result;
@@ -50,8 +50,7 @@ RoundedVertices rounded_vertices(const TriangleMesh& mesh, const CoordinateGrid&
   parallel_for(mesh.vertex_count(), kVerticesPerTask, [&](std::size_t i) {
     const PointRef given = mesh.points()[i];
     rounded[i] = nearest(grid, given.approx);
-    const bool is_moved = !given.is_double() || given.approx != rounded[i];
-    if (is_moved) result.movements[i] = distance_to_rounded(given, rounded[i]);
+    result.movements[i] = distance_to_rounded(given, rounded[i]);
   });
   result.are_finite = std::ranges::all_of(rounded, is_finite);
   if (!result.are_finite) return result;

@@ -16,6 +16,9 @@ struct RoundedVertices : MovedVertices {
   bool are_finite = true;       ///< otherwise a coordinate is out of range, and all else means nothing
 };
 
+/// An upper bound of the distance between a point and the doubles to which it is rounded; 0 if they are equal.
+double distance_to_rounded(const PointRef& point, const Vec3& rounded);
+
 /// One flag per vertex: whether rounding moves it. Cost: a few nanoseconds per vertex.
 std::vector<bool> are_moved(const TriangleMesh& mesh, const CoordinateGrid& grid);
 

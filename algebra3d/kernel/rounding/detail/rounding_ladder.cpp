@@ -7,12 +7,16 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "algebra3d/kernel/rounding/detail/narrow_gaps.h"
 #include "algebra3d/kernel/rounding/detail/rounding_rungs.h"
+#include "algebra3d/kernel/rounding/detail/simpler_form.h"
 #include "algebra3d/kernel/rounding/detail/thickening.h"
+#include "algebra3d/kernel/rounding/detail/triangle_stars.h"
 #include "base/propagate.h"
 
 namespace algebra3d {
@@ -66,6 +70,9 @@ Result<bool> always(Climb& /*climb*/) {
 Result<bool> of_multiples(Climb& climb) {
   return !climb.job.grid().is_floating();
 }
+Result<bool> of_multiples_of_solid(Climb& climb) {
+  return climb.job.is_solid() && !climb.job.grid().is_floating();
+}
 Result<bool> of_part(Climb& climb) {
   return !climb.job.is_whole() && climb.job.grid().is_floating();
 }
@@ -90,6 +97,34 @@ Result<bool> of_whole_solid(Climb& climb) {
 Result<bool> keep_faces(Climb& climb, Reach /*reach*/) {
   A3D_TRY(climb.job.begin("moving vertices"));
   return climb.job.accept_moved();
+}
+
+/// How far off the surface, in spacings, a corner at the rim of a closed gap is superfluous.
+constexpr double kRimTolerance = 0x1p-20;
+
+/// Removes the corners at the rims of closed gaps that lie inside facets or edges now.
+Status smooth_rims(RoundingCandidate& candidate, const ClosedGaps& gaps, double tolerance, const Monitor& monitor) {
+  std::vector<bool> may_change;
+  for (const Vec3& place : candidate.mesh.points().approx()) may_change.push_back(gaps.rims.find(place) != kNone);
+  TriangleStars stars(candidate.mesh);
+  A3D_ASSIGN(const bool is_simpler, make_simpler(stars, may_change, tolerance, monitor));
+  if (!is_simpler) return {};
+  candidate.mesh = stars.mesh();
+  candidate.movement = candidate.movement + Movement(rounded_up(2 * tolerance));
+  return {};
+}
+
+/// Rounding moves the walls of a narrow gap, which may have other corners each, and so makes it as wide as the grid.
+Result<bool> close_gaps(Climb& climb, Reach /*reach*/) {
+  RoundingJob& job = climb.job;
+  A3D_TRY(job.begin("closing gaps"));
+  A3D_ASSIGN(const std::optional<ClosedGaps> closed,
+             with_closed_gaps(job.mesh(), job.vertices(), job.spacing(), job.monitor()));
+  if (!closed) return false;
+  A3D_ASSIGN(RoundingCandidate candidate, with_moved_vertices(closed->mesh, closed->vertices, job.cancel()));
+  candidate.method = RoundingMethod::gaps_closed;
+  A3D_TRY(smooth_rims(candidate, *closed, kRimTolerance * job.spacing(), job.monitor()));
+  return job.is_whole() ? divide_at_crossings(job, std::move(candidate)) : job.accept(candidate);
 }
 
 /// On a grid of multiples, which may be coarse, edges led round vertices may close a gap as wide as a triangle.
@@ -148,6 +183,7 @@ struct Rung {
 constexpr std::string_view kApart = "if no two meet and none comes to lie inside an edge or face";
 constexpr std::string_view kMultiples = "with a grid width";
 constexpr std::string_view kMerged = "with a grid width, vertices that meet becoming one";
+constexpr std::string_view kGaps = "of a solid with a grid width, where gaps are nowhere wider than the grid";
 constexpr std::string_view kPart = "of a part of a solid, to doubles or floats";
 constexpr std::string_view kFewCrowded = "if at most 1,000 vertices are corners of triangles that cross";
 constexpr std::string_view kSparse = "if at most half of the vertices are";
@@ -165,6 +201,7 @@ constexpr std::string_view kCells = "64 cells of the lattice";
 std::span<const Rung> ladder() {
   using enum RoundingMethod;
   static constexpr Rung kLadder[] = {
+      {gaps_closed, of_multiples_of_solid, kGaps, {}, close_gaps, kSome},
       {vertices_moved, always, kApart, {}, keep_faces, kHalf},
       {vertices_moved, of_multiples, kMerged, {}, move_vertices, kHalf},
       {edges_led_round, always, "", {}, lead_edges, kSome},

@@ -182,9 +182,10 @@ Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate) 
     A3D_ASSIGN(const std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
     if (!divided || divided->face_count() > max_faces(job.mesh())) return false;
     const Movement moved_before = candidate.movement;
+    const RoundingMethod method = std::max(candidate.method, RoundingMethod::crossings_divided);
     A3D_ASSIGN(candidate, with_moved_vertices(*divided, rounded_vertices(*divided, job.grid()), job.cancel()));
     candidate.movement = moved_before + candidate.movement;
-    candidate.method = RoundingMethod::crossings_divided;
+    candidate.method = method;
     A3D_ASSIGN(const bool is_accepted, job.accept(candidate));
     if (is_accepted) return true;
   }

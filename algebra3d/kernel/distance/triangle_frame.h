@@ -5,7 +5,7 @@
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "base/wide_vec3.h"
 
-namespace algebra3d::distances {
+namespace algebra3d {
 
 /// A triangle in coordinates of its own: along its longest side, across it, and out of its plane. Its distances are
 /// accurate, to some 2^-60 of the coordinates, also if it is a needle or has no area. Rounded, in long doubles.
@@ -30,4 +30,4 @@ class TriangleFrame {
   long double length_, height_, foot_;        // of the longest side; over it; its place along the side
 };
 
-}  // namespace algebra3d::distances
+}  // namespace algebra3d

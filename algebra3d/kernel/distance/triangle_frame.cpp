@@ -1,4 +1,4 @@
-#include "algebra3d/kernel/distance/detail/triangle_frame.h"
+#include "algebra3d/kernel/distance/triangle_frame.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace algebra3d::distances {
+namespace algebra3d {
 namespace {
 
 /// The distance up to which a polygon is left whole, in margins; one that reaches farther is cut at one margin.
@@ -120,4 +120,4 @@ TriangleFrame::Polygon TriangleFrame::clip(Polygon polygon, long double margin, 
   return polygon;
 }
 
-}  // namespace algebra3d::distances
+}  // namespace algebra3d
