@@ -103,7 +103,7 @@ double area_of(const TriangleMesh& mesh) {
 }
 
 /// The area that the solid should have.
-double accounted_area(const SolidImport& imported, double seen) {
+double accounted_area(const ImportedSolid& imported, double seen) {
   if (!imported.repair || !imported.repair->amounts) return seen;
   const RepairAmounts& amounts = *imported.repair->amounts;
   const auto area = [](const Amount& amount) { return amount.in_doubles().value_or(0); };
