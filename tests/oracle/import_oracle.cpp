@@ -3,6 +3,9 @@
 // volume, and its polygon soup tools (equal points and polygons merged, polygons oriented) give a volume of their own.
 // Without files, takes them from standard input, one in each line.
 //
+// import_oracle --turned N [FILE...]: whether each file, in N random positions, turned, moved and scaled, has as many
+// bodies, or none. Prints the positions in which it has not, with both statuses; the last line counts them.
+//
 // For each file one line of fields with tabs between: file, status, `solid` or `undefined`, triangles, volume, CGAL's
 // volume (`-` if its tools give nothing closed), seconds for reading and making the solid, largest distance from the
 // facets, what was changed (steps, with commas between), what CGAL finds wrong, the triangles of the file, their area,
@@ -29,8 +32,10 @@
 #include <vector>
 
 #include "algebra3d/kernel/exact/exact_sum.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/values/conversions/import_solid.h"
 #include "support/cgal_verdict.h"
+#include "support/placement.h"
 
 namespace {
 
@@ -115,8 +120,8 @@ void examine(const std::string& path) {
   const auto imported = import_solid(path);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!imported) {
-    std::printf("%s\t%s\tundefined\t0\t0\t-\t%g\t0\t\tfailed\t0\t0\t0\t0\t0\n", path.c_str(), imported.error().message.c_str(),
-                seconds);
+    std::printf("%s\t%s\tundefined\t0\t0\t-\t%g\t0\t\tfailed\t0\t0\t0\t0\t0\n", path.c_str(),
+                imported.error().message.c_str(), seconds);
     return;
   }
   std::string steps;
@@ -126,18 +131,67 @@ void examine(const std::string& path) {
   const double deviation = imported->repair ? imported->repair->deviation() : 0;
   const TriangleMesh empty, &mesh = imported->solid ? imported->solid->mesh() : empty;
   const Given given = given_in(path);
-  std::printf("%s\t%s\t%s\t%zu\t%.17g\t%s\t%g\t%g\t%s\t%s\t%zu\t%.17g\t%.17g\t%.17g\t%.17g\n", path.c_str(), imported->status.c_str(),
-              imported->solid ? "solid" : "undefined", mesh.face_count(), volume_of(mesh), volume_by_cgal(path).c_str(),
-              seconds, deviation, steps.c_str(), oracle::complaint(mesh).c_str(), given.triangles, given.area, given.boundary, area_of(mesh),
-              accounted_area(*imported, given.area));
+  std::printf("%s\t%s\t%s\t%zu\t%.17g\t%s\t%g\t%g\t%s\t%s\t%zu\t%.17g\t%.17g\t%.17g\t%.17g\n", path.c_str(),
+              imported->status.c_str(), imported->solid ? "solid" : "undefined", mesh.face_count(), volume_of(mesh),
+              volume_by_cgal(path).c_str(), seconds, deviation, steps.c_str(), oracle::complaint(mesh).c_str(),
+              given.triangles, given.area, given.boundary, area_of(mesh), accounted_area(*imported, given.area));
   std::fflush(stdout);
+}
+
+/// The bodies of a file in one position; -1 if there is no solid.
+struct Bodies {
+  std::ptrdiff_t count = -1;
+  std::string status;
+};
+
+Bodies bodies_of(const TriangleSoup& soup) {
+  const auto made = solid_from_soup(soup);
+  if (!made || !made->mesh) return {-1, made ? made->status() : made.error().message};
+  return {static_cast<std::ptrdiff_t>(connected_components(*made->mesh).count), made->status()};
+}
+
+struct TurnedCount {
+  std::size_t positions = 0, differing = 0;
+  std::size_t differing_in_kind = 0;  ///< a solid in one position, and none in the other
+};
+
+void turn(const std::string& path, std::uint64_t count, TurnedCount& counted) {
+  const auto file = read_mesh_file(path, nullptr);
+  if (!file) return;
+  const Bodies given = bodies_of(file->soup);
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    const Bodies here = bodies_of(Placement(seed).of(file->soup));
+    ++counted.positions;
+    if (here.count == given.count) continue;
+    ++counted.differing;
+    if ((here.count < 0) != (given.count < 0)) ++counted.differing_in_kind;
+    std::printf("%s\t%td bodies in position %ju, %td as given\n  there: %s\n  given: %s\n", path.c_str(), here.count,
+                static_cast<std::uintmax_t>(seed), given.count, here.status.c_str(), given.status.c_str());
+    std::fflush(stdout);
+  }
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  for (int i = 1; i < count; ++i) examine(arguments[i]);
-  if (count > 1) return 0;
-  for (std::string path; std::getline(std::cin, path);) examine(path);
+  std::vector<std::string> words(arguments + 1, arguments + count);
+  std::uint64_t positions = 0;
+  if (words.size() >= 2 && words.front() == "--turned") {
+    positions = std::stoull(words[1]);
+    words.erase(words.begin(), words.begin() + 2);
+  }
+  TurnedCount counted;
+  const auto take = [&](const std::string& path) {
+    if (positions > 0)
+      turn(path, positions, counted);
+    else
+      examine(path);
+  };
+  std::ranges::for_each(words, take);
+  if (words.empty())
+    for (std::string path; std::getline(std::cin, path);) take(path);
+  if (positions > 0)
+    std::printf("%zu of %zu positions differ, %zu in whether there is a solid\n", counted.differing, counted.positions,
+                counted.differing_in_kind);
   return 0;
 }

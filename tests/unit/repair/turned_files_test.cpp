@@ -1,39 +1,15 @@
 // The same file in another position: turned, moved and scaled at random, it has as many bodies, or none.
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "support/placement.h"
 #include "unit/repair/repaired.h"
 
 namespace algebra3d::soups {
 namespace {
-
-/// A motion with a factor, of which the coordinates are rounded.
-class Placement {
- public:
-  explicit Placement(Chance& chance) {
-    const Vec3 first = chance.direction(), helper = chance.direction();
-    const Vec3 x = (1 / length(first)) * first;
-    const Vec3 z = cross(x, helper);
-    axes_ = {x, cross((1 / length(z)) * z, x), (1 / length(z)) * z};
-    factor_ = std::pow(10.0, chance.below(9) - 4);
-    shift_ = (factor_ * std::pow(10.0, chance.below(7) - 1)) * chance.direction();
-  }
-
-  TriangleSoup of(TriangleSoup soup) const {
-    for (SoupTriangle& t : soup.triangles)
-      for (Vec3& p : t) p = factor_ * (p.x * axes_[0] + p.y * axes_[1] + p.z * axes_[2]) + shift_;
-    return soup;
-  }
-
- private:
-  std::array<Vec3, 3> axes_;
-  double factor_ = 1;
-  Vec3 shift_;
-};
 
 /// A flat polygon with corners on a circle, every other one nearer to its middle by `inner`, as a fan.
 TriangleSoup star(int corners, double inner) {
@@ -128,8 +104,7 @@ TEST(TurnedFiles, have_as_many_bodies) {
     const TriangleSoup soup = kind_of_file(kind);
     const int bodies = bodies_of(soup);
     for (int seed = 1; seed <= kPlacements; ++seed) {
-      Chance chance(static_cast<std::uint64_t>(1000 * kind + seed));
-      const int here = bodies_of(Placement(chance).of(soup));
+      const int here = bodies_of(Placement(static_cast<std::uint64_t>(1000 * kind + seed)).of(soup));
       if (here == bodies) continue;
       ++differing;
       which += "\nkind " + std::to_string(kind) + ", seed " + std::to_string(seed) + ": " + std::to_string(here) +
@@ -142,8 +117,8 @@ TEST(TurnedFiles, have_as_many_bodies) {
 // The solids of these kinds are known: the box, or nothing.
 TEST(TurnedFiles, give_boxes_and_nothing_for_sheets) {
   for (int kind = 0; kind < 5; ++kind) {
-    Chance chance(static_cast<std::uint64_t>(kind));
-    for (const TriangleSoup& soup : {kind_of_file(kind), Placement(chance).of(kind_of_file(kind))}) {
+    const Placement placement(static_cast<std::uint64_t>(kind));
+    for (const TriangleSoup& soup : {kind_of_file(kind), placement.of(kind_of_file(kind))}) {
       const auto made = solid_from_soup(soup);
       ASSERT_TRUE(made->mesh) << made->status();
       EXPECT_EQ(made->mesh->face_count(), 12U);
@@ -153,8 +128,8 @@ TEST(TurnedFiles, give_boxes_and_nothing_for_sheets) {
     }
   }
   for (const int kind : {5, 6, 8, 12}) {
-    Chance chance(static_cast<std::uint64_t>(kind));
-    for (const TriangleSoup& soup : {kind_of_file(kind), Placement(chance).of(kind_of_file(kind))}) {
+    const Placement placement(static_cast<std::uint64_t>(kind));
+    for (const TriangleSoup& soup : {kind_of_file(kind), placement.of(kind_of_file(kind))}) {
       const auto made = solid_from_soup(soup);
       EXPECT_FALSE(made->mesh) << kind;
       EXPECT_EQ(made->reason.find("the triangles are an open patch"), 0U) << kind << ": " << made->reason;
@@ -167,8 +142,8 @@ TEST(TurnedFiles, areas_are_accounted_for) {
   for (int kind = 0; kind < 20; ++kind)
     for (int seed = 1; seed <= 5; ++seed) {
       SCOPED_TRACE("kind " + std::to_string(kind) + ", seed " + std::to_string(seed));
-      Chance chance(static_cast<std::uint64_t>(1000 * kind + seed));
-      const auto made = solid_from_soup(Placement(chance).of(kind_of_file(kind)));
+      const Placement placement(static_cast<std::uint64_t>(1000 * kind + seed));
+      const auto made = solid_from_soup(placement.of(kind_of_file(kind)));
       if (!made->mesh || !made->repair) continue;
       const RepairAmounts& amounts = *made->repair->amounts;
       const double seen = *amounts.area_seen.in_doubles();
