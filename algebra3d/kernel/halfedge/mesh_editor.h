@@ -90,10 +90,15 @@ class MeshEditor {
   /// the number. Of a vertex that is several corners of the face, the first one counts. Refused unless both are corners
   /// of the face, not neighbours in it, and not joined by an edge.
   Maybe<FaceId> split_face(FaceId f, VertexId from, VertexId to);
+  /// Puts a vertex into a face and joins it to all corners: n triangles, of which the one at the first edge keeps the
+  /// number. The values of the vertex and of its corners are means of those of the corners of the face, by the mean
+  /// value coordinates of the point [floater2003]; in a triangle these are its barycentric ones. Refused if a vertex is
+  /// two corners of the face.
+  Maybe<VertexId> split_face(FaceId f, const ExactPoint& point);
   /// Makes an edge of a vertex: the half-edges that leave it from `first` on, counter-clockwise up to but without
-  /// `last`, leave the new vertex, at `point`, afterwards. The faces to the right of `first` and `last` get a corner
-  /// more. Refused unless both leave the vertex, and are two. This reverses a collapse, but for triangles along the
-  /// edge, which split_face makes.
+  /// `last`, leave the new vertex, at `point`, afterwards. A triangle to the right of `first` or `last` becomes two, so
+  /// that both vertices are joined to the other end of that edge; faces of more corners get a corner more. Refused
+  /// unless both leave the vertex, and are two. This reverses a collapse.
   Maybe<VertexId> split_vertex(VertexId v, HalfedgeId first, HalfedgeId last, const ExactPoint& point);
   /// Always possible.
   void move_vertex(VertexId v, const ExactPoint& point) { points_[v.index()] = point; }
@@ -129,6 +134,8 @@ class MeshEditor {
   /// The source of the corner at a share of the way from the one that `h` leaves to the next one; of none if there is
   /// no face.
   std::uint32_t corner_between(HalfedgeId h, double share);
+  /// The half-edges of a face, from its first.
+  std::vector<HalfedgeId> halfedges_around(FaceId f) const;
   void free_edge(HalfedgeId h);
   void connect(HalfedgeId h, HalfedgeId to);
   /// Makes a half-edge without a face that of the vertex, if there is one.

@@ -9,6 +9,40 @@
 #include "algebra3d/kernel/halfedge/mesh_editor.h"
 
 namespace algebra3d {
+namespace {
+
+/// The weights of a polygon's corners for a point inside it, not negative, with the sum 1 up to rounding. At a corner
+/// and on a side of the polygon only those there count.
+std::vector<double> mean_value_coordinates(const Vec3& point, const std::vector<Vec3>& corners) {
+  const std::size_t n = corners.size();
+  std::vector<double> weights(n), distances, tangents;  // of half the angles at which the sides are seen
+  for (const Vec3& corner : corners) distances.push_back(length(corner - point));
+  if (const auto at = std::ranges::find(distances, 0.0); at != distances.end()) {
+    weights[static_cast<std::size_t>(at - distances.begin())] = 1;
+    return weights;
+  }
+  const auto next = [n](std::size_t i) { return i + 1 == n ? 0 : i + 1; };
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 a = corners[i] - point, b = corners[next(i)] - point;
+    const double sine = length(cross(a, b)), cosine = dot(a, b);
+    if (sine == 0 && cosine < 0) {  // on the side
+      weights[i] = distances[next(i)] / (distances[i] + distances[next(i)]);
+      weights[next(i)] = 1 - weights[i];
+      return weights;
+    }
+    tangents.push_back(sine / (distances[i] * distances[next(i)] + cosine));
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    weights[i] = (tangents[i] + tangents[i == 0 ? n - 1 : i - 1]) / distances[i];
+    sum += weights[i];
+  }
+  const bool is_usable = std::isfinite(sum) && sum > 0;
+  for (double& weight : weights) weight = is_usable ? weight / sum : 1.0 / static_cast<double>(n);
+  return weights;
+}
+
+}  // namespace
 
 Maybe<HalfedgeId> MeshEditor::flip_edge(HalfedgeId h) {
   const HalfedgeId o = opposite(h);
@@ -129,6 +163,54 @@ Maybe<FaceId> MeshEditor::split_face(FaceId f, VertexId from, VertexId to) {
   return added;
 }
 
+std::vector<HalfedgeId> MeshEditor::halfedges_around(FaceId f) const {
+  std::vector<HalfedgeId> around{halfedge(f)};
+  for (HalfedgeId h = next(around.front()); h != around.front(); h = next(h)) around.push_back(h);
+  return around;
+}
+
+Maybe<VertexId> MeshEditor::split_face(FaceId f, const ExactPoint& point) {
+  const std::vector<HalfedgeId> around = halfedges_around(f);
+  std::vector<VertexId> corners;
+  std::vector<Vec3> places;
+  for (const HalfedgeId h : around) {
+    corners.push_back(origin(h));
+    places.push_back(points_[origin(h).index()].approx());
+  }
+  std::ranges::sort(corners);
+  if (const auto twice = std::ranges::adjacent_find(corners); twice != corners.end())
+    return Undefined{fmt::format("vertex {} is two corners of face {}", twice->index(), f.index())};
+  const std::vector<double> weights = mean_value_coordinates(point.approx(), places);
+  std::vector<ValueBlends::Term> of_vertices, of_corners;
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    if (!(weights[i] > 0)) continue;
+    of_vertices.push_back({vertices_[origin(around[i]).index()].source, weights[i]});
+    of_corners.push_back({halfedges_[around[i].index()].corner, weights[i]});
+  }
+  const VertexId added = new_vertex(point, blends_.vertices.add(of_vertices));
+  const std::uint32_t corner = blends_.halfedges.add(of_corners);
+  // From each corner to the new vertex.
+  std::vector<HalfedgeId> spokes;
+  for (const HalfedgeId h : around) {
+    const HalfedgeId spoke = spokes.emplace_back(new_edge()), back = opposite(spoke);
+    halfedges_[spoke.index()].origin = origin(h);
+    halfedges_[spoke.index()].corner = halfedges_[h.index()].corner;
+    halfedges_[back.index()].origin = added;
+    halfedges_[back.index()].corner = corner;
+  }
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const HalfedgeId h = around[i], leaving = spokes[i + 1 == around.size() ? 0 : i + 1], back = opposite(spokes[i]);
+    connect(h, leaving);
+    connect(leaving, back);
+    connect(back, h);
+    const FaceId part = i == 0 ? f : new_face(h, f);
+    for (const HalfedgeId side : {h, leaving, back}) halfedges_[side.index()].face = part;
+    faces_[part.index()] = h;
+  }
+  vertices_[added.index()].outgoing = opposite(spokes.front());
+  return added;
+}
+
 Maybe<VertexId> MeshEditor::split_vertex(VertexId v, HalfedgeId first, HalfedgeId last, const ExactPoint& point) {
   for (const HalfedgeId h : {first, last})
     if (origin(h) != v) return Undefined{fmt::format("an edge does not begin at vertex {}", v.index())};
@@ -137,6 +219,8 @@ Maybe<VertexId> MeshEditor::split_vertex(VertexId v, HalfedgeId first, HalfedgeI
   const HalfedgeId out = new_edge(), back = opposite(out);  // v -> added, added -> v
   const HalfedgeId to_first = opposite(first), to_last = opposite(last);
   const HalfedgeId after_first = next(to_first), after_last = next(to_last);
+  const auto is_triangle = [&](HalfedgeId h) { return !is_boundary(h) && degree(face(h)) == 3; };
+  const bool divides_first = is_triangle(to_first), divides_last = is_triangle(to_last);
   for (HalfedgeId h = first; h != last; h = opposite(prev(h))) halfedges_[h.index()].origin = added;
   halfedges_[out.index()].origin = v;
   halfedges_[out.index()].face = face(to_last);
@@ -150,6 +234,8 @@ Maybe<VertexId> MeshEditor::split_vertex(VertexId v, HalfedgeId first, HalfedgeI
   connect(out, after_last);
   settle(v, last);
   settle(added, first);
+  if (divides_first) (void)split_face(face(to_first), origin(to_first), v);
+  if (divides_last) (void)split_face(face(to_last), origin(to_last), added);
   return added;
 }
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/mesh_editor.h"
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/operators/descriptions/all.h"
@@ -43,12 +43,16 @@ Result<VertexId> vertex_of(const char* name, const PolygonMesh& mesh, std::int64
   return VertexId(static_cast<std::size_t>(id));
 }
 
+Result<FaceId> face_of(const char* name, const PolygonMesh& mesh, std::int64_t id) {
+  if (!is_below(id, mesh.face_count())) return no_element(name, "face", id, mesh.face_count());
+  return FaceId(static_cast<std::size_t>(id));
+}
+
 /// The first half-edge of the edge with a number.
-Result<HalfedgeId> edge_of(const char* name, const PolygonMesh& mesh, std::int64_t id) {
-  std::int64_t number = 0;
-  for (const HalfedgeId h : edges(mesh))
-    if (number++ == id) return h;
-  return no_element(name, "edge", id, static_cast<std::size_t>(number));
+Result<HalfedgeId> edge_of(const char* name, const Mesh3d& mesh, std::int64_t id) {
+  const EdgeNumbers& numbers = mesh.edge_numbers();
+  if (!is_below(id, numbers.count())) return no_element(name, "edge", id, numbers.count());
+  return numbers.first_halfedge(EdgeId(static_cast<std::size_t>(id)));
 }
 
 /// Applies `edit`, which returns a Maybe, to an editor of the mesh. Errors: interrupted.
@@ -65,18 +69,18 @@ Outcome3d edited(Context& context, const Mesh3d& mesh, const Edit& edit) {
 }
 
 Outcome3d with_flipped_edge(Context& context, const Mesh3d& mesh, std::int64_t edge) {
-  A3D_ASSIGN(const HalfedgeId h, edge_of("flipEdge", mesh.mesh(), edge));
+  A3D_ASSIGN(const HalfedgeId h, edge_of("flipEdge", mesh, edge));
   return edited(context, mesh, [h](MeshEditor& editor) { return editor.flip_edge(h); });
 }
 
 Outcome3d with_edge_split_at(Context& context, const Mesh3d& mesh, std::int64_t edge, const Point3d& point) {
-  A3D_ASSIGN(const HalfedgeId h, edge_of("splitEdge", mesh.mesh(), edge));
+  A3D_ASSIGN(const HalfedgeId h, edge_of("splitEdge", mesh, edge));
   return edited(context, mesh,
                 [&](MeshEditor& editor) { return Maybe<VertexId>(editor.split_edge(h, point.position)); });
 }
 
 Outcome3d with_split_edge(Context& context, const Mesh3d& mesh, std::int64_t edge, double share) {
-  A3D_ASSIGN(const HalfedgeId h, edge_of("splitEdge", mesh.mesh(), edge));
+  A3D_ASSIGN(const HalfedgeId h, edge_of("splitEdge", mesh, edge));
   if (!(share > 0 && share < 1))
     return Maybe<Mesh3d>(Undefined{"the share must be greater than 0 and less than 1, got " + real_text(share)});
   const RationalVec3 from = mesh.mesh().point(mesh.mesh().origin(h)).rational();
@@ -88,16 +92,20 @@ Outcome3d with_split_edge(Context& context, const Mesh3d& mesh, std::int64_t edg
 }
 
 Outcome3d with_collapsed_edge(Context& context, const Mesh3d& mesh, std::int64_t edge) {
-  A3D_ASSIGN(const HalfedgeId h, edge_of("collapseEdge", mesh.mesh(), edge));
+  A3D_ASSIGN(const HalfedgeId h, edge_of("collapseEdge", mesh, edge));
   return edited(context, mesh, [h](MeshEditor& editor) { return editor.collapse_edge(h); });
 }
 
 Outcome3d with_split_face(Context& context, const Mesh3d& mesh, std::int64_t face, std::int64_t from, std::int64_t to) {
-  if (!is_below(face, mesh.mesh().face_count())) return no_element("splitFace", "face", face, mesh.mesh().face_count());
+  A3D_ASSIGN(const FaceId f, face_of("splitFace", mesh.mesh(), face));
   A3D_ASSIGN(const VertexId first, vertex_of("splitFace", mesh.mesh(), from));
   A3D_ASSIGN(const VertexId second, vertex_of("splitFace", mesh.mesh(), to));
-  const FaceId f(static_cast<std::size_t>(face));
   return edited(context, mesh, [&](MeshEditor& editor) { return editor.split_face(f, first, second); });
+}
+
+Outcome3d with_face_split_at(Context& context, const Mesh3d& mesh, std::int64_t face, const Point3d& point) {
+  A3D_ASSIGN(const FaceId f, face_of("splitFace", mesh.mesh(), face));
+  return edited(context, mesh, [&](MeshEditor& editor) { return editor.split_face(f, point.position); });
 }
 
 Outcome3d with_split_vertex(Context& context, const Mesh3d& mesh, std::int64_t vertex, std::int64_t first,
@@ -206,21 +214,35 @@ void register_edge_edits(Registry& registry) {
 void register_other_edits(Registry& registry) {
   registry.add({
       .name = "splitFace",
-      .syntax = "splitFace(_, _, _, _)",
-      .doc = "The mesh with two corners of a face joined by an edge.",
-      .detail = kCommonDetail +
-                "The part from the first corner to the second, in the order of the face, keeps the number; the other "
-                "one is the last face; both have its values. Refused where the corners are neighbours, or joined by an "
-                "edge elsewhere.",
+      .syntax = "splitFace(_, _ ...)",
+      .doc =
+          "The mesh with a face divided: by an edge that joins two of its corners, or by a new vertex at a point that "
+          "is joined to all of them.",
+      .detail =
+          kCommonDetail +
+          "By an edge: the part from the first corner to the second, in the order of the face, keeps the number; "
+          "the other one is the last face. Refused where the corners are neighbours, or joined by an edge "
+          "elsewhere. By a vertex: a face of n corners becomes n triangles; the one at its first edge keeps the "
+          "number, the others are the last faces, and the vertex is the last one; the point need not be on the "
+          "face. Refused if a vertex is two corners of the face. All parts have the values of the face. The values "
+          "of the vertex and of its corners are means of those of the corners of the face: numbers by the mean "
+          "value coordinates of the point, in a triangle its barycentric ones, texts only if all agree.",
       .exactness = Exactness::exact,
-      .overloads = {overload<&with_split_face>("mesh", "face", "first", "second")},
+      .sources = {"floater2003"},
+      .overloads = {overload<&with_split_face>("mesh", "face", "first", "second"),
+                    overload<&with_face_split_at>("mesh", "face", "point")},
       .examples = {{{kSquareFace, "0", "0", "2"},
                     "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0)) ((0 1 2) (2 3 0)))"},
+                   {{kSquareFace, "0", "(makePoint3D 0.5 0.5 1)"},
+                    "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0) (0.5 0.5 1.0)) ((0 1 4) (1 2 4) (2 3 4) "
+                    "(3 0 4)))"},
                    {{kSquareFace, "0", "0", "1"}, "undefined"},
+                   {{kUndefinedMesh, "0", kOrigin}, "undefined"},
                    {{kUndefinedMesh, "0", "0", "2"}, "undefined"}},
       .errors = {{{kSquareFace, "1", "0", "2"}, "splitFace: there is no face 1; the mesh has only face 0"},
+                 {{kSquareFace, "-1", kOrigin}, "splitFace: there is no face -1; the mesh has only face 0"},
                  {{kSquareFace, "0", "4", "2"}, "splitFace: there is no vertex 4; the mesh has vertices 0 to 3"},
-                 {{"1", "0", "0", "2"}, "splitFace: expected (mesh3d int int int)"}},
+                 {{"1", "0", "0", "2"}, "splitFace: expected (mesh3d int int int) or (mesh3d int point3d)"}},
   });
   registry.add({
       .name = "splitVertex",
@@ -229,15 +251,17 @@ void register_other_edits(Registry& registry) {
       .detail =
           kCommonDetail +
           "Counter-clockwise about the vertex, the edges from the one to the first neighbour up to the one to "
-          "the second, without it, move to the new vertex, which is the last one. Faces keep their numbers; two "
-          "get a corner more. The new vertex and its corners have the values of the vertex. Refused unless both are "
-          "neighbours, and two.",
+          "the second, without it, move to the new vertex, which is the last one. Triangles to the right of these two "
+          "edges become two, so that both vertices are joined to both neighbours, and a mesh of triangles stays one; "
+          "new faces come last. Faces of more corners get one more. The new vertex and its corners have the values of "
+          "the vertex. Refused unless both are neighbours, and two. This reverses collapseEdge.",
       .exactness = Exactness::exact,
       .overloads = {overload<&with_split_vertex>("mesh", "vertex", "first", "second", "point")},
-      .examples = {{{kHalvedSquare, "2", "3", "0", "(makePoint3D 0.5 1 0)"},
-                    "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0) (0.5 1.0 0.0)) ((0 1 2) (0 2 4 3)))"},
-                   {{kHalvedSquare, "1", "3", "0", kOrigin}, "undefined"},
-                   {{kUndefinedMesh, "0", "1", "2", kOrigin}, "undefined"}},
+      .examples =
+          {{{kHalvedSquare, "2", "3", "0", "(makePoint3D 0.5 1 0)"},
+            "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0) (0.5 1.0 0.0)) ((0 1 2) (0 2 4) (4 3 0)))"},
+           {{kHalvedSquare, "1", "3", "0", kOrigin}, "undefined"},
+           {{kUndefinedMesh, "0", "1", "2", kOrigin}, "undefined"}},
       .errors = {{{kHalvedSquare, "4", "3", "0", kOrigin},
                   "splitVertex: there is no vertex 4; the mesh has vertices 0 to 3"},
                  {{"1", "0", "0", "2", kOrigin}, "splitVertex: expected (mesh3d int int int point3d)"}},

@@ -21,8 +21,10 @@ using detail::Number;
 
 template <typename T>
 detail::VertexRows vertices_of_value(const T& value) {
-  return detail::rows_up_to<detail::VertexRows>(
-      value.mesh().vertex_count(), [value](std::size_t i) { return detail::vertex_cells(value.mesh(), VertexId(i)); });
+  return detail::rows_up_to<detail::VertexRows>(value.mesh().vertex_count(), [value](std::size_t i) {
+    const VertexId v(i);
+    return detail::vertex_cells(value.mesh(), v, facts_of(value.mesh(), v));
+  });
 }
 
 /// The edges as they are met among the half-edges, so that their numbers need no table.
@@ -41,28 +43,17 @@ detail::EdgeRows edges_of_value(const T& value) {
   });
 }
 
-/// Id, Origin, Target, Next, Opposite, Face, Edge.
-using HalfedgeRows = Rows<Number, Number, Number, Number, std::optional<Number>, Number, Number>;
-
 template <typename T>
-HalfedgeRows halfedges_of_value(const T& value) {
-  return detail::rows_up_to<HalfedgeRows>(value.mesh().halfedge_count(), [value](std::size_t i) {
-    const auto& mesh = value.mesh();
-    const HalfedgeId h(i);
-    return HalfedgeRows::Cells{Number{h.index()},
-                               Number{mesh.origin(h).index()},
-                               Number{mesh.target(h).index()},
-                               Number{mesh.next(h).index()},
-                               detail::number_if_valid(mesh.opposite(h)),
-                               Number{mesh.face(h).index()},
-                               Number{detail::edge_numbers_of(value).edge(first_along(mesh, h)).index()}};
-  });
+detail::HalfedgeRows halfedges_of_value(const T& value) {
+  return detail::rows_up_to<detail::HalfedgeRows>(
+      value.mesh().halfedge_count(), [value](std::size_t i) { return detail::halfedge_cells(value, HalfedgeId(i)); });
 }
 
 // ---- faces
 
-/// Id, Degree, Area, Normal, Centroid, Component.
-using FaceAndComponentRows = Rows<Number, Number, std::optional<double>, std::optional<Vector3d>, Point3d, Number>;
+/// Id, Degree, Area, Normal, Centroid, Halfedge, Component.
+using FaceAndComponentRows =
+    Rows<Number, Number, std::optional<double>, std::optional<Vector3d>, Point3d, Number, Number>;
 
 /// The components of the faces, found when the first is asked for.
 template <typename T>
@@ -105,22 +96,24 @@ void register_vertices(Registry& registry) {
       .name = "vertices",
       .syntax = "vertices(_)",
       .doc = "The vertices of a surface, solid or mesh, a row for each (Id: int, Position: point3d, Valence: int, "
-             "Normal: vector3d, Boundary: bool, Manifold: bool).",
-      .detail = std::string("Valence is the number of edges at the vertex. Normal is the sum of the normals of its "
-                            "faces, weighted by their angles there, scaled to length 1; undefined for a vertex of no "
-                            "face and where they cancel. Its error is at most 10^-15 times the sum of the angles, "
-                            "divided by the length of the sum. Boundary is true if an edge with one face ends there. "
-                            "Manifold is false if the faces at the vertex are not all connected across manifold edges "
-                            "there.") +
-                kNumbering,
+             "Normal: vector3d, Boundary: bool, Manifold: bool, Halfedge: int).",
+      .detail =
+          std::string("Valence is the number of edges at the vertex. Normal is the sum of the normals of its "
+                      "faces, weighted by their angles there, scaled to length 1; undefined for a vertex of no "
+                      "face and where they cancel. Its error is at most 10^-15 times the sum of the angles, "
+                      "divided by the length of the sum. Boundary is true if an edge with one face ends there. "
+                      "Manifold is false if the faces at the vertex are not all connected across manifold edges "
+                      "there. Halfedge is one that leaves the vertex, at a boundary the first one there; undefined "
+                      "for a vertex of no face.") +
+          kNumbering,
       .exactness = Exactness::bounded,
       .sources = {"thuermer1998"},
       .overloads =
           detail::mesh_tables<&vertices_of_value<Surface3d>, &vertices_of_value<Volume3d>, &vertices_of_value<Mesh3d>>(
-              {"Id", "Position", "Valence", "Normal", "Boundary", "Manifold"}),
+              {"Id", "Position", "Valence", "Normal", "Boundary", "Manifold", "Halfedge"}),
       .examples = {{{kFlatSquare},
-                    "((0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) (1 (2.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) "
-                    "(2 (2.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) (3 (0.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE))"},
+                    "((0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 0) (1 (2.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 1) "
+                    "(2 (2.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 2) (3 (0.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 3))"},
                    {{kUnitCube}, "8", "(count _)"},
                    {{kFoldedSurface}, "4", "(count _)"},
                    {{kUndefinedSolid}, "()"}},
@@ -133,7 +126,8 @@ void register_edges(Registry& registry) {
       .name = "edges",
       .syntax = "edges(_)",
       .doc = "The edges of a surface, solid or mesh, a row for each (Id: int, Start: int, End: int, Left: int, Right: "
-             "int, Length: real, Angle: real, Boundary: bool, Manifold: bool, FaceCount: int).",
+             "int, Length: real, Angle: real, Boundary: bool, Manifold: bool, FaceCount: int, Halfedge: int, Opposite: "
+             "int).",
       .detail =
           std::string("Start and End are vertices, Left the first face along the edge, which has it from Start to "
                       "End, Right the other face of a manifold edge. Angle, in degrees, is that between the "
@@ -142,18 +136,23 @@ void register_edges(Registry& registry) {
                       "more than two, two that run along it in the same direction, or one that has it twice in one. A "
                       "bridge, which one face has in both directions, is Manifold; FaceCount is the number of "
                       "different faces, those of edgeFaces, so it is 1 there. Right and Angle are undefined where the "
-                      "edge is not manifold. Length is rounded once.") +
+                      "edge is not manifold. Length is rounded once. Halfedge is the first half-edge along the edge, "
+                      "from Start "
+                      "to End, Opposite the other one of a manifold edge.") +
           kNumbering,
       .exactness = Exactness::bounded,
       .overloads = detail::mesh_tables<&edges_of_value<Surface3d>, &edges_of_value<Volume3d>, &edges_of_value<Mesh3d>>(
-          {"Id", "Start", "End", "Left", "Right", "Length", "Angle", "Boundary", "Manifold", "FaceCount"}),
-      .examples = {{{kFoldedSurface},
-                    "((0 0 1 0 undefined 2.0 undefined TRUE FALSE 1) (1 1 2 0 undefined 2.8284271247461903 undefined "
-                    "TRUE FALSE 1) (2 2 0 0 1 2.0 -90.0 FALSE TRUE 2) (3 2 3 1 undefined 2.8284271247461903 undefined "
-                    "TRUE FALSE 1) (4 3 0 1 undefined 2.0 undefined TRUE FALSE 1))"},
-                   {{kUnitCube}, "18", "(count _)"},
-                   {{kThreeAtAnEdge}, "7", "(count _)"},
-                   {{kUndefinedMesh}, "()"}},
+          {"Id", "Start", "End", "Left", "Right", "Length", "Angle", "Boundary", "Manifold", "FaceCount", "Halfedge",
+           "Opposite"}),
+      .examples =
+          {{{kFoldedSurface},
+            "((0 0 1 0 undefined 2.0 undefined TRUE FALSE 1 0 undefined) (1 1 2 0 undefined 2.8284271247461903 "
+            "undefined TRUE FALSE 1 1 undefined) (2 2 0 0 1 2.0 -90.0 FALSE TRUE 2 2 3) (3 2 3 1 undefined "
+            "2.8284271247461903 undefined TRUE FALSE 1 4 undefined) (4 3 0 1 undefined 2.0 undefined TRUE FALSE "
+            "1 5 undefined))"},
+           {{kUnitCube}, "18", "(count _)"},
+           {{kThreeAtAnEdge}, "7", "(count _)"},
+           {{kUndefinedMesh}, "()"}},
       .errors = {{{kOrigin}, "edges: expected (surface3d), (volume3d) or (mesh3d), got (point3d)"}},
   });
 }
@@ -164,19 +163,20 @@ void register_halfedges(Registry& registry) {
       .syntax = "halfedges(_)",
       .doc =
           "The half-edges of a surface, solid or mesh, a row for each (Id: int, Origin: int, Target: int, Next: int, "
-          "Opposite: int, Face: int, Edge: int).",
+          "Previous: int, Opposite: int, Face: int, Edge: int).",
       .detail = std::string("A half-edge is one side of a face, from the vertex Origin to the vertex Target; Next "
-                            "follows it round the face. Opposite is the other half-edge of a manifold edge, undefined "
+                            "follows it round the face, and Previous comes before it. Opposite is the other half-edge "
+                            "of a manifold edge, undefined "
                             "at other edges.") +
                 kNumbering,
       .exactness = Exactness::exact,
       .sources = {"campagna1998"},
       .overloads = detail::mesh_tables<&halfedges_of_value<Surface3d>, &halfedges_of_value<Volume3d>,
                                        &halfedges_of_value<Mesh3d>>(
-          {"Id", "Origin", "Target", "Next", "Opposite", "Face", "Edge"}),
+          {"Id", "Origin", "Target", "Next", "Previous", "Opposite", "Face", "Edge"}),
       .examples = {{{kFoldedSurface},
-                    "((0 0 1 1 undefined 0 0) (1 1 2 2 undefined 0 1) (2 2 0 0 3 0 2) (3 0 2 4 2 1 2) "
-                    "(4 2 3 5 undefined 1 3) (5 3 0 3 undefined 1 4))"},
+                    "((0 0 1 1 2 undefined 0 0) (1 1 2 2 0 undefined 0 1) (2 2 0 0 1 3 0 2) (3 0 2 4 5 2 1 2) "
+                    "(4 2 3 5 3 undefined 1 3) (5 3 0 3 4 undefined 1 4))"},
                    {{kUnitCube}, "36", "(count _)"},
                    {{kFlatSquare}, "4", "(count _)"},
                    {{kUndefinedMesh}, "()"}},
@@ -190,21 +190,22 @@ void register_faces(Registry& registry) {
       .syntax = "faces(_)",
       .doc =
           "The faces of a surface, solid or mesh, a row for each (Id: int, Degree: int, Area: real, Normal: vector3d, "
-          "Centroid: point3d, Component: int).",
+          "Centroid: point3d, Halfedge: int, Component: int).",
       .detail =
           std::string("Degree is the number of corners, Normal has length 1 and points to the side from which the "
                       "corners run counter-clockwise; undefined for a face without area. Area and Normal of a "
                       "bent polygon are those of its projection along Normal. Centroid is the mean of the "
-                      "corners. Component is the number, from 0, of the set of faces that are connected across "
+                      "corners. Halfedge is the first one of the face. Component is the number, from 0, of the set of "
+                      "faces that are connected across "
                       "edges. All numbers are rounded once, so parallel faces have equal normals.") +
           kNumbering,
       .exactness = Exactness::rounded_once,
       .sources = {"newell1972"},
       .overloads = detail::mesh_tables<&faces_of_value<Surface3d>, &faces_of_value<Volume3d>, &faces_of_value<Mesh3d>>(
-          {"Id", "Degree", "Area", "Normal", "Centroid", "Component"}),
-      .examples = {{{kFlatSquare}, "((0 4 4.0 (0.0 0.0 1.0) (1.0 1.0 0.0) 0))"},
+          {"Id", "Degree", "Area", "Normal", "Centroid", "Halfedge", "Component"}),
+      .examples = {{{kFlatSquare}, "((0 4 4.0 (0.0 0.0 1.0) (1.0 1.0 0.0) 0 0))"},
                    {{"(surface3d (((0 0 0) (3 0 0) (0 3 0)) ((5 0 0) (5 3 0) (5 0 3))))"},
-                    "((0 3 4.5 (0.0 0.0 1.0) (1.0 1.0 0.0) 0) (1 3 4.5 (1.0 0.0 0.0) (5.0 1.0 1.0) 1))"},
+                    "((0 3 4.5 (0.0 0.0 1.0) (1.0 1.0 0.0) 0 0) (1 3 4.5 (1.0 0.0 0.0) (5.0 1.0 1.0) 3 1))"},
                    {{kUnitCube}, "12", "(count _)"},
                    {{kUndefinedSolid}, "()"}},
       .errors = {{{kOrigin}, "faces: expected (surface3d), (volume3d) or (mesh3d), got (point3d)"}},

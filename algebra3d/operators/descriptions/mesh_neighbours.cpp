@@ -1,5 +1,6 @@
 // The nine adjacency relations between vertices, edges and faces as tables: oneRing, vertexEdges, vertexFaces,
-// edgeVertices, edgeEdges, edgeFaces, faceVertices, faceEdges, faceFaces.
+// edgeVertices, edgeEdges, edgeFaces, faceVertices, faceEdges, faceFaces; and half-edges by their number, at a vertex
+// and of a face: halfedge, outgoingHalfedges, incomingHalfedges, faceHalfedges.
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "algebra3d/kernel/halfedge/adjacency.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/operators/descriptions/all.h"
 #include "algebra3d/operators/descriptions/detail/mesh_overloads.h"
 #include "algebra3d/operators/descriptions/detail/mesh_rows.h"
@@ -87,29 +89,73 @@ Maybe<detail::FaceRows> face_faces(const T& value, const Number& face) {
   return of_face(value, face, [&](FaceId f) { return detail::face_rows(value, faces_beside(value.mesh(), f)); });
 }
 
+// ---- half-edges
+
+template <typename T>
+Maybe<detail::HalfedgeRows::Cells> halfedge_of_number(const T& value, const Number& number) {
+  const Maybe<HalfedgeId> h = detail::element<HalfedgeId>("half-edge", number, value.mesh().halfedge_count());
+  if (!h) return Undefined{h.reason()};
+  return detail::halfedge_cells(value, *h);
+}
+template <typename T>
+Maybe<detail::HalfedgeRows> vertex_outgoing(const T& value, const Number& vertex) {
+  return of_vertex(value, vertex, [&](VertexId v) {
+    std::vector<HalfedgeId> leaving;
+    for (const HalfedgeId h : outgoing_halfedges(value.mesh(), v)) leaving.push_back(h);
+    return detail::halfedge_rows(value, std::move(leaving));
+  });
+}
+/// In each face the one before that which leaves.
+template <typename T>
+Maybe<detail::HalfedgeRows> vertex_incoming(const T& value, const Number& vertex) {
+  return of_vertex(value, vertex, [&](VertexId v) {
+    std::vector<HalfedgeId> arriving;
+    for (const HalfedgeId h : outgoing_halfedges(value.mesh(), v)) arriving.push_back(value.mesh().prev(h));
+    return detail::halfedge_rows(value, std::move(arriving));
+  });
+}
+template <typename T>
+Maybe<detail::HalfedgeRows> face_halfedges(const T& value, const Number& face) {
+  return of_face(value, face, [&](FaceId f) {
+    std::vector<HalfedgeId> around;
+    for (const HalfedgeId h : halfedges_of(value.mesh(), f)) around.push_back(h);
+    return detail::halfedge_rows(value, std::move(around));
+  });
+}
+
 // ---- descriptions
 
 template <auto OfSurface, auto OfSolid, auto OfMesh>
 std::vector<Overload> giving_vertices(std::string_view parameter) {
   return detail::mesh_tables<OfSurface, OfSolid, OfMesh>(
-      {"Id", "Position", "Valence", "Normal", "Boundary", "Manifold"}, parameter);
+      {"Id", "Position", "Valence", "Normal", "Boundary", "Manifold", "Halfedge"}, parameter);
 }
 template <auto OfSurface, auto OfSolid, auto OfMesh>
 std::vector<Overload> giving_edges(std::string_view parameter) {
+  return detail::mesh_tables<OfSurface, OfSolid, OfMesh>({"Id", "Start", "End", "Left", "Right", "Length", "Angle",
+                                                          "Boundary", "Manifold", "FaceCount", "Halfedge", "Opposite"},
+                                                         parameter);
+}
+template <auto OfSurface, auto OfSolid, auto OfMesh>
+std::vector<Overload> giving_halfedges(std::string_view parameter) {
   return detail::mesh_tables<OfSurface, OfSolid, OfMesh>(
-      {"Id", "Start", "End", "Left", "Right", "Length", "Angle", "Boundary", "Manifold", "FaceCount"}, parameter);
+      {"Id", "Origin", "Target", "Next", "Previous", "Opposite", "Face", "Edge"}, parameter);
 }
 template <auto OfSurface, auto OfSolid, auto OfMesh>
 std::vector<Overload> giving_faces(std::string_view parameter) {
-  return detail::mesh_tables<OfSurface, OfSolid, OfMesh>({"Id", "Degree", "Area", "Normal", "Centroid"}, parameter);
+  return detail::mesh_tables<OfSurface, OfSolid, OfMesh>({"Id", "Degree", "Area", "Normal", "Centroid", "Halfedge"},
+                                                         parameter);
 }
 
 const std::string kVertexColumns =
-    " (Id: int, Position: point3d, Valence: int, Normal: vector3d, Boundary: bool, Manifold: bool).";
+    " (Id: int, Position: point3d, Valence: int, Normal: vector3d, Boundary: bool, Manifold: bool, Halfedge: int).";
 const std::string kEdgeColumns =
     " (Id: int, Start: int, End: int, Left: int, Right: int, Length: real, Angle: real, Boundary: bool, Manifold: "
-    "bool, FaceCount: int).";
-const std::string kFaceColumns = " (Id: int, Degree: int, Area: real, Normal: vector3d, Centroid: point3d).";
+    "bool, FaceCount: int, Halfedge: int, Opposite: int).";
+const std::string kFaceColumns =
+    " (Id: int, Degree: int, Area: real, Normal: vector3d, Centroid: point3d, Halfedge: int).";
+const std::string kHalfedgeColumns =
+    " (Id: int, Origin: int, Target: int, Next: int, Previous: int, Opposite: int, Face: int, Edge: int).";
 const std::string kOnce =
     " Each once, also where edges are not manifold. No rows, with a note, if there is no element with this number.";
 
@@ -121,16 +167,19 @@ struct Relation {
 };
 
 void add(Registry& registry, Relation relation) {
-  const bool gives_vertices = relation.columns_from == "vertices",
-             gives_faces = relation.columns_from.starts_with("faces");
+  const bool gives_vertices = relation.columns_from == "vertices", gives_edges = relation.columns_from == "edges",
+             gives_halfedges = relation.columns_from == "halfedges";
   registry.add({
       .name = relation.name,
       .syntax = relation.name + "(_, _)",
-      .doc = relation.doc + (gives_vertices ? kVertexColumns
-                             : gives_faces  ? kFaceColumns
-                                            : kEdgeColumns),
+      .doc = relation.doc + (gives_vertices    ? kVertexColumns
+                             : gives_edges     ? kEdgeColumns
+                             : gives_halfedges ? kHalfedgeColumns
+                                               : kFaceColumns),
       .detail = "The columns are those of " + relation.columns_from + ". " + relation.detail + kOnce,
-      .exactness = gives_faces ? Exactness::rounded_once : Exactness::bounded,
+      .exactness = gives_vertices || gives_edges ? Exactness::bounded
+                   : gives_halfedges             ? Exactness::exact
+                                                 : Exactness::rounded_once,
       .overloads = std::move(relation.overloads),
       .examples = std::move(relation.examples),
       .errors = {{{kUnitCube}, relation.name + ": expected (surface3d int), (volume3d int) or (mesh3d int)"}},
@@ -145,26 +194,28 @@ void register_of_vertices(Registry& registry) {
        "Counter-clockwise, fan by fan.",
        giving_vertices<&vertex_vertices<Surface3d>, &vertex_vertices<Volume3d>, &vertex_vertices<Mesh3d>>("vertex"),
        {{{kFlatSquare, "0"},
-         "((1 (2.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) (3 (0.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE))"},
+         "((1 (2.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 1) (3 (0.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 3))"},
         {{kThreeAtAnEdge, "0"}, "4", "(count _)"},
         {{kFlatSquare, "4"}, "()"},
         {{kUndefinedSolid, "0"}, "()"}}});
-  add(registry, {"vertexEdges",
-                 "The edges at a vertex",
-                 "edges",
-                 "Counter-clockwise, fan by fan.",
-                 giving_edges<&vertex_edges<Surface3d>, &vertex_edges<Volume3d>, &vertex_edges<Mesh3d>>("vertex"),
-                 {{{kFlatSquare, "0"},
-                   "((0 0 1 0 undefined 2.0 undefined TRUE FALSE 1) (3 3 0 0 undefined 2.0 undefined TRUE FALSE 1))"},
-                  {{kThreeAtAnEdge, "0"}, "4", "(count _)"},
-                  {{kFlatSquare, "-1"}, "()"},
-                  {{kUndefinedMesh, "0"}, "()"}}});
+  add(registry,
+      {"vertexEdges",
+       "The edges at a vertex",
+       "edges",
+       "Counter-clockwise, fan by fan.",
+       giving_edges<&vertex_edges<Surface3d>, &vertex_edges<Volume3d>, &vertex_edges<Mesh3d>>("vertex"),
+       {{{kFlatSquare, "0"},
+         "((0 0 1 0 undefined 2.0 undefined TRUE FALSE 1 0 undefined) (3 3 0 0 undefined 2.0 undefined TRUE FALSE 1 3 "
+         "undefined))"},
+        {{kThreeAtAnEdge, "0"}, "4", "(count _)"},
+        {{kFlatSquare, "-1"}, "()"},
+        {{kUndefinedMesh, "0"}, "()"}}});
   add(registry, {"vertexFaces",
                  "The faces at a vertex",
                  "faces, without Component",
                  "Counter-clockwise, fan by fan.",
                  giving_faces<&vertex_faces<Surface3d>, &vertex_faces<Volume3d>, &vertex_faces<Mesh3d>>("vertex"),
-                 {{{kFoldedSurface, "1"}, "((0 3 2.0 (0.0 0.0 1.0) (0.6666666666666666 0.6666666666666666 0.0)))"},
+                 {{{kFoldedSurface, "1"}, "((0 3 2.0 (0.0 0.0 1.0) (0.6666666666666666 0.6666666666666666 0.0) 0))"},
                   {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
                   {{kFoldedSurface, "9"}, "()"},
                   {{kUndefinedMesh, "0"}, "()"}}});
@@ -177,25 +228,27 @@ void register_of_edges(Registry& registry) {
                  "Start, then End.",
                  giving_vertices<&edge_vertices<Surface3d>, &edge_vertices<Volume3d>, &edge_vertices<Mesh3d>>("edge"),
                  {{{kFlatSquare, "3"},
-                   "((3 (0.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) (0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE))"},
+                   "((3 (0.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 3) (0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 0))"},
                   {{kFlatSquare, "4"}, "()"},
                   {{kUndefinedMesh, "0"}, "()"}}});
-  add(registry, {"edgeEdges",
-                 "The edges that share an end with an edge",
-                 "edges",
-                 "First those at Start, then those at End.",
-                 giving_edges<&edge_edges<Surface3d>, &edge_edges<Volume3d>, &edge_edges<Mesh3d>>("edge"),
-                 {{{kFlatSquare, "0"},
-                   "((3 3 0 0 undefined 2.0 undefined TRUE FALSE 1) (1 1 2 0 undefined 2.0 undefined TRUE FALSE 1))"},
-                  {{kThreeAtAnEdge, "0"}, "6", "(count _)"},
-                  {{kFlatSquare, "4"}, "()"},
-                  {{kUndefinedMesh, "0"}, "()"}}});
+  add(registry,
+      {"edgeEdges",
+       "The edges that share an end with an edge",
+       "edges",
+       "First those at Start, then those at End.",
+       giving_edges<&edge_edges<Surface3d>, &edge_edges<Volume3d>, &edge_edges<Mesh3d>>("edge"),
+       {{{kFlatSquare, "0"},
+         "((3 3 0 0 undefined 2.0 undefined TRUE FALSE 1 3 undefined) (1 1 2 0 undefined 2.0 undefined TRUE FALSE 1 1 "
+         "undefined))"},
+        {{kThreeAtAnEdge, "0"}, "6", "(count _)"},
+        {{kFlatSquare, "4"}, "()"},
+        {{kUndefinedMesh, "0"}, "()"}}});
   add(registry, {"edgeFaces",
                  "The faces along an edge",
                  "faces, without Component",
                  "In order of their numbers.",
                  giving_faces<&edge_faces<Surface3d>, &edge_faces<Volume3d>, &edge_faces<Mesh3d>>("edge"),
-                 {{{kFlatSquare, "2"}, "((0 4 4.0 (0.0 0.0 1.0) (1.0 1.0 0.0)))"},
+                 {{{kFlatSquare, "2"}, "((0 4 4.0 (0.0 0.0 1.0) (1.0 1.0 0.0) 0))"},
                   {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
                   {{kFlatSquare, "4"}, "()"},
                   {{kUndefinedMesh, "0"}, "()"}}});
@@ -208,8 +261,8 @@ void register_of_faces(Registry& registry) {
                  "In order, from the first.",
                  giving_vertices<&face_vertices<Surface3d>, &face_vertices<Volume3d>, &face_vertices<Mesh3d>>("face"),
                  {{{"(surface3d (((0 0 0) (3 0 0) (0 3 0))))", "0"},
-                   "((0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) (1 (3.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) "
-                   "(2 (0.0 3.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE))"},
+                   "((0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 0) (1 (3.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 1) "
+                   "(2 (0.0 3.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 2))"},
                   {{kFlatSquare, "1"}, "()"},
                   {{kUndefinedMesh, "0"}, "()"}}});
   add(registry, {"faceEdges",
@@ -226,10 +279,52 @@ void register_of_faces(Registry& registry) {
                  "faces, without Component",
                  "Edge by edge, from the first corner.",
                  giving_faces<&face_faces<Surface3d>, &face_faces<Volume3d>, &face_faces<Mesh3d>>("face"),
-                 {{{kFoldedSurface, "0"}, "((1 3 2.0 (1.0 0.0 0.0) (0.0 0.6666666666666666 0.6666666666666666)))"},
+                 {{{kFoldedSurface, "0"}, "((1 3 2.0 (1.0 0.0 0.0) (0.0 0.6666666666666666 0.6666666666666666) 3))"},
                   {{kThreeAtAnEdge, "1"}, "2", "(count _)"},
                   {{kFlatSquare, "1"}, "()"},
                   {{kUndefinedMesh, "0"}, "()"}}});
+}
+
+void register_halfedge_relations(Registry& registry) {
+  const std::string round = "Counter-clockwise, fan by fan; one for each corner at the vertex.";
+  add(registry,
+      {"outgoingHalfedges",
+       "The half-edges that leave a vertex",
+       "halfedges",
+       round,
+       giving_halfedges<&vertex_outgoing<Surface3d>, &vertex_outgoing<Volume3d>, &vertex_outgoing<Mesh3d>>("vertex"),
+       {{{kFoldedSurface, "0"}, "((0 0 1 1 2 undefined 0 0) (3 0 2 4 5 2 1 2))"},
+        {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
+        {{kFlatSquare, "4"}, "()"},
+        {{kUndefinedMesh, "0"}, "()"}}});
+  add(registry,
+      {"incomingHalfedges",
+       "The half-edges that arrive at a vertex",
+       "halfedges",
+       round,
+       giving_halfedges<&vertex_incoming<Surface3d>, &vertex_incoming<Volume3d>, &vertex_incoming<Mesh3d>>("vertex"),
+       {{{kFoldedSurface, "0"}, "((2 2 0 0 1 3 0 2) (5 3 0 3 4 undefined 1 4))"},
+        {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
+        {{kFlatSquare, "4"}, "()"},
+        {{kUndefinedMesh, "0"}, "()"}}});
+  add(registry,
+      {"faceHalfedges",
+       "The half-edges of a face",
+       "halfedges",
+       "In order, from the first corner.",
+       giving_halfedges<&face_halfedges<Surface3d>, &face_halfedges<Volume3d>, &face_halfedges<Mesh3d>>("face"),
+       {{{kFoldedSurface, "1"}, "((3 0 2 4 5 2 1 2) (4 2 3 5 3 undefined 1 3) (5 3 0 3 4 undefined 1 4))"},
+        {{kFlatSquare, "0"}, "4", "(count _)"},
+        {{kFlatSquare, "1"}, "()"},
+        {{kUndefinedMesh, "0"}, "()"}}});
+  add(registry,
+      {"halfedge",
+       "The half-edge with a number",
+       "halfedges",
+       "One row.",
+       giving_halfedges<&halfedge_of_number<Surface3d>, &halfedge_of_number<Volume3d>, &halfedge_of_number<Mesh3d>>(
+           "number"),
+       {{{kFoldedSurface, "3"}, "((3 0 2 4 5 2 1 2))"}, {{kUnitCube, "36"}, "()"}, {{kUndefinedMesh, "0"}, "()"}}});
 }
 
 }  // namespace
@@ -238,6 +333,7 @@ void register_mesh_neighbours(Registry& registry) {
   register_of_vertices(registry);
   register_of_edges(registry);
   register_of_faces(registry);
+  register_halfedge_relations(registry);
 }
 
 }  // namespace algebra3d

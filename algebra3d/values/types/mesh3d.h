@@ -8,6 +8,7 @@
 #include "algebra3d/kernel/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/mesh_attributes.h"
 #include "algebra3d/kernel/halfedge/polygon_mesh.h"
+#include "algebra3d/kernel/halfedge/vertex_facts.h"
 #include "algebra3d/values/types/value.h"
 
 namespace algebra3d {
@@ -32,6 +33,7 @@ class Mesh3d {
   const Box3& box() const { return content_->box; }
   /// The numbers of the edges, found at the first call, by any thread. Cost: linear at the first call.
   const EdgeNumbers& edge_numbers() const;
+  const HubFacts& hub_facts() const { return content_->hub_facts; }
 
  private:
   struct Content {
@@ -39,6 +41,7 @@ class Mesh3d {
     Box3 box;
     mutable std::once_flag once = {};
     mutable EdgeNumbers edge_numbers = {};
+    HubFacts hub_facts = {};
 
     Content() = default;
     Content(PolygonMesh polygons, const Box3& bounds) : mesh(std::move(polygons)), box(bounds) {}

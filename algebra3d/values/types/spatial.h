@@ -62,12 +62,14 @@ struct Geometry {
   const EdgeComponents& components() const;
   /// The numbers of the edges, likewise.
   const EdgeNumbers& edge_numbers() const;
+  const HubFacts& hub_facts() const { return hub_facts_; }
 
  private:
   mutable std::once_flag hierarchy_once_, components_once_, edge_numbers_once_;
   mutable std::unique_ptr<const BoxHierarchy> hierarchy_;
   mutable std::unique_ptr<const EdgeComponents> components_;
   mutable std::unique_ptr<const EdgeNumbers> edge_numbers_;
+  HubFacts hub_facts_;
 };
 
 /// surface3d: a surface without the defects of validity/report.h, valid by construction. Cheap to copy. Triangles keep

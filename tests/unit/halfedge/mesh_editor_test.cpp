@@ -220,6 +220,44 @@ TEST(MeshEditor, split_face) {
   expect_sound(pillow);
 }
 
+TEST(MeshEditor, split_face_at_a_point) {
+  MeshEditor editor = editor_of(polygons({{0, 1, 2, 3, 4}, {1, 0, 5}}, 6));
+  const auto added = editor.split_face(FaceId(0), Vec3{1, 2, 3});
+  ASSERT_TRUE(added);
+  expect_sound(editor);
+  EXPECT_EQ(*added, VertexId(6));
+  EXPECT_EQ(faces_of(editor.mesh()), (Faces{{0, 1, 6}, {1, 0, 5}, {1, 2, 6}, {2, 3, 6}, {3, 4, 6}, {4, 0, 6}}));
+  EXPECT_EQ(editor.valence(*added), 5U);
+  // An edge that ends in the face.
+  MeshEditor dangling = editor_of(polygons({{0, 1, 2, 3, 4, 3}}, 5));
+  EXPECT_EQ(dangling.split_face(FaceId(0), Vec3{}).reason(), "vertex 3 is two corners of face 0");
+}
+
+// Triangles stay triangles, and the collapse of the new edge gives them back.
+TEST(MeshEditor, split_vertex_of_triangles_gives_triangles) {
+  const PolygonMesh torus = polygons(samples::grid(6, 7, true, true));
+  const auto is_triangle = [](const std::vector<std::uint32_t>& face) { return face.size() == 3; };
+  for (std::uint32_t v = 0; v < 5; ++v)
+    for (std::size_t turn = 1; turn < 6; ++turn) {
+      MeshEditor editor = editor_of(torus);
+      const HalfedgeId first = editor.outgoing(VertexId(v));
+      HalfedgeId last = first;
+      for (std::size_t i = 0; i < turn; ++i) last = editor.opposite(editor.prev(last));
+      const auto added = editor.split_vertex(VertexId(v), first, last, Vec3{1, 2, 3});
+      ASSERT_TRUE(added);
+      expect_sound(editor);
+      const Faces faces = faces_of(editor.mesh());
+      EXPECT_TRUE(std::ranges::all_of(faces, is_triangle));
+      EXPECT_EQ(faces.size(), torus.face_count() + 2);
+      EXPECT_EQ(editor.edge_count(), torus.face_count() * 3 / 2 + 3);
+      EXPECT_EQ(collapse(editor, v, added->index()), "");
+      Faces after = turned(faces_of(editor.mesh())), before = turned(faces_of(torus));
+      std::ranges::sort(after);
+      std::ranges::sort(before);
+      EXPECT_EQ(after, before);
+    }
+}
+
 TEST(MeshEditor, split_vertex_and_collapse_are_inverse) {
   MeshEditor editor = editor_of(polygons(kCube, 8));
   const VertexId v(0), one(1), four(4);
@@ -274,6 +312,8 @@ class RandomEdits {
       (void)editor_.collapse_edge(h);
     else if (kind < 9)
       split_some_face(h);
+    else if (kind < 10 && !editor_.is_boundary(h))
+      (void)editor_.split_face(editor_.face(h), Vec3{});
     else if (kind < 11)
       (void)editor_.split_edge(h, Vec3{});
     else

@@ -1,4 +1,5 @@
 // Mesh elements as rows: made one by one, owning their mesh, the same for each type of mesh.
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -75,6 +76,28 @@ TEST(MeshRows, that_are_not_read_are_not_made) {
   }
 }
 
+/// A fan of triangles about vertex 0: the rows of all neighbourhoods of edges cost as much as the rows, not as the hub
+/// each time.
+TEST(MeshRows, of_edges_at_a_hub_look_at_it_once) {
+  const auto rationals_of_fan = [](std::uint32_t count) {
+    std::vector<Vec3> points{{0, 0, 1}};
+    samples::PolygonList fan;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const double angle = 6 * i / static_cast<double>(count);
+      points.push_back({std::cos(angle), std::sin(angle), 0});
+      if (i > 0) fan.push_back({0, i, i + 1});
+    }
+    const Mesh3d mesh(samples::polygon_mesh(fan, thirds(PointArray(std::move(points)))));
+    reset_exact_counters();
+    for (std::int64_t edge = 0; edge < 2 * std::int64_t{count} - 3; ++edge)
+      EXPECT_EQ(OpenTable("edgeVertices", {Value::of(mesh), Value::of(edge)}).read().size(), 2U);
+    return exact_counters().heap_rationals;
+  };
+  const std::uint64_t small = rationals_of_fan(50), large = rationals_of_fan(200);
+  EXPECT_GT(small, 0U);
+  EXPECT_LT(large, 6 * small);
+}
+
 TEST(MeshRows, own_their_mesh) {
   auto value =
       std::make_unique<Value>(Value::of(Mesh3d(samples::polygon_mesh(samples::cube_faces(), samples::cube_points()))));
@@ -100,8 +123,9 @@ TEST(MeshRows, are_the_same_for_every_type) {
     EXPECT_EQ(OpenTable(name, {Value::of(surface)}).read(), rows);
     EXPECT_EQ(OpenTable(name, {Value::of(mesh)}).read(), rows);
   }
-  for (const char* name : {"oneRing", "vertexEdges", "vertexFaces", "edgeVertices", "edgeEdges", "edgeFaces",
-                           "faceVertices", "faceEdges", "faceFaces"}) {
+  for (const char* name :
+       {"oneRing", "vertexEdges", "vertexFaces", "edgeVertices", "edgeEdges", "edgeFaces", "faceVertices", "faceEdges",
+        "faceFaces", "outgoingHalfedges", "incomingHalfedges", "faceHalfedges", "halfedge"}) {
     for (int i = 0; i < 8; ++i) {
       const auto rows = OpenTable(name, {Value::of(solid), Value::of(i)}).read();
       EXPECT_FALSE(rows.empty());
@@ -122,6 +146,32 @@ TEST(MeshRows, of_neighbours_are_those_of_the_table) {
     for (std::size_t i = 0; i < ids.size(); ++i) ASSERT_EQ(ids[i].get<std::int64_t>(), static_cast<std::int64_t>(i));
     const auto of_face = OpenTable("faceEdges", {Value::of(mesh), Value::of(0)}).read();
     for (const std::string& row : of_face) ASSERT_NE(std::ranges::find(all, row), all.end()) << row;
+  }
+}
+
+/// Half-edges at a vertex and of a face are those of the table, each once, on all kinds of meshes.
+TEST(MeshRows, of_halfedges_are_those_of_the_table) {
+  for (const auto& polygons : samples::all_polygon_lists()) {
+    if (polygons.empty()) continue;
+    const Mesh3d value(samples::polygon_mesh(polygons));
+    const auto& mesh = value.mesh();
+    const auto all = OpenTable("halfedges", {Value::of(value)}).read();
+    const auto expect_rows = [&](const char* name, std::size_t element, const auto& belongs) {
+      std::vector<std::string> expected;
+      for (const HalfedgeId h : halfedges(mesh))
+        if (belongs(h)) expected.push_back(all[h.index()]);
+      auto rows = OpenTable(name, {Value::of(value), Value::of(static_cast<std::int64_t>(element))}).read();
+      std::ranges::sort(rows);
+      std::ranges::sort(expected);
+      ASSERT_EQ(rows, expected) << name << " " << element;
+    };
+    for (const VertexId v : vertices(mesh)) {
+      expect_rows("outgoingHalfedges", v.index(), [&](HalfedgeId h) { return mesh.origin(h) == v; });
+      expect_rows("incomingHalfedges", v.index(), [&](HalfedgeId h) { return mesh.target(h) == v; });
+    }
+    for (const FaceId f : faces(mesh))
+      expect_rows("faceHalfedges", f.index(), [&](HalfedgeId h) { return mesh.face(h) == f; });
+    expect_rows("halfedge", 1, [&](HalfedgeId h) { return h.index() == 1; });
   }
 }
 
@@ -173,7 +223,7 @@ TEST(Topology, euler_characteristic_counts_rows) {
 TEST(Topology, isolated_vertices_have_rows_without_normal) {
   const Mesh3d mesh(samples::polygon_mesh({}, PointArray(std::vector<Vec3>{{1, 2, 3}})));
   EXPECT_EQ(OpenTable("vertices", {Value::of(mesh)}).read(),
-            (std::vector<std::string>{"0 (1.0 2.0 3.0) 0 undefined FALSE TRUE "}));
+            (std::vector<std::string>{"0 (1.0 2.0 3.0) 0 undefined FALSE TRUE undefined "}));
   EXPECT_EQ(call("eulerCharacteristic", mesh).get<std::int64_t>(), 0);
 }
 

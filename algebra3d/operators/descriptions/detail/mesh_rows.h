@@ -11,6 +11,7 @@
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/normals.h"
+#include "algebra3d/kernel/halfedge/vertex_facts.h"
 #include "algebra3d/operators/registry/rows.h"
 #include "algebra3d/values/types/mesh3d.h"
 #include "algebra3d/values/types/scalars.h"
@@ -24,13 +25,15 @@ namespace algebra3d::detail {
 
 using Number = std::int64_t;
 
-/// Id, Position, Valence, Normal, Boundary, Manifold.
-using VertexRows = Rows<Number, Point3d, Number, std::optional<Vector3d>, bool, bool>;
-/// Id, Start, End, Left, Right, Length, Angle, Boundary, Manifold, FaceCount.
+/// Id, Position, Valence, Normal, Boundary, Manifold, Halfedge.
+using VertexRows = Rows<Number, Point3d, Number, std::optional<Vector3d>, bool, bool, std::optional<Number>>;
+/// Id, Start, End, Left, Right, Length, Angle, Boundary, Manifold, FaceCount, Halfedge, Opposite.
 using EdgeRows = Rows<Number, Number, Number, Number, std::optional<Number>, std::optional<double>,
-                      std::optional<double>, bool, bool, Number>;
-/// Id, Degree, Area, Normal, Centroid.
-using FaceRows = Rows<Number, Number, std::optional<double>, std::optional<Vector3d>, Point3d>;
+                      std::optional<double>, bool, bool, Number, Number, std::optional<Number>>;
+/// Id, Origin, Target, Next, Previous, Opposite, Face, Edge.
+using HalfedgeRows = Rows<Number, Number, Number, Number, Number, std::optional<Number>, Number, Number>;
+/// Id, Degree, Area, Normal, Centroid, Halfedge.
+using FaceRows = Rows<Number, Number, std::optional<double>, std::optional<Vector3d>, Point3d, Number>;
 
 inline const EdgeNumbers& edge_numbers_of(const Mesh3d& value) {
   return value.edge_numbers();
@@ -38,6 +41,14 @@ inline const EdgeNumbers& edge_numbers_of(const Mesh3d& value) {
 template <typename T>
 const EdgeNumbers& edge_numbers_of(const T& value) {
   return value.geometry().edge_numbers();
+}
+
+inline const HubFacts& hub_facts_of(const Mesh3d& value) {
+  return value.hub_facts();
+}
+template <typename T>
+const HubFacts& hub_facts_of(const T& value) {
+  return value.geometry().hub_facts();
 }
 
 template <typename Id>
@@ -55,17 +66,14 @@ inline std::optional<double> number_if_finite(double number) {
 // ---- the cells of an element
 
 template <typename Layout>
-VertexRows::Cells vertex_cells(const HalfedgeMesh<Layout>& mesh, VertexId v) {
-  const auto fans = mesh.fans(v);
-  bool is_boundary = false;
-  for (const HalfedgeId h : outgoing_halfedges(mesh, v))
-    is_boundary = is_boundary || mesh.is_boundary(h) || mesh.is_boundary(mesh.prev(h));
+VertexRows::Cells vertex_cells(const HalfedgeMesh<Layout>& mesh, VertexId v, const VertexFacts& facts) {
   return {Number{v.index()},
           Point3d{ExactPoint(mesh.point(v))},
-          static_cast<Number>(valence(mesh, v)),
-          vector_unless_zero(vertex_normal(mesh, v)),
-          is_boundary,
-          fans.size() <= 1};
+          static_cast<Number>(facts.valence),
+          vector_unless_zero(facts.normal),
+          facts.is_boundary,
+          mesh.fans(v).size() <= 1,
+          number_if_valid(mesh.outgoing(v))};
 }
 
 /// `h` is the first half-edge of the edge.
@@ -84,15 +92,33 @@ EdgeRows::Cells edge_cells(const HalfedgeMesh<Layout>& mesh, EdgeId edge, Halfed
           dihedral_angle_degrees(mesh, h),
           mesh.is_boundary(h),
           opposite.is_valid(),
-          static_cast<Number>(along)};
+          static_cast<Number>(along),
+          Number{h.index()},
+          number_if_valid(opposite)};
+}
+
+template <typename T>
+HalfedgeRows::Cells halfedge_cells(const T& value, HalfedgeId h) {
+  const auto& mesh = value.mesh();
+  return {Number{h.index()},
+          Number{mesh.origin(h).index()},
+          Number{mesh.target(h).index()},
+          Number{mesh.next(h).index()},
+          Number{mesh.prev(h).index()},
+          number_if_valid(mesh.opposite(h)),
+          Number{mesh.face(h).index()},
+          Number{edge_numbers_of(value).edge(first_along(mesh, h)).index()}};
 }
 
 template <typename Layout>
 FaceRows::Cells face_cells(const HalfedgeMesh<Layout>& mesh, FaceId f) {
   const VectorArea measures = vector_area(mesh, f);
-  return {Number{f.index()}, Number{mesh.degree(f)}, number_if_finite(measures.area),
+  return {Number{f.index()},
+          Number{mesh.degree(f)},
+          number_if_finite(measures.area),
           vector_unless_zero(measures.normal),
-          Point3d{ExactPoint(nearest_mean(mesh.points(), corner_indices(mesh, f)))}};
+          Point3d{ExactPoint(nearest_mean(mesh.points(), corner_indices(mesh, f)))},
+          Number{mesh.halfedge(f).index()}};
 }
 
 // ---- rows made one by one
@@ -119,7 +145,7 @@ template <typename T>
 VertexRows vertex_rows(const T& value, std::vector<VertexId> vertices) {
   const std::size_t count = vertices.size();
   return rows_up_to<VertexRows>(count, [value, vertices = std::move(vertices)](std::size_t i) {
-    return vertex_cells(value.mesh(), vertices[i]);
+    return vertex_cells(value.mesh(), vertices[i], hub_facts_of(value).of(value.mesh(), vertices[i]));
   });
 }
 /// Edges by their first half-edges.
@@ -129,6 +155,12 @@ EdgeRows edge_rows(const T& value, std::vector<HalfedgeId> edges) {
   return rows_up_to<EdgeRows>(count, [value, edges = std::move(edges)](std::size_t i) {
     return edge_cells(value.mesh(), edge_numbers_of(value).edge(edges[i]), edges[i]);
   });
+}
+template <typename T>
+HalfedgeRows halfedge_rows(const T& value, std::vector<HalfedgeId> halfedges) {
+  const std::size_t count = halfedges.size();
+  return rows_up_to<HalfedgeRows>(
+      count, [value, halfedges = std::move(halfedges)](std::size_t i) { return halfedge_cells(value, halfedges[i]); });
 }
 template <typename T>
 FaceRows face_rows(const T& value, std::vector<FaceId> faces) {
