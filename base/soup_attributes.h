@@ -9,10 +9,16 @@
 
 namespace algebra3d {
 
-/// Attributes of the corners and faces of a mesh file. A list is empty if the file has no such attribute; a number is
-/// kNone (indices.h) for a corner or face without one.
+/// Attributes of the corners, points and faces of a mesh file. A list is empty if the file has no such attribute; a
+/// number is kNone (indices.h) for a corner or face without one.
 struct SoupAttributes {
   using TextureCoordinate = std::array<double, 2>;
+
+  /// Red, green and blue, from 0 to 1, and opacity; NaN for what the file does not say.
+  struct Colour {
+    Vec3 rgb;
+    double opacity;
+  };
 
   /// Names that faces have, such as groups: `of_face` has the number of a name.
   struct FaceNames {
@@ -25,6 +31,11 @@ struct SoupAttributes {
   std::vector<Vec3> normals;  ///< likewise
   std::vector<std::uint32_t> corner_normals;
   FaceNames groups, objects, materials;
+
+  // One per point or face; NaN where the file has no number.
+  std::vector<Vec3> point_normals;
+  std::vector<TextureCoordinate> point_textures;
+  std::vector<Colour> point_colours, face_colours;
 };
 
 }  // namespace algebra3d

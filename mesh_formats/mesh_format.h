@@ -26,6 +26,13 @@ struct FileForm {
   CoordinateRange coordinates;
 };
 
+/// Where the attributes of a format stand.
+enum class AttributePlaces : std::uint8_t {
+  none,
+  corners,  ///< texture coordinates and normals of corners; groups, objects and materials of faces
+  points,   ///< normals, texture coordinates and colours of points; colours of faces
+};
+
 /// A format of mesh files. To add a format, write a value of this type and add it to the table of known_mesh_formats
 /// (mesh_formats.h). Reading, writing, import, export, conversion, messages and help use that table.
 struct MeshFormat {
@@ -48,8 +55,9 @@ struct MeshFormat {
   /// Writes the facets, which must be of the kind that the format stores. `encoding` is one of the forms; `name` is
   /// ignored by formats without names. Errors: invalid_value with the place, limit_exceeded, those of the sink.
   algebra3d::Status (*write)(algebra3d::ByteSink& sink, const Facets& facets, std::string_view name, Encoding encoding);
-  /// `read` with the attributes of polygons (PolygonSoup::attributes), which `write` then writes; null if the format
-  /// has none.
+  /// The attributes of polygons (PolygonSoup::attributes) that `write` writes.
+  AttributePlaces attributes = AttributePlaces::none;
+  /// `read` with these; null if the format has none.
   algebra3d::Result<MeshContent> (*read_with_attributes)(std::string_view bytes, std::string_view file_name,
                                                          const std::atomic<bool>* cancel) = nullptr;
 

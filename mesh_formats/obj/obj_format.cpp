@@ -31,7 +31,7 @@ Result<MeshContent> read_obj_content(std::string_view bytes, std::string_view fi
 
 Result<MeshContent> read_obj_with_attributes(std::string_view bytes, std::string_view file_name,
                                              const std::atomic<bool>* cancel) {
-  A3D_ASSIGN(ReadMesh read, read_obj(bytes, file_name, cancel, ObjWanted::attributes));
+  A3D_ASSIGN(ReadMesh read, read_obj(bytes, file_name, cancel, Wanted::attributes));
   return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt};
 }
 
@@ -54,6 +54,7 @@ MeshFormat obj_format() {
           .detect = detect_obj,
           .read = read_obj_content,
           .write = write_obj_content,
+          .attributes = AttributePlaces::corners,
           .read_with_attributes = read_obj_with_attributes};
 }
 

@@ -44,10 +44,10 @@ constexpr std::size_t kMostInSoup = std::numeric_limits<std::uint32_t>::max();
 class ObjReader : Reading {
  public:
   /// `point_limit` is the number of vertices, or kGreatestInteger while it is not known.
-  ObjReader(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel, ObjWanted wanted,
+  ObjReader(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel, Wanted wanted,
             std::uint64_t point_limit)
       : Reading(bytes, file_name, cancel),
-        wants_attributes_(wanted == ObjWanted::attributes),
+        wants_attributes_(wanted == Wanted::attributes),
         point_limit_(point_limit),
         cursor_(bytes.data(), bytes.data() + bytes.size()),
         end_(bytes.data() + bytes.size()),
@@ -457,7 +457,7 @@ class ObjReader : Reading {
 }  // namespace
 
 Result<ReadMesh> read_obj(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel,
-                          ObjWanted wanted) {
+                          Wanted wanted) {
   ObjReader reader(bytes, file_name, cancel, wanted, kGreatestInteger);
   auto read = reader.read();
   if (!read || reader.greatest_index() <= read->soup.points.size()) return read;

@@ -9,12 +9,6 @@
 
 namespace mesh_formats {
 
-/// The parts of an OBJ file that are read.
-enum class ObjWanted {
-  shape,
-  attributes,  ///< also texture coordinates and normals of corners; groups, objects and materials of faces
-};
-
 /// Reads the bytes of a Wavefront OBJ file; `file_name` is used in messages only.
 ///
 ///     v x y z
@@ -35,7 +29,8 @@ enum class ObjWanted {
 /// - Everything else is an error, also a coordinate that is not finite or beyond the range of double. Numbers too small
 ///   for a double become zero.
 ///
-/// With ObjWanted::attributes, texture coordinates and normals are read, the others have no remark either: a `vt` may
+/// With Wanted::attributes, texture coordinates and normals of corners are read, and groups, objects and materials of
+/// faces; the others have no remark either: a `vt` may
 /// have one to three numbers, of which the first two count; a name of `g`, `o` and `usemtl` is the rest of the line.
 /// Indices of corners without an element become kNone, with a remark; malformed numbers are NaN.
 ///
@@ -45,7 +40,7 @@ enum class ObjWanted {
 /// statements). Cost: linear, one pass (two if an index is out of range); memory for the soup only, bounded by the size
 /// of the file. Source: Wavefront Advanced Visualizer, appendix B1, version 3.0 of the format.
 algebra3d::Result<ReadMesh> read_obj(std::string_view bytes, std::string_view file_name,
-                                     const std::atomic<bool>* cancel = nullptr, ObjWanted wanted = ObjWanted::shape);
+                                     const std::atomic<bool>* cancel = nullptr, Wanted wanted = Wanted::shape);
 
 /// `read_obj` for the file at `path`. Errors: also those of InputFile and FileContent (file_missing, io_error with the
 /// system's reason, ...).

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -11,6 +13,7 @@
 #include "base/reading.h"
 #include "base/soup_capacity.h"
 #include "base/text.h"
+#include "mesh_formats/off/off_attributes.h"
 #include "mesh_formats/off/off_remarks.h"
 
 namespace mesh_formats {
@@ -41,20 +44,25 @@ constexpr std::size_t kMostCornersBeforePlainFace = std::numeric_limits<std::uin
 
 class OffAsciiReader : Reading {
  public:
-  OffAsciiReader(std::string_view bytes, const OffHeader& header, std::string_view file_name,
+  OffAsciiReader(std::string_view bytes, const OffHeader& header, std::string_view file_name, Wanted wanted,
                  const std::atomic<bool>* cancel)
       : Reading(bytes, file_name, cancel),
         header_(header),
         cursor_(bytes.data() + header.bytes, bytes.data() + bytes.size()) {
+    if (wanted == Wanted::attributes) attributes_.emplace(header);
     if (header.bytes == 0 && bytes.starts_with("\xef\xbb\xbf")) cursor_.move_to(bytes.data() + 3);
   }
 
   Result<ReadMesh> read() {
     if (!(read_dimension() && read_counts() && read_vertices() && read_faces())) return take_error();
-    const bool has_colours = header_.has_colours;
-    ignored_.texture_coordinates = header_.has_texture_coordinates ? vertex_count_ : 0;
-    ignored_.normals = header_.has_normals ? vertex_count_ : 0;
-    (has_colours ? ignored_.vertex_colours : ignored_.surplus_vertices) = surplus_vertex_count_;
+    (header_.has_colours ? ignored_.vertex_colours : ignored_.surplus_vertices) = surplus_vertex_count_;
+    if (attributes_) {
+      ignored_.vertex_colours = 0;
+      read_.soup.attributes = std::move(*attributes_).finish(read_.soup.face_count());
+    } else {
+      ignored_.texture_coordinates = header_.has_texture_coordinates ? vertex_count_ : 0;
+      ignored_.normals = header_.has_normals ? vertex_count_ : 0;
+    }
     add_remarks(ignored_, read_.remarks);
     note_rest();
     return std::move(read_);
@@ -114,6 +122,7 @@ class OffAsciiReader : Reading {
   // kOffElementsPerPoll. The cursor is not a member, so that the place stays in a register.
   void take_plain_vertices() {
     if (header_.has_weights || header_.has_normals || header_.has_texture_coordinates) return;
+    if (attributes_ && header_.has_colours) return;
     auto& points = read_.soup.points;
     const std::size_t most = std::min<std::size_t>(vertex_count_, points.size() + kOffElementsPerPoll);
     AsciiCursor cursor = cursor_;
@@ -138,17 +147,21 @@ class OffAsciiReader : Reading {
         return fail_coordinate(number, kind, axis);
     }
     if (header_.has_weights && !read_weight()) return false;
-    if (header_.has_normals && !skip_numbers(3)) return false;
+    number_count_ = 0;
+    if (header_.has_normals && !take_numbers(3)) return false;
     if (read_.soup.points.empty() && !vertices_go_on_)
       vertices_go_on_ = line_has(std::max<std::uint64_t>(kMostSurplusOfVertex + 1, 3 * (vertex_count_ - 1)));
-    if (vertices_go_on_ && header_.has_colours && !skip_numbers(kColourNumbers)) return false;
-    if (header_.has_texture_coordinates && !header_.has_colours && !skip_numbers(2)) return false;
+    if (vertices_go_on_ && header_.has_colours && !take_numbers(kColourNumbers)) return false;
+    const bool has_textures_alone = header_.has_texture_coordinates && (vertices_go_on_ || !header_.has_colours);
+    if (has_textures_alone && !take_numbers(2)) return false;
     read_.soup.points.push_back(point);
     cursor_.skip_blanks_in_line();
-    if (cursor_.is_at_line_end() || vertices_go_on_) [[likely]]
-      return true;
-    ++surplus_vertex_count_;
-    return skip_surplus(kMostSurplusOfVertex);
+    if (!cursor_.is_at_line_end() && !vertices_go_on_) [[unlikely]] {
+      ++surplus_vertex_count_;
+      if (!take_surplus(kMostSurplusOfVertex)) return false;
+    }
+    if (attributes_) attributes_->add_vertex(taken_numbers());
+    return true;
   }
 
   bool read_weight() {
@@ -162,24 +175,32 @@ class OffAsciiReader : Reading {
                                                          vertex_number(), vertex_count_, found_text(cursor_.rest())));
   }
 
-  bool skip_numbers(std::size_t count) {
-    double ignored = 0;
+  // Attributes of a vertex or face, behind those that were taken before.
+  bool take_numbers(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       cursor_.skip_space();
-      if (cursor_.take_number(ignored) == NumberKind::none) return fail_in_vertex("expected a number");
+      if (!take_attribute_number()) return fail_in_vertex("expected a number");
     }
     return true;
   }
 
-  // To the end of the line, over numbers that are left out.
-  bool skip_surplus(std::size_t most) {
-    double ignored = 0;
+  // Likewise, to the end of the line.
+  bool take_surplus(std::size_t most) {
     for (std::size_t i = 0; !cursor_.is_at_line_end(); ++i, cursor_.skip_blanks_in_line()) {
-      if (i == most || cursor_.take_number(ignored) == NumberKind::none)
+      if (i == most || !take_attribute_number())
         return fail_expected(i == most ? "the end of the line" : "a number or the end of the line");
     }
     return true;
   }
+
+  // One that is not finite counts as none.
+  bool take_attribute_number() {
+    double number = 0;
+    const NumberKind kind = cursor_.take_number(number);
+    numbers_[number_count_++] = kind == NumberKind::finite ? number : std::numeric_limits<double>::quiet_NaN();
+    return kind != NumberKind::none;
+  }
+  [[nodiscard]] std::span<const double> taken_numbers() const { return std::span(numbers_).first(number_count_); }
 
   // Whether the rest of the line has at least `count` numbers: so all vertices, or all faces, may stand in one line, as
   // geomview reads them.
@@ -263,8 +284,12 @@ class OffAsciiReader : Reading {
       faces_go_on_ = line_has(std::max<std::uint64_t>(kMostSurplusOfFace + 1, 4 * (face_count_ - 1)));
     if (cursor_.is_at_line_end() || faces_go_on_) [[likely]]
       return true;
-    ++ignored_.face_colours;
-    return skip_surplus(kMostSurplusOfFace);
+    number_count_ = 0;
+    if (!take_surplus(kMostSurplusOfFace)) return false;
+    const bool is_colour = attributes_ && number_count_ >= 3;
+    if (!is_colour) ++ignored_.face_colours;
+    if (is_colour && degree >= 3) attributes_->set_face_colour(read_.soup.face_count() - 1, taken_numbers());
+    return true;
   }
 
   // Takes the integer that is the next word, wherever it stands; else stays before that word.
@@ -332,14 +357,17 @@ class OffAsciiReader : Reading {
   std::uint64_t face_count_ = 0;
   std::uint64_t face_index_ = 0;
   std::size_t surplus_vertex_count_ = 0;
-  bool vertices_go_on_ = false, faces_go_on_ = false;  // several stand in one line
+  bool vertices_go_on_ = false, faces_go_on_ = false;           // several stand in one line
+  std::optional<OffAttributes> attributes_;                     // nothing if they are not wanted
+  std::array<double, 3 + kMostSurplusOfVertex + 1> numbers_{};  // attributes of the vertex or face that is being read
+  std::size_t number_count_ = 0;
 };
 
 }  // namespace
 
 Result<ReadMesh> read_ascii_off(std::string_view bytes, const OffHeader& header, std::string_view file_name,
-                                const std::atomic<bool>* cancel) {
-  return OffAsciiReader(bytes, header, file_name, cancel).read();
+                                Wanted wanted, const std::atomic<bool>* cancel) {
+  return OffAsciiReader(bytes, header, file_name, wanted, cancel).read();
 }
 
 }  // namespace mesh_formats

@@ -5,12 +5,15 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/reading.h"
 #include "base/soup_capacity.h"
 #include "base/text.h"
+#include "mesh_formats/off/off_attributes.h"
 #include "mesh_formats/off/off_remarks.h"
 
 namespace mesh_formats {
@@ -59,18 +62,24 @@ class OffWords {
 
 class OffBinaryReader : Reading {
  public:
-  OffBinaryReader(std::string_view bytes, const OffHeader& header, std::string_view file_name,
+  OffBinaryReader(std::string_view bytes, const OffHeader& header, std::string_view file_name, Wanted wanted,
                   const std::atomic<bool>* cancel)
-      : Reading(bytes, file_name, cancel), header_(header), layout_(likeliest_layout()), words_(words_of(layout_)) {}
+      : Reading(bytes, file_name, cancel), header_(header), layout_(likeliest_layout()), words_(words_of(layout_)) {
+    if (wanted == Wanted::attributes) attributes_.emplace(header);
+  }
 
   Result<ReadMesh> read() {
     if (!(read_counts() && read_vertices() && read_faces())) return take_error();
     if (!layout_.is_big_endian) read_.remarks.emplace_back("numbers are little-endian; the format has them big-endian");
     if (!layout_.has_colour_counts && face_count_ > 0)
       read_.remarks.emplace_back("faces lack the number of their colour floats");
-    ignored_.normals = header_.has_normals ? vertex_count_ : 0;
-    ignored_.vertex_colours = header_.has_colours ? vertex_count_ : 0;
-    ignored_.texture_coordinates = header_.has_texture_coordinates ? vertex_count_ : 0;
+    if (attributes_) {
+      read_.soup.attributes = std::move(*attributes_).finish(read_.soup.face_count());
+    } else {
+      ignored_.normals = header_.has_normals ? vertex_count_ : 0;
+      ignored_.vertex_colours = header_.has_colours ? vertex_count_ : 0;
+      ignored_.texture_coordinates = header_.has_texture_coordinates ? vertex_count_ : 0;
+    }
     add_remarks(ignored_, read_.remarks);
     if (const std::size_t rest = bytes_.size() - offset_of(next_); rest > 0)
       read_.remarks.push_back(fmt::format("{} after the last face ignored", counted(rest, "trailing byte")));
@@ -158,9 +167,23 @@ class OffBinaryReader : Reading {
         return fail_at(next_ + 3, fmt::format("vertex {} of {}: the weight is {}; expected 1", points.size() + 1,
                                               vertex_count_, words_.real(next_ + 3)));
       points.push_back(point);
+      if (attributes_) {
+        const std::size_t begin = next_ + 3 + (header_.has_weights ? 1 : 0);
+        attributes_->add_vertex(reals(begin, next_ + words_per_vertex()));
+      }
       if (points.size() % kWordsPerPoll == 0 && is_cancelled()) return false;
     }
     return true;
+  }
+
+  // Attributes; those that are not finite count as none.
+  [[nodiscard]] std::vector<double> reals(std::size_t begin, std::size_t end) const {
+    std::vector<double> numbers;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double number = words_.real(i);
+      numbers.push_back(std::isfinite(number) ? number : std::numeric_limits<double>::quiet_NaN());
+    }
+    return numbers;
   }
 
   bool read_faces() {
@@ -194,10 +217,10 @@ class OffBinaryReader : Reading {
     else
       read_.soup.face_starts.push_back(static_cast<std::uint32_t>(corners.size()));
     next_ = begin + degree;
-    return !layout_.has_colour_counts || skip_colour();
+    return !layout_.has_colour_counts || read_colour(degree >= 3);
   }
 
-  bool skip_colour() {
+  bool read_colour(bool has_face) {
     if (next_ == words_.count()) return fail_in_face("the file ends; expected the number of colour floats");
     const std::uint32_t count = words_[next_];
     if (count > kMostColourWords)
@@ -205,7 +228,10 @@ class OffBinaryReader : Reading {
     if (count >= words_.count() - next_)
       return fail_in_face(fmt::format("{} colour floats announced, but {} bytes follow", count,
                                       (words_.count() - next_ - 1) * kWordBytes));
-    if (count > 0) ++ignored_.face_colours;
+    const bool is_colour = attributes_ && count >= 3;
+    if (count > 0 && !is_colour) ++ignored_.face_colours;
+    if (is_colour && has_face)
+      attributes_->set_face_colour(read_.soup.face_count() - 1, reals(next_ + 1, next_ + 1 + count));
     next_ += 1 + count;
     return true;
   }
@@ -227,14 +253,15 @@ class OffBinaryReader : Reading {
   std::size_t vertex_count_ = 0;
   std::size_t face_count_ = 0;
   std::size_t face_index_ = 0;
-  std::size_t next_ = 0;  // the word to be read next
+  std::size_t next_ = 0;                     // the word to be read next
+  std::optional<OffAttributes> attributes_;  // nothing if they are not wanted
 };
 
 }  // namespace
 
 Result<ReadMesh> read_binary_off(std::string_view bytes, const OffHeader& header, std::string_view file_name,
-                                 const std::atomic<bool>* cancel) {
-  return OffBinaryReader(bytes, header, file_name, cancel).read();
+                                 Wanted wanted, const std::atomic<bool>* cancel) {
+  return OffBinaryReader(bytes, header, file_name, wanted, cancel).read();
 }
 
 }  // namespace mesh_formats

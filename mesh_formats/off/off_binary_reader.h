@@ -20,6 +20,6 @@ namespace mesh_formats {
 /// the byte order that fits for more bytes, big-endian in doubt; then the file has surplus bytes, with a remark, or an
 /// error. Every layout other than the standard one has a remark.
 algebra3d::Result<ReadMesh> read_binary_off(std::string_view bytes, const OffHeader& header, std::string_view file_name,
-                                            const std::atomic<bool>* cancel);
+                                            Wanted wanted, const std::atomic<bool>* cancel);
 
 }  // namespace mesh_formats

@@ -25,9 +25,10 @@ Match detect_off(std::string_view head, std::size_t /*size*/) {
   return header && (header->is_binary || begins_as_text(head)) ? Match::sure : Match::none;
 }
 
+template <Wanted wanted>
 Result<MeshContent> read_off_content(std::string_view bytes, std::string_view file_name,
                                      const std::atomic<bool>* cancel) {
-  A3D_ASSIGN(ReadMesh read, read_off(bytes, file_name, cancel));
+  A3D_ASSIGN(ReadMesh read, read_off(bytes, file_name, cancel, wanted));
   const auto header = off_header(bytes);
   const Encoding encoding = header && header->is_binary ? Encoding::binary : Encoding::ascii;
   return MeshContent{std::move(read.soup), encoding, std::move(read.remarks), std::nullopt};
@@ -50,8 +51,10 @@ MeshFormat off_format() {
           .stores_triangles = false,
           .stores_name = false,
           .detect = detect_off,
-          .read = read_off_content,
-          .write = write_off_content};
+          .read = read_off_content<Wanted::shape>,
+          .write = write_off_content,
+          .attributes = AttributePlaces::points,
+          .read_with_attributes = read_off_content<Wanted::attributes>};
 }
 
 }  // namespace mesh_formats

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   require(mesh_formats::known_mesh_formats().detect(bytes, "fuzz.obj").ok());
   const auto read = mesh_formats::read_obj(bytes, "fuzz.obj");
-  const auto with_attributes = mesh_formats::read_obj(bytes, "fuzz.obj", nullptr, mesh_formats::ObjWanted::attributes);
+  const auto with_attributes = mesh_formats::read_obj(bytes, "fuzz.obj", nullptr, mesh_formats::Wanted::attributes);
   require(read.ok() == with_attributes.ok());
   if (!read) {
     require(read.error().text().starts_with("fuzz.obj: "));

@@ -79,10 +79,13 @@ class AttributeValues {
   std::vector<std::uint32_t> numbers_of_texts_;  // kNone: undefined
 };
 
-// Names of attributes that mesh files have: texture coordinates and normals of half-edges, that is, of corners; groups,
-// objects and materials of faces. Vectors of any elements with the name of normals turn with the mesh.
+// Names of attributes that mesh files have: texture coordinates and normals of half-edges, that is, of corners, or of
+// vertices; groups, objects and materials of faces; colours of vertices and faces, as red, green and blue from 0 to 1,
+// with their opacities. Vectors of any elements with the name of normals turn with the mesh.
 inline constexpr const char* kTextureAttribute = "TextureCoordinate";
 inline constexpr const char* kNormalAttribute = "Normal";
+inline constexpr const char* kColourAttribute = "Colour";
+inline constexpr const char* kOpacityAttribute = "Opacity";
 inline constexpr const char* kGroupAttribute = "Group";
 inline constexpr const char* kObjectAttribute = "Object";
 inline constexpr const char* kMaterialAttribute = "Material";

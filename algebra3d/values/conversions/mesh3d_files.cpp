@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -72,8 +76,37 @@ SoupAttributes::FaceNames names_of(const AttributeValues& values) {
   return {values.texts(), values.numbers_of_texts()};
 }
 
-/// The attributes of a mesh file as those of a mesh, with the names of mesh_attributes.h: texture coordinates and
-/// normals of half-edges; groups, objects and materials of faces. Undefined where the file says nothing.
+/// The mesh's attributes with those of a list with an entry for each element, if it is not empty.
+template <typename Element, typename Numbers>
+MeshAttributes with_list(MeshAttributes attributes, MeshElement element, const char* name, AttributeKind kind,
+                         const std::vector<Element>& list, Numbers numbers_of) {
+  if (list.empty()) return attributes;
+  AttributeValues values(kind, list.size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto numbers = numbers_of(list[i]);
+    values.set(i, numbers);
+  }
+  return attributes.with(element, name, values);
+}
+
+std::array<double, 3> numbers_of_vector(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// Opacities only if the file has some.
+MeshAttributes with_colours(MeshAttributes attributes, MeshElement element,
+                            const std::vector<SoupAttributes::Colour>& colours) {
+  using Colour = SoupAttributes::Colour;
+  attributes = with_list(std::move(attributes), element, kColourAttribute, AttributeKind::vector, colours,
+                         [](const Colour& colour) { return numbers_of_vector(colour.rgb); });
+  if (std::ranges::none_of(colours, [](const Colour& colour) { return std::isfinite(colour.opacity); }))
+    return attributes;
+  return with_list(std::move(attributes), element, kOpacityAttribute, AttributeKind::real, colours,
+                   [](const Colour& colour) { return std::array{colour.opacity}; });
+}
+
+/// The attributes of a mesh file as those of a mesh, with the names of mesh_attributes.h. Undefined where the file says
+/// nothing.
 MeshAttributes attributes_of_file(const SoupAttributes& given) {
   MeshAttributes attributes;
   if (!given.corner_textures.empty())
@@ -82,12 +115,19 @@ MeshAttributes attributes_of_file(const SoupAttributes& given) {
                                                [](const SoupAttributes::TextureCoordinate& texture) {
                                                  return std::span<const double>(texture);
                                                }));
+  attributes =
+      with_list(std::move(attributes), MeshElement::vertex, kTextureAttribute, AttributeKind::pair,
+                given.point_textures, [](const SoupAttributes::TextureCoordinate& texture) { return texture; });
+  attributes = with_list(std::move(attributes), MeshElement::vertex, kNormalAttribute, AttributeKind::vector,
+                         given.point_normals, numbers_of_vector);
+  attributes = with_colours(std::move(attributes), MeshElement::vertex, given.point_colours);
+  attributes = with_colours(std::move(attributes), MeshElement::face, given.face_colours);
   std::array<double, 3> vector{};
   if (!given.corner_normals.empty())
     attributes = attributes.with(
         MeshElement::halfedge, kNormalAttribute,
         corner_values(AttributeKind::vector, given.corner_normals, given.normals, [&](const Vec3& normal) {
-          vector = {normal.x, normal.y, normal.z};
+          vector = numbers_of_vector(normal);
           return std::span<const double>(vector);
         }));
   attributes = with_names(std::move(attributes), kGroupAttribute, given.groups);
@@ -95,8 +135,63 @@ MeshAttributes attributes_of_file(const SoupAttributes& given) {
   return with_names(std::move(attributes), kMaterialAttribute, given.materials);
 }
 
-/// The other way round. Equal texture coordinates and normals are written once.
-FileAttributes attributes_for_file(const MeshAttributes& attributes) {
+/// The attributes of a mesh of one element, with their numbers put into a list of a file.
+class PointLists {
+ public:
+  PointLists(const MeshAttributes& attributes, MeshElement element) : attributes_(attributes), element_(element) {}
+
+  /// Calls put(entry, numbers) for each element with a value; the others keep `none`. Counts the attribute as written.
+  template <typename Entry, typename Put>
+  void fill(const char* name, AttributeKind kind, std::vector<Entry>& list, const Entry& none, Put put) {
+    const AttributeValues* const values = find_values(attributes_, element_, name, kind);
+    if (values == nullptr) return;
+    ++written_;
+    if (list.empty()) list.assign(values->size(), none);
+    for (std::size_t i = 0; i < values->size(); ++i)
+      if (values->is_defined(i)) put(list[i], values->numbers(i));
+  }
+  void fill_colours(std::vector<SoupAttributes::Colour>& colours) {
+    using Colour = SoupAttributes::Colour;
+    fill(kColourAttribute, AttributeKind::vector, colours, kNoColour, [](Colour& colour, std::span<const double> v) {
+      colour.rgb = {v[0], v[1], v[2]};
+    });
+    if (colours.empty()) return;
+    fill(kOpacityAttribute, AttributeKind::real, colours, kNoColour,
+         [](Colour& colour, std::span<const double> v) { colour.opacity = v[0]; });
+  }
+  std::size_t written() const { return written_; }
+
+  static constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+  static constexpr SoupAttributes::Colour kNoColour{{kNoNumber, kNoNumber, kNoNumber}, kNoNumber};
+
+ private:
+  const MeshAttributes& attributes_;
+  MeshElement element_;
+  std::size_t written_ = 0;
+};
+
+/// For formats with attributes of points and colours of faces.
+FileAttributes attributes_of_points(const MeshAttributes& attributes) {
+  constexpr double kNoNumber = PointLists::kNoNumber;
+  FileAttributes result;
+  PointLists points(attributes, MeshElement::vertex), faces(attributes, MeshElement::face);
+  points.fill(kNormalAttribute, AttributeKind::vector, result.attributes.point_normals,
+              Vec3{kNoNumber, kNoNumber, kNoNumber}, [](Vec3& normal, std::span<const double> v) {
+                normal = {v[0], v[1], v[2]};
+              });
+  points.fill(kTextureAttribute, AttributeKind::pair, result.attributes.point_textures,
+              SoupAttributes::TextureCoordinate{kNoNumber, kNoNumber},
+              [](SoupAttributes::TextureCoordinate& texture, std::span<const double> v) {
+                texture = {v[0], v[1]};
+              });
+  points.fill_colours(result.attributes.point_colours);
+  faces.fill_colours(result.attributes.face_colours);
+  result.left_out = attributes.all().size() - points.written() - faces.written();
+  return result;
+}
+
+/// For formats with attributes of corners. Equal texture coordinates and normals are written once.
+FileAttributes attributes_of_corners(const MeshAttributes& attributes) {
   FileAttributes result;
   std::size_t written = 0;
   if (const auto* const textures =
@@ -187,8 +282,10 @@ std::size_t rounded_count(const PolygonMesh& mesh, CoordinateRange range) {
 /// Gives the soup the attributes that the format can hold; returns the number of the others.
 std::size_t add_attributes(const MeshAttributes& attributes, const mesh_formats::MeshFormat& format,
                            PolygonSoup& soup) {
-  if (attributes.is_empty() || format.read_with_attributes == nullptr) return attributes.all().size();
-  FileAttributes for_file = attributes_for_file(attributes);
+  using mesh_formats::AttributePlaces;
+  if (attributes.is_empty() || format.attributes == AttributePlaces::none) return attributes.all().size();
+  FileAttributes for_file = format.attributes == AttributePlaces::points ? attributes_of_points(attributes)
+                                                                         : attributes_of_corners(attributes);
   soup.attributes = std::make_shared<const SoupAttributes>(std::move(for_file.attributes));
   return for_file.left_out;
 }

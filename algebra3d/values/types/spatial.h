@@ -11,6 +11,7 @@
 #include "algebra3d/kernel/halfedge/edge_components.h"
 #include "algebra3d/kernel/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
+#include "algebra3d/kernel/halfedge/vertex_facts.h"
 #include "algebra3d/kernel/search/box_hierarchy.h"
 #include "algebra3d/kernel/validity/validity.h"
 #include "algebra3d/values/types/value.h"

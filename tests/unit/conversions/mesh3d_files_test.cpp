@@ -86,6 +86,48 @@ TEST(Mesh3dFiles, what_a_format_cannot_hold_is_reported) {
   EXPECT_TRUE(off.diagnostics[1].starts_with("exportOFF: 2 of 3 vertices rounded to floats")) << off.diagnostics[1];
 }
 
+/// Files in the forms of OFF, with the attributes of their mesh.
+TEST(Mesh3dFiles, attributes_of_off_are_read_and_written) {
+  const ScratchFolder folder;
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 2\n0 1 0 0 0 0\n3 0 1 2\n",
+       "((vertex \"Normal\" vector ((0.0 0.0 1.0) (0.0 0.0 2.0) undefined)))"},
+      {"COFF\n3 1 0\n0 0 0 255 0 51 255\n1 0 0 0 0 0 0\n0 1 0 255 255 255 255\n3 0 1 2 255 0 0\n",
+       "((vertex \"Colour\" vector ((1.0 0.0 0.2) (0.0 0.0 0.0) (1.0 1.0 1.0))) (vertex \"Opacity\" real (1.0 0.0 "
+       "1.0)) "
+       "(face \"Colour\" vector ((1.0 0.0 0.0))))"},
+      {"STOFF\n3 1 0\n0 0 0 0.5 1\n1 0 0 7 0\n0 1 0 -1 2\n3 0 1 2\n",
+       "((vertex \"TextureCoordinate\" pair ((0.5 1.0) (7.0 0.0) (-1.0 2.0))))"},
+      {"STCNOFF\n3 1 0\n0 0 0 0 0 1 0.5 0 1 1 0.25 0.75\n1 0 0 0 1 0 0 0 0 1 0 0\n0 1 0 1 0 0 1 1 1 1 1 1\n3 0 1 2\n",
+       "((vertex \"Colour\" vector ((0.5 0.0 1.0) (0.0 0.0 0.0) (1.0 1.0 1.0))) (vertex \"Normal\" vector ((0.0 0.0 "
+       "1.0) "
+       "(0.0 1.0 0.0) (1.0 0.0 0.0))) (vertex \"Opacity\" real (1.0 1.0 1.0)) (vertex \"TextureCoordinate\" pair "
+       "((0.25 "
+       "0.75) (0.0 0.0) (1.0 1.0))))"},
+      {"CNOFF 3 1 0 0 0 0 0 0 1 0.5 0 1 1 1 0 0 0 1 0 0 0 0 1 0 1 0 1 0 0 1 1 1 1 3 0 1 2",
+       "((vertex \"Colour\" vector ((0.5 0.0 1.0) (0.0 0.0 0.0) (1.0 1.0 1.0))) (vertex \"Normal\" vector ((0.0 0.0 "
+       "1.0) "
+       "(0.0 1.0 0.0) (1.0 0.0 0.0))) (vertex \"Opacity\" real (1.0 1.0 1.0)))"},
+  };
+  for (const auto& [bytes, attributes] : files) {
+    SCOPED_TRACE(bytes);
+    folder.write("a.off", bytes);
+    const Answer read = import(folder.path(""), "a.off");
+    EXPECT_EQ(read.text(), "(((0.0 0.0 0.0) (1.0 0.0 0.0) (0.0 1.0 0.0)) ((0 1 2)) " + attributes + ")");
+    EXPECT_TRUE(read.diagnostics.empty()) << read.diagnostics.front();
+    for (const bool is_binary : {false, true}) {
+      const Answer written =
+          call(folder.path(""), "exportOFF", {read.single(), calls::value("b.off"), Value::of<bool>(is_binary)});
+      EXPECT_TRUE(written.get<bool>());
+      EXPECT_TRUE(written.diagnostics.empty()) << written.diagnostics.front();
+      const Answer again = import(folder.path(""), "b.off");
+      // 0.2 is no float.
+      const bool is_rounded = is_binary && bytes.starts_with("COFF");
+      if (!is_rounded) EXPECT_EQ(again.text(), read.text());
+    }
+  }
+}
+
 TEST(Mesh3dFiles, texts_that_no_line_holds_are_reported) {
   const ScratchFolder folder;
   const Value mesh = mesh_of(

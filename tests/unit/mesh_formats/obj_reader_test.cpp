@@ -267,7 +267,7 @@ TEST(ObjReader, every_beginning_of_a_file_is_read_or_refused) {
   for (std::size_t size = 1; size <= whole.size(); ++size) {
     // On the heap, so that the sanitizer sees a byte read beyond the end.
     const std::vector<char> bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
-    for (const auto wanted : {mesh_formats::ObjWanted::shape, mesh_formats::ObjWanted::attributes}) {
+    for (const auto wanted : {mesh_formats::Wanted::shape, mesh_formats::Wanted::attributes}) {
       const auto read = read_obj({bytes.data(), bytes.size()}, "a.obj", nullptr, wanted);
       EXPECT_TRUE(read || read.error().text().starts_with("a.obj: byte ")) << size;
     }
@@ -276,7 +276,7 @@ TEST(ObjReader, every_beginning_of_a_file_is_read_or_refused) {
 
 TEST(ObjReader, the_shape_is_the_same_with_attributes) {
   for (const AcceptedObj& accepted : obj_layouts()) {
-    const auto read = read_obj(accepted.bytes, "a.obj", nullptr, mesh_formats::ObjWanted::attributes);
+    const auto read = read_obj(accepted.bytes, "a.obj", nullptr, mesh_formats::Wanted::attributes);
     ASSERT_TRUE(read) << accepted.label << ": " << read.error().text();
     EXPECT_EQ(read->soup.points, accepted.points) << accepted.label;
     EXPECT_EQ(faces_of(read->soup), accepted.faces) << accepted.label;
@@ -288,7 +288,7 @@ TEST(ObjReader, attributes_are_those_of_corners_and_faces) {
       kObjVertices +
       "vt 0 \\\n 1#c\nvt 2 3 4\nvn 0 0 1 # up\ng a b\nusemtl m\nf 1/1/1 2/-1/-1 3//1\ng\nf 1 2\nf 1/3 2/2/ 3/-9\n"
       "usemtl n\\\n  o\nf 1 2 4\n";
-  const auto read = read_obj(bytes, "a.obj", nullptr, mesh_formats::ObjWanted::attributes);
+  const auto read = read_obj(bytes, "a.obj", nullptr, mesh_formats::Wanted::attributes);
   ASSERT_TRUE(read) << read.error().text();
   constexpr std::uint32_t none = 0xFFFFFFFF;
   using Numbers = std::vector<std::uint32_t>;
