@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/kernel/rounding/detail/remaining_distance.h"
 #include "algebra3d/kernel/rounding/detail/rounded_vertices.h"
 #include "algebra3d/kernel/rounding/detail/rounding_ladder.h"
 #include "algebra3d/kernel/rounding/detail/solid_part.h"
@@ -41,6 +42,10 @@ Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGr
   if (moved_count == 0) return RoundedSolid{solid};
   A3D_ASSIGN(RoundedSolid rounded, climbed(solid, SolidPart(solid, is_moved), grid, monitor));
   rounded.moved_vertices = moved_count;
+  if (rounded.mesh && rounded.shells_after < rounded.shells_before) {
+    A3D_ASSIGN(rounded.largest_movement,
+               remaining_distance(solid, *rounded.mesh, grid, rounded.largest_movement, monitor));
+  }
   return rounded;
 }
 

@@ -5,7 +5,9 @@
 
 #include "algebra3d/kernel/arrangement/surface_arrangement.h"
 #include "algebra3d/kernel/autorefinement/valid_parts.h"
+#include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/rounding/detail/met_cells.h"
+#include "algebra3d/kernel/rounding/detail/remaining_distance.h"
 #include "algebra3d/kernel/rounding/detail/rounding_job.h"
 #include "algebra3d/kernel/rounding/detail/rounding_ladder.h"
 #include "algebra3d/kernel/rounding/detail/square_cover.h"
@@ -88,6 +90,10 @@ Result<RoundedSurface> rounded_surface(const TriangleMesh& surface, const Coordi
   if (!is_found) return RoundedSurface{std::nullopt, out_of_range_text(job.size(), grid)};
   RoundedSurface rounded = job.result();
   rounded.moved_vertices = job.vertices().moved;
+  if (connected_components(*rounded.mesh).count < connected_components(surface).count) {
+    A3D_ASSIGN(rounded.largest_movement,
+               remaining_distance(surface, *rounded.mesh, grid, rounded.largest_movement, monitor));
+  }
   return rounded;
 }
 

@@ -36,9 +36,11 @@ std::string nothing_left(const RoundedSurface& /*rounded*/) {
 template <typename Rounded>
 std::string rounding_note(const Rounded& rounded, std::size_t vertex_count) {
   if (rounded.mesh->is_empty()) return nothing_left(rounded);
-  std::string text =
-      fmt::format("{} of {} vertices moved, and the remaining boundary by at most {}; method: {}",
-                  rounded.moved_vertices, vertex_count, real_text(rounded.largest_movement), name_of(rounded.method));
+  const std::string distance = rounded.largest_movement > 0
+                                   ? "and the remaining boundary by at most " + real_text(rounded.largest_movement)
+                                   : "but not the remaining boundary";
+  std::string text = fmt::format("{} of {} vertices moved, {}; method: {}", rounded.moved_vertices, vertex_count,
+                                 distance, name_of(rounded.method));
   if (rounded.reach > 0) text += fmt::format(" that were up to {} apart", real_text(rounded.reach));
   if (rounded.contact_vertices > 0)
     text += fmt::format(

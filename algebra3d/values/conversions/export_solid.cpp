@@ -84,8 +84,10 @@ Result<std::string> visible_change(const Context& context, const TriangleMesh& s
   const bool loses_shells = rounded.shells_after < rounded.shells_before;
   const bool is_seen = rounded.largest_movement > kVisiblePart * diagonal_of(solid) || changes_volume || loses_shells;
   if (!is_seen && rounded.reach == 0) return std::string();
-  std::string text = fmt::format("which moves the remaining boundary by at most {} ({})",
-                                 real_text(rounded.largest_movement), name_of(rounded.method));
+  const std::string distance = rounded.largest_movement > 0 ? "which moves the remaining boundary by at most " +
+                                                                  real_text(rounded.largest_movement)
+                                                            : "which does not move the remaining boundary";
+  std::string text = fmt::format("{} ({})", distance, name_of(rounded.method));
   if (changes_volume)
     text += fmt::format(" and makes the volume {} instead of {}", real_text(after), real_text(before));
   if (loses_shells) text += "; " + shells_text(rounded);

@@ -210,6 +210,25 @@ TEST_F(Files, export_says_so_if_a_body_vanishes) {
       << rounded.diagnostics[0];
 }
 
+// The crumb is thinner than floats are at its place, and vanishes; the other body stays where it is.
+TEST_F(Files, the_distance_of_a_rounding_is_that_of_what_remains) {
+  const Value both =
+      call("union", cube(point(0, 0, 0), point(9, 9, 9)), cube(point(20, 0, 0), point(20.125, 0.125, 0.125))).single();
+  const Answer rounded = call("roundCoordinates", both, 1.0);
+  ASSERT_EQ(rounded.diagnostics.size(), 1U);
+  EXPECT_EQ(rounded.diagnostics[0],
+            "roundCoordinates: 7 of 16 vertices moved, but not the remaining boundary; method: vertices moved; 1 shell "
+            "instead of 2: some vanished or merged");
+  const Value far =
+      call("union", cube(point(0, 0, 0), point(1e9, 1e9, 1e9)), cube(point(2e9, 0, 0), point(2e9 + 1, 1, 1))).single();
+  const Answer exported = export_to("part.stl", far);
+  ASSERT_EQ(exported.diagnostics.size(), 1U);
+  EXPECT_TRUE(
+      exported.diagnostics[0].starts_with("exportSTL: rounded to floats, which does not move the remaining boundary "
+                                          "(vertices moved); 1 shell instead of 2"))
+      << exported.diagnostics[0];
+}
+
 TEST_F(Files, export_is_quiet_if_rounding_is_not_seen) {
   for (const double x : {0.1, 1000.1, 100'000.1}) {
     EXPECT_TRUE(export_to("part.stl", value(cube(point(x, 0.3, 0.3), point(x + 100, 90.7, 80.9)))).diagnostics.empty());

@@ -1,7 +1,10 @@
 #include "algebra3d/kernel/repair/detail/repair_strategy.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -95,6 +98,47 @@ TEST(RepairStrategies, others_are_worth_trying_if_an_attempt_leaves_out_much) {
   EXPECT_NEAR(other.cost(), 1.0 / 97, 1e-9);
   EXPECT_TRUE(other.is_worth_trying(TryIf::costly));
   EXPECT_TRUE(other.is_worth_trying(TryIf::leaves_out));
+}
+
+/// How often triangles were divided at one another for a repair.
+std::size_t divisions_for(const TriangleSoup& soup) {
+  const KnownTriangles known = triangles_of_soup(soup);
+  const auto made = repaired_solid(known, *prove_volume(*known.mesh()), {});
+  EXPECT_TRUE(made.ok());
+  return made->division_count;
+}
+
+// Scattered triangles are the same for all strategies but the one that makes bands.
+TEST(RepairStrategies, with_the_same_triangles_divide_them_once) {
+  Chance chance(1);
+  TriangleSoup scattered;
+  for (int i = 0; i < 30; ++i)
+    scattered.triangles.push_back({Vec3{chance.unit(), chance.unit(), chance.unit()},
+                                   Vec3{chance.unit(), chance.unit(), chance.unit()},
+                                   Vec3{chance.unit(), chance.unit(), chance.unit()}});
+  EXPECT_LE(divisions_for(scattered), 2U);
+  // The wall hangs on a cube that is closed without it. Three strategies that keep it are tried afterwards.
+  EXPECT_EQ(divisions_for(joined(cube_soup(0, 4), wall_at(2, 4, 0, 5, 1))), 1U);
+}
+
+TEST(RepairStrategies, that_take_a_solid_over_report_the_same) {
+  const KnownTriangles known = triangles_of_soup(joined(cube_soup(0, 4), wall_at(2, 3, 0, 5, 1)));
+  const ValidityReport found = *prove_volume(*known.mesh());
+  const auto attempt = [&](std::span<const RepairAttempt* const> earlier) {
+    RepairAttempt made(known, search_strategies()[3], {}, {});
+    EXPECT_TRUE(made.make(found, earlier).ok());
+    return made;
+  };
+  const RepairAttempt first = attempt({});
+  const std::array<const RepairAttempt*, 1> earlier{&first};
+  RepairAttempt second = attempt(earlier);
+  EXPECT_TRUE(first.has_divided());
+  EXPECT_FALSE(second.has_divided());
+  EXPECT_TRUE(second.costs_as_much_as(first));
+  const auto one = RepairAttempt(first).finish(), other = std::move(second).finish();
+  ASSERT_TRUE(one.ok() && other.ok());
+  EXPECT_EQ(one->report.text(), other->report.text());
+  EXPECT_EQ(soup_of(*one->mesh).triangles, soup_of(*other->mesh).triangles);
 }
 
 }  // namespace

@@ -201,6 +201,25 @@ TEST(RoundedSolid, thinner_than_the_grid_vanishes) {
   EXPECT_EQ(joined->mesh->face_count(), 12U);
 }
 
+// The cube does not move; the crumb moved by more than a tenth before it vanished.
+TEST(RoundedSolid, the_distance_is_that_of_what_remains) {
+  const CoordinateGrid grid = CoordinateGrid::multiples(1);
+  const TriangleMesh crumb = box({20, 0, 0}, {20.125, 0.125, 0.125});
+  const auto beside = [&](const TriangleMesh& body) { return rounded_solid(SetOperations().unite(body, crumb), grid); };
+  const auto unmoved = beside(box({0, 0, 0}, {9, 9, 9}));
+  EXPECT_EQ(unmoved->mesh->face_count(), 12U);
+  EXPECT_EQ(unmoved->moved_vertices, 7U);
+  EXPECT_EQ(unmoved->largest_movement, 0);
+  const auto moved = beside(box({0.0625, 0, 0}, {9, 9, 9}));
+  EXPECT_EQ(moved->mesh->face_count(), 12U);
+  EXPECT_NEAR(moved->largest_movement, 0.0625, 1e-9);
+  // A crumb that is flat, on a side of the cube, once its corners have moved.
+  const auto flat = rounded_solid(
+      SetOperations().unite(box({0, 0, 0}, {9, 9, 9}), box({9.125, 2.25, 2.25}, {9.25, 2.75, 2.75})), grid);
+  EXPECT_EQ(exact_volume_of(*flat->mesh), Rational(729));
+  EXPECT_NEAR(flat->largest_movement, 0, 1e-6);
+}
+
 /// A sphere without itself, turned by some radians: shells as thin as that, whose sides cross in needles.
 TriangleMesh sphere_without_itself_turned(int corners, double radians) {
   const TriangleMesh sphere = geodesic_sphere(corners);

@@ -147,5 +147,14 @@ TEST(RoundedSurface, thinner_than_the_grid_vanishes_and_out_of_range_has_a_reaso
       rounded_surface(far, CoordinateGrid::floats())->reason.ends_with("the numbers end at 3.4028234663852886e+38"));
 }
 
+// The first triangle does not move; the needle moved by a fifth before it vanished.
+TEST(RoundedSurface, the_distance_is_that_of_what_remains) {
+  const TriangleMesh both = sheets({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {8.125, 0, 0}, {8.25, 0, 0}, {8.125, 9, 0}});
+  const auto rounded = rounded_surface(both, CoordinateGrid::multiples(1));
+  EXPECT_EQ(rounded->mesh->face_count(), 1U);
+  EXPECT_EQ(rounded->moved_vertices, 3U);
+  EXPECT_EQ(rounded->largest_movement, 0);
+}
+
 }  // namespace
 }  // namespace algebra3d::solids

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <numbers>
 #include <tuple>
@@ -84,50 +85,91 @@ GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::add_part(std::siz
   return boundary;
 }
 
-/// Half the solid angle of a triangle. A normal points away from places that see it from inside.
-double GeneralizedWindingNumbers::half_angle(VertexId i, VertexId j, VertexId k, const Vec3& point) const {
+/// A sum of angles, each given by a vector in the plane: the product of these as complex numbers has the sum as its
+/// angle, but for whole turns, which are counted. One arc tangent serves for all of them.
+class GeneralizedWindingNumbers::AngleSum {
+ public:
+  /// Adds atan2(y, x).
+  void add(double y, double x) {
+    const double real = real_ * x - imaginary_ * y;
+    double imaginary = real_ * y + imaginary_ * x;
+    const double size = std::abs(real) + std::abs(imaginary);
+    if (!(size > kSmallest && size < kLargest)) return add_apart(y, x);
+    // Angles up to half a turn of the same sign: together they are more if the sign of the product is the other one.
+    const bool is_negative = std::signbit(y);
+    if (is_negative == std::signbit(imaginary_)) {
+      const bool is_full = imaginary == 0 && x < 0 && real_ < 0;
+      if (is_negative ? imaginary > 0 || is_full : imaginary < 0 || is_full)
+        turns_ += is_negative ? -1 : 1;
+      else if (imaginary == 0)  // half a turn is positive or negative, too
+        imaginary = std::copysign(imaginary, y);
+    }
+    real_ = real;
+    imaginary_ = imaginary;
+  }
+
+  double total() const { return std::atan2(imaginary_, real_) + 2 * std::numbers::pi * turns_ + apart_; }
+
+ private:
+  static constexpr double kSmallest = 1e-100, kLargest = 1e100;
+
+  /// When the product becomes too large or too small.
+  void add_apart(double y, double x) {
+    apart_ += std::atan2(imaginary_, real_) + std::atan2(y, x);
+    real_ = 1;
+    imaginary_ = 0;
+  }
+
+  double real_ = 1, imaginary_ = 0;
+  int turns_ = 0;
+  double apart_ = 0;
+};
+
+/// Adds half the solid angle of a triangle, that many times; negative: turned over. A normal points away from places
+/// that see it from inside.
+void GeneralizedWindingNumbers::add_half_angle(VertexId i, VertexId j, VertexId k, const Vec3& point, int count,
+                                               AngleSum& sum) const {
   const Vec3 a = soup_.point(i) - point, b = soup_.point(j) - point, c = soup_.point(k) - point;
   const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
-  return std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+  const double y = dot(a, cross(b, c));
+  const double x = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
+  for (int n = std::abs(count); n > 0; --n) sum.add(count < 0 ? -y : y, x);
 }
 
-double GeneralizedWindingNumbers::half_angles_of_triangles(const Part& part, const Vec3& point) const {
-  double sum = 0;
+void GeneralizedWindingNumbers::add_triangles(const Part& part, const Vec3& point, AngleSum& sum) const {
   for (std::size_t at = part.begin; at < part.end; ++at) {
     const auto& [i, j, k] = soup_.triangles[order_[at]];
-    sum += half_angle(VertexId(i), VertexId(j), VertexId(k), point);
+    add_half_angle(VertexId(i), VertexId(j), VertexId(k), point, 1, sum);
   }
   angle_count_ += part.end - part.begin;
-  return sum;
 }
 
 /// The tip of the cone is an end of its first edge.
-double GeneralizedWindingNumbers::half_angles_of_cone(const Part& part, const Vec3& point) const {
-  double sum = 0;
+void GeneralizedWindingNumbers::add_cone(const Part& part, const Vec3& point, AngleSum& sum) const {
   for (std::size_t at = part.boundary_begin; at < part.boundary_end; ++at) {
     const BoundaryEdge& edge = boundaries_[at];
-    sum += edge.count * half_angle(boundaries_[part.boundary_begin].from, edge.from, edge.to, point);
+    const VertexId tip = boundaries_[part.boundary_begin].from;
+    if (edge.from != tip && edge.to != tip) add_half_angle(tip, edge.from, edge.to, point, edge.count, sum);
   }
   angle_count_ += part.boundary_end - part.boundary_begin;
-  return sum;
 }
 
 double GeneralizedWindingNumbers::at(const Vec3& point) const {
-  double sum = 0;
+  AngleSum sum;
   for (std::size_t number = 0; number < parts_.size();) {
     const Part& part = parts_[number];
     const bool is_leaf = part.behind == number + 1;
     if (part.has_cone && is_outside(part.box, point)) {
-      sum += half_angles_of_cone(part, point);
+      add_cone(part, point, sum);
       number = part.behind;
     } else if (is_leaf) {
-      sum += half_angles_of_triangles(part, point);
+      add_triangles(part, point, sum);
       number = part.behind;
     } else {
       ++number;
     }
   }
-  return sum / (2 * std::numbers::pi);
+  return sum.total() / (2 * std::numbers::pi);
 }
 
 }  // namespace algebra3d

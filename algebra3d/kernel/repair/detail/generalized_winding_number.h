@@ -44,9 +44,11 @@ class GeneralizedWindingNumbers {
 
   Boundary add_part(std::size_t begin, std::size_t end);
   Boundary boundary_of(std::span<const FaceId> triangles) const;
-  double half_angle(VertexId i, VertexId j, VertexId k, const Vec3& point) const;
-  double half_angles_of_triangles(const Part& part, const Vec3& point) const;
-  double half_angles_of_cone(const Part& part, const Vec3& point) const;
+  class AngleSum;
+
+  void add_half_angle(VertexId i, VertexId j, VertexId k, const Vec3& point, int count, AngleSum& sum) const;
+  void add_triangles(const Part& part, const Vec3& point, AngleSum& sum) const;
+  void add_cone(const Part& part, const Vec3& point, AngleSum& sum) const;
 
   const IndexedSoup& soup_;
   std::vector<FaceId> order_;

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/base/vec3.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "algebra3d/kernel/search/box_hierarchy.h"
@@ -14,6 +19,9 @@ class InsideTest {
 
   /// True if the point lies inside. On the boundary the result is unspecified. Cost: that of a vertical ray.
   bool is_inside(const Vec3& point) const;
+  /// One answer for each point, as above. Errors: interrupted. Cost: for many points far less than one by one, since
+  /// their rays go through the solid together.
+  Result<std::vector<bool>> are_inside(std::span<const Vec3> points, const Monitor& monitor) const;
 
  private:
   const TriangleMesh& solid_;

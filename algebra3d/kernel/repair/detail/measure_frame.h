@@ -28,6 +28,7 @@ class MeasureFrame {
   Triangle3 of_solid(FaceId face) const { return scale_.scaled(solid_, face); }
   /// True if a part of a triangle is large enough to be measured.
   bool counts(const ConvexPolygon& part) const { return part.area() > tolerance_ * tolerance_; }
+  const Monitor& monitor() const { return monitor_; }
   /// To be called in every loop. Errors: interrupted.
   Status pause() { return ++steps_ % 256 == 0 ? monitor_.check() : Status(); }
 

@@ -56,6 +56,15 @@ Result<std::vector<SurfacePart>> far_parts(MeasureFrame& frame, const TriangleMe
   return far;
 }
 
+/// One flag per part: whether its middle is inside the solid. Errors: interrupted.
+Result<std::vector<bool>> are_inside(const MeasureFrame& frame, const TriangleMesh& solid,
+                                     const std::vector<SurfacePart>& parts) {
+  std::vector<Vec3> middles;
+  middles.reserve(parts.size());
+  for (const SurfacePart& part : parts) middles.push_back(frame.scale().unscaled(part.polygon.middle()));
+  return InsideTest(solid).are_inside(middles, frame.monitor());
+}
+
 /// Sets `distance`, an upper bound of how far any point of the parts is from the mesh, and `where`, their farthest
 /// point; both in coordinate units, while the parts are scaled.
 void measure_distance(const MeasureFrame& frame, const TriangleMesh& mesh, const std::vector<SurfacePart>& parts,
@@ -119,23 +128,21 @@ class RepairMeasure {
 Status RepairMeasure::measure_left_out(const TriangleMatching& matching, const GivenParts& given) {
   A3D_ASSIGN(const std::vector<SurfacePart> far, far_parts(frame_, frame_.solid(), given.parts));
   if (far.empty()) return {};
-  const InsideTest test(frame_.solid());
-  UnmatchedFlags are_outside(matching.given.triangles.size()), are_inside(matching.given.triangles.size());
+  A3D_ASSIGN(const std::vector<bool> is_inside, are_inside(frame_, frame_.solid(), far));
+  UnmatchedFlags are_outside(matching.given.triangles.size()), have_inside(matching.given.triangles.size());
   double area_outside = 0, area_inside = 0;
   std::vector<SurfacePart> outside;
-  for (const SurfacePart& part : far) {
-    A3D_TRY(frame_.pause());
-    const Vec3 middle = frame_.scale().unscaled(part.polygon.middle());
-    const bool is_inside = test.is_inside(middle);
-    if (is_inside && area_inside == 0) amounts_.inside.where = middle;
-    (is_inside ? area_inside : area_outside) += part.polygon.area();
-    (is_inside ? are_inside : are_outside)[part.triangle] = true;
-    if (!is_inside) outside.push_back(part);
+  for (std::size_t i = 0; i < far.size(); ++i) {
+    const SurfacePart& part = far[i];
+    if (is_inside[i] && area_inside == 0) amounts_.inside.where = frame_.scale().unscaled(part.polygon.middle());
+    (is_inside[i] ? area_inside : area_outside) += part.polygon.area();
+    (is_inside[i] ? have_inside : are_outside)[part.triangle] = true;
+    if (!is_inside[i]) outside.push_back(part);
   }
   amounts_.left_out.area = frame_.scale().area(area_outside);
   amounts_.inside.area = frame_.scale().area(area_inside);
   amounts_.left_out.triangle_count = count_with_doubles(are_outside, given, matching.given);
-  amounts_.inside.triangle_count = count_with_doubles(are_inside, given, matching.given);
+  amounts_.inside.triangle_count = count_with_doubles(have_inside, given, matching.given);
   measure_distance(frame_, frame_.solid(), outside, amounts_.left_out);
   return {};
 }
@@ -214,12 +221,9 @@ Result<TriangleClasses> classify_triangles(const TriangleMesh& given, const Tria
   A3D_ASSIGN(const GivenParts left, parts_of_given(frame, matching));
   A3D_ASSIGN(const std::vector<SurfacePart> far, far_parts(frame, solid, left.parts));
   UnmatchedFlags are_outside(matching.given.triangles.size());
-  const InsideTest test(solid);
-  for (const SurfacePart& part : far) {
-    A3D_TRY(frame.pause());
-    if (are_outside[part.triangle]) continue;
-    are_outside[part.triangle] = !test.is_inside(frame.scale().unscaled(part.polygon.middle()));
-  }
+  A3D_ASSIGN(const std::vector<bool> is_inside, are_inside(frame, solid, far));
+  for (std::size_t i = 0; i < far.size(); ++i)
+    if (!is_inside[i]) are_outside[far[i].triangle] = true;
   are_outside = with_doubles(std::move(are_outside), left);
   const UnmatchedFlags are_divided = with_doubles(left.are_covered, left);
   TriangleClasses result;

@@ -115,6 +115,27 @@ Result<bool> is_valid_volume(const TriangleMesh& mesh, const FaceSet& known, con
   return found.is_valid();
 }
 
+/// The corners of a face by their numbers in a table, the smallest first; kNone for points that are not in it.
+TriangleMesh::Triangle corners_in(const PointTable& table, const TriangleRef& face) {
+  TriangleMesh::Triangle result{};
+  std::ranges::transform(face, result.begin(), [&](const PointRef& corner) { return table.find(corner); });
+  std::ranges::rotate(result, std::ranges::min_element(result));
+  return result;
+}
+
+/// True if two meshes have the same faces with the same orientations, in any order. Exact. Cost: n log n.
+bool have_same_faces(const TriangleMesh& a, const TriangleMesh& b) {
+  if (a.face_count() != b.face_count()) return false;
+  PointTable table(a.vertex_count());
+  for (std::size_t v = 0; v < a.vertex_count(); ++v) table.intern(a.points()[v]);
+  std::vector<TriangleMesh::Triangle> of_a, of_b;
+  for (const FaceId face : faces(a)) of_a.push_back(corners_in(table, a.corners(face)));
+  for (const FaceId face : faces(b)) of_b.push_back(corners_in(table, b.corners(face)));
+  std::ranges::sort(of_a);
+  std::ranges::sort(of_b);
+  return of_a == of_b;
+}
+
 std::string near_six_digits(const Vec3& where) {
   return fmt::format("near ({:.6g} {:.6g} {:.6g})", where.x, where.y, where.z);
 }
@@ -131,6 +152,10 @@ double RepairAttempt::cost() const {
   return amounts.part_of_seen(amounts.left_out) + amounts.part_of_seen(amounts.added);
 }
 
+bool RepairAttempt::costs_as_much_as(const RepairAttempt& other) const {
+  return soup_.report().largest_move() == other.soup_.report().largest_move() && have_same_faces(solid_, other.solid_);
+}
+
 bool RepairAttempt::is_worth_trying(TryIf condition) const {
   constexpr double kWorthATry = 1e-3;
   const bool is_costly = cost() > kWorthATry;
@@ -142,7 +167,24 @@ RepairedSolid RepairAttempt::nothing(std::string reason) {
   return {std::nullopt, std::move(reason), std::move(soup_.report()), {}};
 }
 
-Status RepairAttempt::make(const ValidityReport& found) {
+/// True if the steps before division gave the same triangles, of which the same cells are inside.
+bool RepairAttempt::has_triangles_of(const RepairAttempt& other) const {
+  const IndexedSoup &own = soup_.soup(), &others = other.soup_.soup();
+  return own.triangles.size() == others.triangles.size() && std::ranges::equal(own.triangles, others.triangles) &&
+         own.points == others.points &&
+         (soup_.strategy().keeps_negative == other.soup_.strategy().keeps_negative || !is_balanced(soup_.mesh()));
+}
+
+void RepairAttempt::take_solid_of(const RepairAttempt& other) {
+  solid_ = other.solid_;
+  met_others_ = other.met_others_;
+  is_proved_ = other.is_proved_;
+  is_beyond_limit_ = other.is_beyond_limit_;
+  if (is_beyond_limit_) reason_ = other.reason_;
+  if (!met_others_.empty() && !is_beyond_limit_) report_losses();
+}
+
+Status RepairAttempt::make(const ValidityReport& found, std::span<const RepairAttempt* const> earlier) {
   RepairReport& report = soup_.report();
   report.size = soup_.soup().diagonal();
   if (is_balanced(soup_.mesh())) report.volume_before = Amount::nearest(given_->volume().abs());
@@ -156,6 +198,13 @@ Status RepairAttempt::make(const ValidityReport& found) {
   }
   A3D_TRY(soup_.close_holes());
   A3D_TRY(soup_.orient_shells());
+  is_made_ = true;
+  const auto same = std::ranges::find_if(
+      earlier, [&](const RepairAttempt* other) { return other->is_made_ && has_triangles_of(*other); });
+  if (same != earlier.end()) {
+    take_solid_of(**same);
+    return is_beyond_limit_ ? Status() : note_outcome({});
+  }
   return note_outcome(make_solid(found.count(Defect::intersecting_triangles) > 0));
 }
 
@@ -185,6 +234,7 @@ Result<bool> RepairAttempt::take_if_valid(const FaceSet& known) {
 Status RepairAttempt::divide(const ValidParts& parts) {
   const TriangleMesh& mesh = soup_.mesh();
   met_others_.assign(mesh.face_count(), false);
+  has_divided_ = true;
   for (const FaceId face : parts.lone_faces()) met_others_[face] = has_manifold_edges(mesh, face);
   const WindingRule is_inside = [&](int winding) { return winding > 0 || soup_.strategy().keeps_negative; };
   const ArrangementOptions limits = work_limits(options_);
@@ -193,9 +243,15 @@ Status RepairAttempt::divide(const ValidParts& parts) {
                    : solid_by_generalized_winding(soup_.soup(), parts, monitor_, limits, options_.work_limit * 1e6);
   if (!solid) return std::move(solid).error();
   solid_ = *std::move(solid);
+  report_losses();
+  return {};
+}
+
+/// Reports patches and bodies that are no longer there after the division.
+void RepairAttempt::report_losses() {
+  const TriangleMesh& mesh = soup_.mesh();
   lost_ = report_lost_patches(mesh, solid_, soup_.report());
   report_united_bodies(mesh, solid_, place_of_meeting(), soup_.report());
-  return {};
 }
 
 /// The first triangle that was divided, or the first corner.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,9 +40,10 @@ class RepairAttempt {
         monitor_(monitor),
         soup_(IndexedSoup(given.mesh()), strategy, options, monitor) {}
 
-  /// Makes the solid, or sets the reason why there is none. `found`: the report of the proof of `given`. Errors:
-  /// interrupted.
-  Status make(const ValidityReport& found);
+  /// Makes the solid, or sets the reason why there is none. `found`: the report of the proof of `given`; `earlier`:
+  /// attempts at the same triangles that are made. If the steps of one of them gave the same triangles, its solid is
+  /// taken over. Errors: interrupted.
+  Status make(const ValidityReport& found, std::span<const RepairAttempt* const> earlier = {});
   /// Measures the parts left out and added, unless that was done. Requires a solid. Errors: interrupted.
   Status measure();
   /// Removes shells as the options say, proves the solid and completes the report. Gives no solid, with the reason, if
@@ -52,6 +54,8 @@ class RepairAttempt {
   RepairedSolid nothing(std::string reason);
 
   bool has_solid() const { return !reason_; }
+  /// True if triangles were divided at one another for this attempt: it did not take over a solid.
+  bool has_divided() const { return has_divided_; }
   const TriangleMesh& solid() const { return solid_; }
   /// True if the solid encloses what the triangles do: nothing had to be divided, and no misconnected triangle,
   /// dangling sheet or open patch was dropped. (Degenerate triangles and duplicates enclose nothing.)
@@ -66,14 +70,20 @@ class RepairAttempt {
   double cost() const;
   /// The area left out, as a fraction of the area seen. Requires `measure`.
   double left_out_part() const { return soup_.report().amounts->left_out_part(); }
+  /// True if the solids have the same faces, and no corner was moved farther by one attempt than by the other: then
+  /// both leave out and add the same. Cost: n log n.
+  bool costs_as_much_as(const RepairAttempt& other) const;
   /// True if it is worth trying strategies that may cost less. Requires `measure`.
   bool is_worth_trying(TryIf condition) const;
 
  private:
   bool has(RepairStep step) const { return soup_.report().find(step) != nullptr; }
+  bool has_triangles_of(const RepairAttempt& other) const;
+  void take_solid_of(const RepairAttempt& other);
   Status make_solid(bool may_cross);
   Result<bool> take_if_valid(const FaceSet& known);
   Status divide(const ValidParts& parts);
+  void report_losses();
   Vec3 place_of_meeting() const;
   Status note_outcome(Status made);
   std::string reason_for_nothing() const;
@@ -92,6 +102,8 @@ class RepairAttempt {
   TriangleMesh solid_;
   IdVector<FaceId, bool> met_others_;  // per triangle: whether it was divided where it meets others; empty if none was
   LostPatches lost_;
+  bool is_made_ = false;      // `make` came as far as to a solid, or to the work limit
+  bool has_divided_ = false;  // the triangles were divided at one another, within the limit or not
   bool is_proved_ = false;
   bool is_beyond_limit_ = false;
   std::optional<std::string> reason_;   // why there is no solid

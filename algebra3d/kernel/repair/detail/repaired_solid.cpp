@@ -1,7 +1,9 @@
 #include "algebra3d/kernel/repair/detail/repaired_solid.h"
 
+#include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "algebra3d/kernel/repair/detail/loose_sheets.h"
 #include "algebra3d/kernel/repair/detail/parity_estimate.h"
@@ -20,9 +22,10 @@ class RepairSearch {
       : given_(given), found_(found), options_(options), monitor_(monitor) {}
 
   Result<RepairedSolid> run();
+  std::size_t division_count() const { return division_count_; }
 
  private:
-  Result<RepairAttempt> attempt(const RepairStrategy& strategy) const;
+  Result<RepairAttempt> attempt(const RepairStrategy& strategy, const RepairAttempt* best = nullptr);
   Agreement agreement(const RepairAttempt& attempt);
   bool is_accepted(const RepairAttempt& attempt, bool is_doubtful) const;
   void remember(RepairAttempt attempt, bool is_wrong);
@@ -36,14 +39,22 @@ class RepairSearch {
   const RepairOptions& options_;
   const Monitor& monitor_;
   std::optional<ParityEstimate> estimate_;
+  std::size_t division_count_ = 0;
+  std::optional<RepairAttempt> last_;  // the last one that is not needed any more, for others with the same triangles
   // Attempts that were not accepted: the first one, the first one that is not wrong, and the first of those that
   // replaced misconnected triangles. The estimate was made with these triangles, so it may be mistaken.
   std::optional<RepairAttempt> usual_, fair_, without_misconnected_;
 };
 
-Result<RepairAttempt> RepairSearch::attempt(const RepairStrategy& strategy) const {
+/// `best`: the cheapest attempt so far, if one was accepted.
+Result<RepairAttempt> RepairSearch::attempt(const RepairStrategy& strategy, const RepairAttempt* best) {
+  std::vector<const RepairAttempt*> earlier;
+  if (usual_) earlier.push_back(&*usual_);
+  if (best != nullptr) earlier.push_back(best);
+  if (last_) earlier.push_back(&*last_);
   RepairAttempt result(given_, strategy, options_, monitor_);
-  A3D_TRY(result.make(found_));
+  A3D_TRY(result.make(found_, earlier));
+  if (result.has_divided()) ++division_count_;
   return result;
 }
 
@@ -60,10 +71,13 @@ bool is_cheaper(const RepairAttempt& a, const RepairAttempt& b) {
 
 /// Puts what another strategy gives in place of the best attempt so far, if that agrees and is cheaper.
 Status RepairSearch::take_if_cheaper(const RepairStrategy& strategy, RepairAttempt& best) {
-  A3D_ASSIGN(RepairAttempt other, attempt(strategy));
-  if (!other.has_solid() || agreement(other).is_doubtful()) return {};
-  A3D_TRY(other.measure());
-  if (is_cheaper(other, best)) best = std::move(other);
+  A3D_ASSIGN(RepairAttempt other, attempt(strategy, &best));
+  const bool may_be_cheaper = other.has_solid() && !other.costs_as_much_as(best) && !agreement(other).is_doubtful();
+  if (may_be_cheaper) {
+    A3D_TRY(other.measure());
+    if (is_cheaper(other, best)) std::swap(other, best);
+  }
+  last_ = std::move(other);
   return {};
 }
 
@@ -97,7 +111,7 @@ void RepairSearch::remember(RepairAttempt attempt, bool is_wrong) {
   const bool is_fair = !is_wrong && attempt.has_solid();
   if (!fair_ && is_fair) fair_ = attempt;
   if (!without_misconnected_ && is_fair && attempt.has_replaced_misconnected()) without_misconnected_ = attempt;
-  if (!usual_) usual_ = std::move(attempt);
+  (usual_ ? last_ : usual_) = std::move(attempt);
 }
 
 /// When no attempt was accepted.
@@ -124,7 +138,10 @@ Result<RepairedSolid> RepairSearch::run() {
 
 Result<RepairedSolid> repaired_solid(const KnownTriangles& given, const ValidityReport& found,
                                      const RepairOptions& options, const Monitor& monitor) {
-  return RepairSearch(given, found, options, monitor).run();
+  RepairSearch search(given, found, options, monitor);
+  A3D_ASSIGN(RepairedSolid result, search.run());
+  result.division_count = search.division_count();
+  return result;
 }
 
 }  // namespace algebra3d

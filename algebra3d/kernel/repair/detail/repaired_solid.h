@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,7 +21,8 @@ struct RepairedSolid {
   std::optional<TriangleMesh> mesh;
   std::string reason;  ///< why there is no mesh
   RepairReport report;
-  std::string_view strategy;  ///< the name of the strategy that made the solid (repair_strategy.h)
+  std::string_view strategy;       ///< the name of the strategy that made the solid (repair_strategy.h)
+  std::size_t division_count = 0;  ///< how often triangles were divided at one another, for all attempts together
 };
 
 /// The repair, without welding (docs/import.md): makes a solid of triangles that do not bound one. Runs the strategies,

@@ -1,9 +1,10 @@
 #include "algebra3d/kernel/repair/detail/thin_patches.h"
 
 #include <algorithm>
-#include <vector>
+#include <utility>
 
 #include "algebra3d/kernel/repair/detail/surface_distance.h"
+#include "algebra3d/kernel/repair/detail/triangle_parts.h"
 #include "algebra3d/kernel/repair/detail/unmatched_triangles.h"
 
 namespace algebra3d {
@@ -62,14 +63,14 @@ class UponTest {
 bool UponTest::lies_upon(const Triangle3& triangle) const {
   constexpr std::size_t kMostParts = 200;
   const MeasuredTriangle whole(triangle);
-  std::vector<ConvexPolygon> parts{{{triangle.begin(), triangle.end()}}};
+  TriangleParts parts(whole);
   for (const auto number : surface_.tree.window(box_of(triangle))) {
     const MeasuredTriangle& other = surface_.triangles[UnmatchedId(number)];
-    if (are_coplanar(whole, other, tolerance_)) subtract(parts, whole, other, tolerance_);
+    if (are_coplanar(whole, other, tolerance_)) parts.subtract(other, tolerance_);
     if (parts.size() > kMostParts) return false;
   }
   const auto is_near = [&](const Triangle3& part) { return distance_.is_near(part, tolerance_); };
-  return std::ranges::all_of(parts, [&](const ConvexPolygon& part) {
+  return std::ranges::all_of(std::move(parts).polygons(), [&](const ConvexPolygon& part) {
     return part.area() <= tolerance_ * tolerance_ || std::ranges::all_of(part.triangles(), is_near);
   });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/repair/detail/triangle_parts.h"
 #include "base/propagate.h"
 
 namespace algebra3d {
@@ -11,24 +12,6 @@ namespace {
 using NearFaceId = StrongId<struct NearFaceTag>;
 
 constexpr std::size_t kMostParts = 2000;
-
-ConvexPolygon whole(const MeasuredTriangle& triangle) {
-  return {{triangle.corners.begin(), triangle.corners.end()}};
-}
-
-double area_of_parts(const std::vector<ConvexPolygon>& parts) {
-  double sum = 0;
-  for (const ConvexPolygon& part : parts) sum += part.area();
-  return sum;
-}
-
-/// Subtracts a coplanar triangle from the parts; gives the area that is gone.
-double subtracted_area(std::vector<ConvexPolygon>& parts, const MeasuredTriangle& triangle,
-                       const MeasuredTriangle& cutter, double tolerance) {
-  const double before = area_of_parts(parts);
-  subtract(parts, triangle, cutter, tolerance);
-  return before - area_of_parts(parts);
-}
 
 /// Faces of the solid that may meet unmatched triangles as given.
 struct NearFaces {
@@ -67,8 +50,8 @@ class GivenCutter {
 
  private:
   Status cut(UnmatchedId i);
-  void subtract_earlier(UnmatchedId i, std::vector<ConvexPolygon>& parts);
-  Result<std::vector<NearFaceId>> subtract_solid(UnmatchedId i, std::vector<ConvexPolygon>& parts);
+  void subtract_earlier(UnmatchedId i, TriangleParts& parts);
+  Result<std::vector<NearFaceId>> subtract_solid(UnmatchedId i, TriangleParts& parts);
 
   MeasureFrame& frame_;
   const UnmatchedTriangles& given_;
@@ -77,21 +60,20 @@ class GivenCutter {
 };
 
 /// Subtracts coplanar triangles as given that come before.
-void GivenCutter::subtract_earlier(UnmatchedId i, std::vector<ConvexPolygon>& parts) {
+void GivenCutter::subtract_earlier(UnmatchedId i, TriangleParts& parts) {
   const double tolerance = frame_.tolerance();
   const MeasuredTriangle& triangle = given_.triangles[i];
   for (const std::uint32_t number : given_.near(i, given_.tree, 0)) {
     const UnmatchedId other(number);
-    if (other >= i || parts.empty() || parts.size() > kMostParts) break;
+    if (other >= i || parts.is_empty() || parts.size() > kMostParts) break;
     if (!are_coplanar(triangle, given_.triangles[other], tolerance)) continue;
-    const double before = area_of_parts(parts);
-    subtract(parts, triangle, given_.triangles[other], tolerance);
-    if (area_of_parts(parts) < before - tolerance * tolerance) result_.lies_upon.emplace_back(i, other);
+    if (parts.subtract(given_.triangles[other], tolerance) > tolerance * tolerance)
+      result_.lies_upon.emplace_back(i, other);
   }
 }
 
 /// Subtracts coplanar faces of the solid; gives the near faces that are not coplanar.
-Result<std::vector<NearFaceId>> GivenCutter::subtract_solid(UnmatchedId i, std::vector<ConvexPolygon>& parts) {
+Result<std::vector<NearFaceId>> GivenCutter::subtract_solid(UnmatchedId i, TriangleParts& parts) {
   const double tolerance = frame_.tolerance();
   const MeasuredTriangle& triangle = given_.triangles[i];
   std::vector<NearFaceId> crossing;
@@ -102,7 +84,7 @@ Result<std::vector<NearFaceId>> GivenCutter::subtract_solid(UnmatchedId i, std::
       crossing.push_back(face);
       continue;
     }
-    const double covered = subtracted_area(parts, triangle, near_.faces[face], tolerance);
+    const double covered = parts.subtract(near_.faces[face], tolerance);
     // The area of a matched triangle has been counted before.
     if (!near_.is_unmatched[face])
       result_.area_seen -= covered;
@@ -114,17 +96,17 @@ Result<std::vector<NearFaceId>> GivenCutter::subtract_solid(UnmatchedId i, std::
 
 Status GivenCutter::cut(UnmatchedId i) {
   A3D_TRY(frame_.pause());
-  std::vector<ConvexPolygon> parts{whole(given_.triangles[i])};
+  TriangleParts parts(given_.triangles[i]);
   subtract_earlier(i, parts);
-  result_.area_seen += area_of_parts(parts);
-  if (parts.empty()) return {};
+  result_.area_seen += parts.area();
+  if (parts.is_empty()) return {};
   A3D_ASSIGN(const std::vector<NearFaceId> crossing, subtract_solid(i, parts));
   for (const NearFaceId face : crossing) {
-    if (parts.empty()) break;
+    if (parts.is_empty()) break;
     A3D_TRY(frame_.pause());
-    divide_at(parts, given_.triangles[i], near_.faces[face], frame_.tolerance(), kMostParts);
+    parts.divide_at(near_.faces[face], frame_.tolerance(), kMostParts);
   }
-  for (ConvexPolygon& part : parts)
+  for (ConvexPolygon& part : std::move(parts).polygons())
     if (frame_.counts(part)) result_.parts.push_back({i, std::move(part)});
   return {};
 }
@@ -147,13 +129,13 @@ Result<std::vector<SurfacePart>> parts_of_solid(MeasureFrame& frame, const Trian
   for (const UnmatchedId i : matching.solid.triangles.ids()) {
     A3D_TRY(frame.pause());
     const MeasuredTriangle& triangle = matching.solid.triangles[i];
-    std::vector<ConvexPolygon> parts{whole(triangle)};
+    TriangleParts parts(triangle);
     for (const std::uint32_t number : matching.solid.near(i, matching.given.tree, 0)) {
-      if (parts.empty()) break;
+      if (parts.is_empty()) break;
       const MeasuredTriangle& other = matching.given.triangles[UnmatchedId(number)];
-      if (are_coplanar(triangle, other, tolerance)) subtract(parts, triangle, other, tolerance);
+      if (are_coplanar(triangle, other, tolerance)) parts.subtract(other, tolerance);
     }
-    for (ConvexPolygon& part : parts)
+    for (ConvexPolygon& part : std::move(parts).polygons())
       if (frame.counts(part)) result.push_back({i, std::move(part)});
   }
   return result;
