@@ -12,6 +12,7 @@
 #include "algebra3d/kernel/search/boxes.h"
 #include "algebra3d/kernel/search/detail/curve_order.h"
 #include "algebra3d/kernel/search/node_slabs.h"
+#include "algebra3d/kernel/search/oriented_boxes.h"
 #include "base/hilbert.h"
 #include "base/interruption_scope.h"
 #include "base/next_number.h"
@@ -61,8 +62,9 @@ std::vector<std::uint32_t> all_faces(const TriangleMesh& mesh) {
 
 }  // namespace
 
-struct BoxHierarchy::LazySlabs {
-  std::once_flag once;
+struct BoxHierarchy::LazyBounds {
+  std::once_flag once, once_for_boxes;
+  std::unique_ptr<const OrientedBoxes> boxes;
   std::optional<const NodeSlabs> slabs;
   std::atomic<bool> are_made = false;
   std::atomic<std::size_t> steps = 0;  // of searches without them
@@ -76,7 +78,7 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
 
 BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin,
                            const FaceOrder* known)
-    : faces_(std::move(faces)), slabs_(std::make_shared<LazySlabs>()) {
+    : faces_(std::move(faces)), lazy_(std::make_shared<LazyBounds>()) {
   if (faces_.empty()) return;
   poll_interruption();
   const PointArray& points = mesh.points();
@@ -159,17 +161,22 @@ Box3 BoxHierarchy::bounds() const {
 }
 
 const NodeSlabs& BoxHierarchy::slabs(const TriangleMesh& mesh) const {
-  std::call_once(slabs_->once, [&] {
-    slabs_->slabs.emplace(mesh, *this);
-    slabs_->are_made = true;
+  std::call_once(lazy_->once, [&] {
+    lazy_->slabs.emplace(mesh, *this);
+    lazy_->are_made = true;
   });
-  return *slabs_->slabs;
+  return *lazy_->slabs;
 }
 
 const NodeSlabs* BoxHierarchy::slabs_after(std::size_t steps, const TriangleMesh& mesh) const {
   constexpr std::size_t kFacesForAStep = 4;
-  const bool are_paid_for = (slabs_->steps += steps) * kFacesForAStep > faces_.size();
-  return slabs_->are_made || are_paid_for ? &slabs(mesh) : nullptr;
+  const bool are_paid_for = (lazy_->steps += steps) * kFacesForAStep > faces_.size();
+  return lazy_->are_made || are_paid_for ? &slabs(mesh) : nullptr;
+}
+
+const OrientedBoxes* BoxHierarchy::oriented_boxes(const TriangleMesh& mesh) const {
+  std::call_once(lazy_->once_for_boxes, [&] { lazy_->boxes = OrientedBoxes::where_much_tighter(mesh, *this); });
+  return lazy_->boxes.get();
 }
 
 BoxHierarchy::FrameChange BoxHierarchy::change_from(const BoxHierarchy& other) const {

@@ -17,7 +17,7 @@ SlabGaps::SlabGaps(const TriangleMesh& first, const BoxHierarchy& of_first, cons
       unit_(2 / of_first.frame().scale) {
   const Box3 box = unite(of_first.bounds(), of_second.bounds());
   const double size = std::max(detail::largest(box.min), detail::largest(box.max)) / 2 * of_first.frame().scale;
-  error_ = 0x1p-45 * size;
+  error_ = 0x1p-45 * size + 0x1p-70;  // of subnormal coordinates
   constexpr double kFar = 0x1p100;
   is_usable_ = second_.factor > 1 / kFar && second_.factor < kFar && size < kFar;
 }
@@ -39,8 +39,13 @@ struct SlabGaps::Pair {
 
   /// From the first node's faces to those of the second, which lie in the direction, of length 1 but for rounding.
   double gap_along(const Vec3& direction) const {
-    return dot(direction, way) - gaps.first_.slabs->reach(first, first_place, direction) -
-           gaps.second_.factor * gaps.second_.slabs->reach(second, second_place, -1 * direction);
+    return dot(direction, way) - reach(gaps.first_, first, first_place, direction) -
+           gaps.second_.factor * reach(gaps.second_, second, second_place, -1 * direction);
+  }
+  static double reach(const Side& side, BoxHierarchy::Node node, const BoxHierarchy::Place& place,
+                      const Vec3& direction) {
+    const double of_slab = side.slabs->reach(node, place, direction);
+    return side.boxes == nullptr ? of_slab : std::min(of_slab, side.boxes->box(node).reach(direction));
   }
 };
 
@@ -51,7 +56,9 @@ bool SlabGaps::has_slabs() {
   if (!is_usable_ || ++steps_ % kWhile != 0) return false;
   first_.slabs = first_.hierarchy.slabs_after(kWhile, first_.mesh);
   if (first_.slabs != nullptr) second_.slabs = second_.hierarchy.slabs_after(kWhile, second_.mesh);
-  return second_.slabs != nullptr;
+  if (second_.slabs == nullptr) return false;
+  for (Side* side : {&first_, &second_}) side->boxes = side->hierarchy.oriented_boxes(side->mesh);
+  return true;
 }
 
 bool SlabGaps::exceed(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance) {
@@ -77,7 +84,62 @@ bool SlabGaps::compare(BoxHierarchy::Node first, BoxHierarchy::Node second, doub
     const double size = std::sqrt(dot(between, between));
     return size > 0 && pair.gap_along((1 / size) * between) > least;
   };
-  return tells_apart(first_.slabs->normal(first)) || tells_apart(second_.slabs->normal(second));
+  if (tells_apart(first_.slabs->normal(first)) || tells_apart(second_.slabs->normal(second))) return true;
+  return (first_.boxes != nullptr || second_.boxes != nullptr) && does_box_tell(pair, along, least);
+}
+
+/// Along the axes of the oriented boxes beside the normals, and across both of the edges: needles that pass each other
+/// are apart there.
+bool SlabGaps::does_box_tell(const Pair& pair, const Vec3& along, double least) const {
+  const auto tells_apart = [&](const Vec3& direction) {
+    return pair.gap_along(dot(direction, along) < 0 ? -1 * direction : direction) > least;
+  };
+  const OrientedBoxes::Box* first = first_.boxes == nullptr ? nullptr : &first_.boxes->box(pair.first);
+  const OrientedBoxes::Box* second = second_.boxes == nullptr ? nullptr : &second_.boxes->box(pair.second);
+  if (first != nullptr && second != nullptr) {
+    const Vec3 across = cross(first->axis(OrientedBoxes::kAlong), second->axis(OrientedBoxes::kAlong));
+    const double size = std::sqrt(dot(across, across));
+    if (size > 0x1p-20 && tells_apart((1 / size) * across)) return true;
+  }
+  const auto do_axes_tell = [&](const OrientedBoxes::Box& box) {
+    return tells_apart(box.axis(OrientedBoxes::kAlong)) || tells_apart(box.axis(OrientedBoxes::kAcross));
+  };
+  if ((first != nullptr && do_axes_tell(*first)) || (second != nullptr && do_axes_tell(*second))) return true;
+  return first != nullptr && second != nullptr && do_fans_tell(pair, least);
+}
+
+/// Where the corners of a leaf's faces are along a direction.
+SlabGaps::Span SlabGaps::span_of(const Side& side, std::uint32_t leaf, const Vec3& direction) {
+  const std::vector<Vec3>& points = side.mesh.points().approx();
+  const BoxHierarchy::Frame& frame = side.hierarchy.frame();
+  Span span;
+  for (const std::uint32_t face : side.hierarchy.leaf_faces(leaf))
+    for (const std::uint32_t corner : side.mesh.triangle(FaceId(face))) {
+      const double product = dot(direction, frame.place_of(points[corner]));
+      span.low = std::min(span.low, product);
+      span.high = std::max(span.high, product);
+    }
+  const double origin = dot(direction, side.origin);
+  return {side.factor * span.low + origin, side.factor * span.high + origin};
+}
+
+/// For two leaves, by their corners across the sides of fans: a box around a fan is as wide at its tip as at its other
+/// end, and where fans have one tip their boxes meet there.
+bool SlabGaps::do_fans_tell(const Pair& pair, double least) const {
+  if (pair.first.level > 0 || pair.second.level > 0) return false;
+  const OrientedBoxes::Sides& first = first_.boxes->sides(pair.first.index);
+  const OrientedBoxes::Sides& second = second_.boxes->sides(pair.second.index);
+  for (const auto& side : {first.left, first.right})
+    for (const auto& other : {second.left, second.right}) {
+      const Vec3 across = cross(Vec3{side[0], side[1], side[2]}, Vec3{other[0], other[1], other[2]});
+      const double size = std::sqrt(dot(across, across));
+      if (!(size > 0x1p-20)) continue;
+      const Vec3 direction = (1 / size) * across;
+      const Span of_first = span_of(first_, pair.first.index, direction);
+      const Span of_second = span_of(second_, pair.second.index, direction);
+      if (of_second.low - of_first.high > least || of_first.low - of_second.high > least) return true;
+    }
+  return false;
 }
 
 }  // namespace algebra3d

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "algebra3d/kernel/search/node_slabs.h"
+#include "algebra3d/kernel/search/oriented_boxes.h"
 
 namespace algebra3d {
 
 /// Decides whether nodes of two hierarchies are apart, by their boxes and slabs: along the line between the middles of
 /// their boxes, along both normals, and half-way between these. For surfaces whose curvature is bounded, this fails by
-/// the square of the nodes' sizes, where boxes along the axes fail by the sizes. For one search by one thread; refers
-/// to its operands.
+/// the square of the nodes' sizes, where boxes along the axes fail by the sizes. Where a set has needles, also along
+/// the axes of its oriented boxes. For one search by one thread; refers to its operands.
 ///
 /// Uses slabs that exist; builds them only after searches have taken as long as building them would. Skips node sizes
 /// at which the test rarely succeeds.
@@ -33,8 +35,13 @@ class SlabGaps {
     double factor;
     Vec3 origin;
     const NodeSlabs* slabs = nullptr;
+    const OrientedBoxes* boxes = nullptr;  ///< also null where those along the axes do
   };
   struct Pair;
+  /// An interval of products.
+  struct Span {
+    double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  };
   /// Whether comparisons of nodes of one level succeed often enough to be worth their time. One in eight is made in any
   /// case.
   class Score {
@@ -50,6 +57,9 @@ class SlabGaps {
 
   bool has_slabs();
   bool compare(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance) const;
+  bool does_box_tell(const Pair& pair, const Vec3& along, double least) const;
+  bool do_fans_tell(const Pair& pair, double least) const;
+  static Span span_of(const Side& side, std::uint32_t leaf, const Vec3& direction);
 
   Side first_, second_;
   std::array<Score, 32> scores_;  // of levels

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algebra3d/kernel/exact/inward_ray.h"
+#include "algebra3d/kernel/search/oriented_boxes.h"
 #include "algebra3d/values/measures/detail/ray_sections.h"
 #include "base/propagate.h"
 #include "base/scheduler.h"
@@ -22,7 +23,8 @@ namespace {
 class OppositeSearch {
  public:
   /// `margin`: that of the solid.
-  OppositeSearch(const Geometry& solid, double margin) : solid_(solid), margin_(margin) {}
+  OppositeSearch(const Geometry& solid, double margin)
+      : solid_(solid), boxes_(solid.hierarchy().oriented_boxes(solid.mesh)), margin_(margin) {}
   /// Above the errors of rounded places: centroids, corners and places are off by some roundings of the largest
   /// coordinate.
   static double margin_of(const Geometry& solid);
@@ -46,6 +48,7 @@ class OppositeSearch {
   bool meet_in_one_point(FaceId a, const InwardRay::Meeting& of_a, FaceId b, const InwardRay::Meeting& of_b) const;
 
   const Geometry& solid_;
+  const OrientedBoxes* boxes_;  // null where those along the axes do
   double margin_;
   std::vector<Candidate> candidates_;
 };
@@ -64,31 +67,23 @@ class RoundedRay {
   RoundedRay(const InwardRay& ray, double margin)
       : origin_(ray.origin()), direction_(ray.direction()), margin_(margin) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      is_across_[axis] = std::abs(direction_[axis]) < 0x1p-60;
+      is_across_[axis] = is_across(direction_[axis]);
       inverse_[axis] = is_across_[axis] ? 0 : 1 / direction_[axis];
     }
   }
 
-  /// A lower bound of where the ray meets the box of a node of a hierarchy; infinite if it misses it.
-  double place_of(const BoxHierarchy& hierarchy, BoxHierarchy::Node node) const {
-    // Boxes reach 2^20 units of the frame, where floats are 2^-3 apart.
-    constexpr double kRounding = 0.25;
+  /// A lower bound of where the ray meets the box of a node of a hierarchy, the oriented one if there are any; infinite
+  /// if it misses it.
+  double place_of(const BoxHierarchy& hierarchy, const OrientedBoxes* boxes, BoxHierarchy::Node node) const {
     const BoxHierarchy::Frame& frame = hierarchy.frame();
     const BoxHierarchy::Place box = hierarchy.place(node);
     const double unit = 2 / frame.scale;
-    double begin = -margin_, end = kUnbounded;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double middle = box.middle[axis] * unit + (frame.origin[axis] - origin_[axis]);
-      const double half = (box.half[axis] + kRounding) * unit + margin_, low = middle - half, high = middle + half;
-      if (is_across_[axis]) {
-        if (low > 0 || high < 0) return kUnbounded;
-        continue;
-      }
-      const double first = low * inverse_[axis], second = high * inverse_[axis];
-      begin = std::max(begin, std::min(first, second));
-      end = std::min(end, std::max(first, second));
-    }
-    return begin > end + margin_ ? kUnbounded : begin - margin_;
+    Vec3 middle;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      middle[axis] = box.middle[axis] * unit + (frame.origin[axis] - origin_[axis]);
+    const Section section =
+        boxes == nullptr ? section_of(box, middle, unit) : section_of(boxes->box(node), middle, unit);
+    return section.begin > section.end + margin_ ? kUnbounded : section.begin - margin_;
   }
 
   RoundedMeeting meeting(const std::array<Vec3, 3>& corners) const {
@@ -128,6 +123,50 @@ class RoundedRay {
   }
 
  private:
+  /// Between which places the ray is in a box.
+  struct Section {
+    double begin, end;
+
+    void cut(double first, double second) {
+      begin = std::max(begin, std::min(first, second));
+      end = std::min(end, std::max(first, second));
+    }
+    static Section none() { return {kUnbounded, -kUnbounded}; }
+  };
+
+  static bool is_across(double component) { return std::abs(component) < 0x1p-60; }
+
+  /// In the box of a node, whose middle is given from the ray's origin.
+  Section section_of(const BoxHierarchy::Place& box, const Vec3& middle, double unit) const {
+    // Boxes reach 2^20 units of the frame, where floats are 2^-3 apart.
+    constexpr double kRounding = 0.25;
+    Section section{-margin_, kUnbounded};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double half = (box.half[axis] + kRounding) * unit + margin_;
+      if (!is_across_[axis])
+        section.cut((middle[axis] - half) * inverse_[axis], (middle[axis] + half) * inverse_[axis]);
+      else if (std::abs(middle[axis]) > half)
+        return Section::none();
+    }
+    return section;
+  }
+
+  /// The same for an oriented box. The margin is above what the rounding of the direction moves the ray aside within
+  /// twice the extent of the solid.
+  Section section_of(const OrientedBoxes::Box& box, const Vec3& middle, double unit) const {
+    Section section{-margin_, kUnbounded};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 axis = box.axis(i);
+      const double along = dot(axis, direction_), offset = dot(axis, middle);
+      const double low = offset + box.low[i] * unit - 2 * margin_, high = offset + box.high[i] * unit + 2 * margin_;
+      if (!is_across(along))
+        section.cut(low / along, high / along);
+      else if (low > 0 || high < 0)
+        return Section::none();
+    }
+    return section;
+  }
+
   Vec3 origin_, direction_;
   Vec3 inverse_;                     // of each component of the direction; 0 where the ray is across the axis
   std::array<bool, 3> is_across_{};  // at right angles to the axis but for roundings
@@ -144,7 +183,7 @@ double OppositeSearch::margin_of(const Geometry& solid) {
 /// Calls visit(f) for the faces of all nodes that a ray meets, near ones first; it returns a place beyond which faces
 /// are of no interest from then on.
 template <typename Visit>
-void for_each_along(const RoundedRay& ray, const BoxHierarchy& hierarchy, Visit visit) {
+void for_each_along(const RoundedRay& ray, const BoxHierarchy& hierarchy, const OrientedBoxes* boxes, Visit visit) {
   struct PlacedNode {
     BoxHierarchy::Node node;
     double place;
@@ -163,7 +202,7 @@ void for_each_along(const RoundedRay& ray, const BoxHierarchy& hierarchy, Visit 
     const std::uint32_t end = std::min(2 * node.index + 2, hierarchy.node_count(node.level - 1));
     for (std::uint32_t index = 2 * node.index; index < end; ++index) {
       const BoxHierarchy::Node child{node.level - 1, index};
-      const double of_child = ray.place_of(hierarchy, child);
+      const double of_child = ray.place_of(hierarchy, boxes, child);
       if (of_child < kUnbounded && of_child <= limit) stack.push_back({child, of_child});
     }
     if (stack.size() == before + 2 && stack[before].place < stack[before + 1].place)
@@ -177,7 +216,7 @@ void OppositeSearch::find_candidates(FaceId face, const InwardRay& ray) {
   const RoundedRay rounded(ray, margin_);
   const std::vector<Vec3>& points = solid_.mesh.points().approx();
   double most = kUnbounded;  // the first triangle is not farther
-  for_each_along(rounded, solid_.hierarchy(), [&](std::uint32_t other) {
+  for_each_along(rounded, solid_.hierarchy(), boxes_, [&](std::uint32_t other) {
     if (FaceId(other) == face) return most;
     const auto [a, b, c] = solid_.mesh.triangle(FaceId(other));
     const RoundedMeeting meeting = rounded.meeting({points[a], points[b], points[c]});

@@ -13,6 +13,7 @@
 #include "algebra3d/kernel/search/box_hierarchy.h"
 #include "algebra3d/kernel/search/boxes.h"
 #include "algebra3d/kernel/search/node_gaps.h"
+#include "algebra3d/kernel/search/slab_gaps.h"
 #include "base/propagate.h"
 #include "base/scheduler.h"
 
@@ -163,7 +164,17 @@ class CandidateFinder {
 std::vector<FacePair> CandidateFinder::pair_two(OperandId a, OperandId b, BoxHierarchy::Share share) const {
   std::vector<FacePair> pairs;
   NodeGaps gaps(operands_.mesh(a), operands_.hierarchy(a), operands_.mesh(b), operands_.hierarchy(b));
+  SlabGaps slab_gaps(operands_.mesh(a), operands_.hierarchy(a), operands_.mesh(b), operands_.hierarchy(b));
   FacetSlabs around_a = slabs_around(a, b), around_b = slabs_around(b, a);
+  // Beside needles boxes guide the search badly; elsewhere slabs would gain less than they cost. They are made at a
+  // point that follows from the operands alone, so what is left out does.
+  constexpr std::size_t kManyForAFace = 4;
+  const std::size_t many = kManyForAFace * (operands_.mesh(a).face_count() + operands_.mesh(b).face_count());
+  const auto are_far = [&](BoxHierarchy::Node m, BoxHierarchy::Node n) {
+    if (pairs.size() * share.count <= many) return false;
+    for (const OperandId operand : {a, b}) operands_.hierarchy(operand).slabs(operands_.mesh(operand));
+    return slab_gaps.exceed(m, n, 0);
+  };
   operands_.hierarchy(a).for_each_pair_with(
       operands_.hierarchy(b),
       [&](std::uint32_t f, std::uint32_t g) {
@@ -173,7 +184,7 @@ std::vector<FacePair> CandidateFinder::pair_two(OperandId a, OperandId b, BoxHie
         return pairs.size() <= max_pairs_;
       },
       [&](BoxHierarchy::Node m, BoxHierarchy::Node n) {
-        return around_a.miss(n) || around_b.miss(m) || gaps.exceed(m, n, 0);
+        return around_a.miss(n) || around_b.miss(m) || are_far(m, n) || gaps.exceed(m, n, 0);
       },
       [&] { return !monitor_.is_cancelled(); }, share);
   return pairs;

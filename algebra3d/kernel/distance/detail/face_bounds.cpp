@@ -57,6 +57,7 @@ FaceBounds<Vector>::FaceBounds(const TriangleMesh& from, const DistanceOperand& 
                                const Box3& box, double enough, const Monitor& monitor)
     : from_(from),
       to_(to),
+      boxes_(to.hierarchy->oriented_boxes(*to.mesh)),
       facets_(facets),
       box_(box),
       half_scale_(half_scale_for(box)),
@@ -153,7 +154,9 @@ template <typename Vector>
 auto FaceBounds<Vector>::nearest(const Vector& point, FaceId near) -> Near {
   Near best{near, distance(point, target(near))};
   const auto reach = [&] { return unscaled(best.distance + kOfDistance<Number>); };
-  to_.hierarchy->for_each_near(Box3::of(unscaled(point)), reach(), [&](std::uint32_t face) {
+  const Vec3 place = unscaled(point);
+  const OrientedGaps gaps(*to_.hierarchy, boxes_, place);
+  to_.hierarchy->for_each_near(Box3::of(place), reach(), gaps, [&](std::uint32_t face) {
     ++work_;
     const Number own = distance(point, target(FaceId(face)));
     if (own < best.distance) best = {FaceId(face), own};

@@ -12,6 +12,7 @@
 #include "algebra3d/kernel/distance/detail/face_part.h"
 #include "algebra3d/kernel/distance/detail/large_facets.h"
 #include "algebra3d/kernel/distance/distance.h"
+#include "algebra3d/kernel/search/oriented_boxes.h"
 #include "base/wide_vec3.h"
 
 namespace algebra3d::distances {
@@ -100,6 +101,7 @@ class FaceBounds {
 
   const TriangleMesh& from_;
   DistanceOperand to_;
+  const OrientedBoxes* boxes_;  // of `to`; null where those along the axes do
   const LargeFacets& facets_;
   Box3 box_;
   double half_scale_;  // from halved coordinates to units, in which the largest one is from 1 to 2

@@ -11,6 +11,10 @@ DistanceBounds SampledSet::bounds(const PointRef& point, FaceId face) const {
   return rounded_.bounds(Simplex::of_point(point), Simplex::of_face(*to_.mesh, face));
 }
 
+OrientedGaps SampledSet::gaps_from(const PointRef& point) const {
+  return {*to_.hierarchy, to_.hierarchy->oriented_boxes(*to_.mesh), point.approx};
+}
+
 SampledSet::Sample SampledSet::measured(ExactPoint point, FaceId near) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Sample sample{std::move(point), near, kInfinity, kInfinity, 0};
@@ -26,7 +30,8 @@ SampledSet::Sample SampledSet::measured(ExactPoint point, FaceId near) const {
     return sample.upper;
   };
   visit(near);
-  to_.hierarchy->for_each_near(box_of(place), sample.upper, [&](std::uint32_t other) { return visit(FaceId(other)); });
+  to_.hierarchy->for_each_near(box_of(place), sample.upper, gaps_from(place),
+                               [&](std::uint32_t other) { return visit(FaceId(other)); });
   return sample;
 }
 
@@ -47,7 +52,7 @@ std::pair<Rational, FaceId> SampledSet::exact_distance(SampleId id) const {
     return std::pair(exact_closest(Simplex::of_point(place), simplex, likely).squared_distance, face);
   };
   std::pair<Rational, FaceId> nearest = measured(sample.nearest, bounds(place, sample.nearest).features);
-  to_.hierarchy->for_each_near(box_of(place), sample.upper, [&](std::uint32_t other) {
+  to_.hierarchy->for_each_near(box_of(place), sample.upper, gaps_from(place), [&](std::uint32_t other) {
     const FaceId face(other);
     const DistanceBounds bounds = this->bounds(place, face);
     if (face != sample.nearest && bounds.lower <= sample.upper)

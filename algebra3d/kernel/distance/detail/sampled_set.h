@@ -6,6 +6,7 @@
 
 #include "algebra3d/kernel/distance/detail/rounded_closest.h"
 #include "algebra3d/kernel/distance/distance.h"
+#include "algebra3d/kernel/search/oriented_boxes.h"
 #include "base/strong_id.h"
 
 namespace algebra3d::distances {
@@ -43,6 +44,8 @@ class SampledSet {
   std::pair<Rational, FaceId> exact_distance(SampleId id) const;
 
  private:
+  OrientedGaps gaps_from(const PointRef& point) const;
+
   DistanceOperand to_;
   RoundedDistances rounded_;
   std::vector<Sample> samples_;
