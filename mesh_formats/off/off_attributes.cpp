@@ -12,12 +12,12 @@ using algebra3d::Vec3;
 
 namespace {
 
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
-constexpr SoupAttributes::Colour kNoColour{{kNoNumber, kNoNumber, kNoNumber}, kNoNumber};
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+constexpr SoupAttributes::Colour kNoColour{{kMissing, kMissing, kMissing}, kMissing};
 
 SoupAttributes::Colour colour_of(std::span<const double> numbers) {
   if (numbers.size() < 3) return kNoColour;
-  return {{numbers[0], numbers[1], numbers[2]}, numbers.size() > 3 ? numbers[3] : kNoNumber};
+  return {{numbers[0], numbers[1], numbers[2]}, numbers.size() > 3 ? numbers[3] : kMissing};
 }
 
 /// Some programs write numbers from 0 to 1, others from 0 to 255; the format has both.
@@ -34,7 +34,7 @@ void scale(std::vector<SoupAttributes::Colour>& colours) {
 void OffAttributes::add_vertex(std::span<const double> numbers) {
   if (header_.has_normals && numbers.size() >= 3) {
     const Vec3 normal{numbers[0], numbers[1], numbers[2]};
-    attributes_.point_normals.push_back(normal == Vec3{} ? Vec3{kNoNumber, kNoNumber, kNoNumber} : normal);
+    attributes_.point_normals.push_back(normal == Vec3{} ? Vec3{kMissing, kMissing, kMissing} : normal);
     numbers = numbers.subspan(3);
   }
   if (header_.has_colours) {
@@ -45,7 +45,7 @@ void OffAttributes::add_vertex(std::span<const double> numbers) {
   }
   if (!header_.has_texture_coordinates) return;
   const bool has_both = numbers.size() >= 2;
-  attributes_.point_textures.push_back({has_both ? numbers[0] : kNoNumber, has_both ? numbers[1] : kNoNumber});
+  attributes_.point_textures.push_back({has_both ? numbers[0] : kMissing, has_both ? numbers[1] : kMissing});
 }
 
 void OffAttributes::set_face_colour(std::size_t face, std::span<const double> numbers) {
