@@ -48,7 +48,7 @@ class OrientedBoxes {
   struct Sides {
     std::array<float, 3> left{}, right{};
   };
-  const Sides& sides(std::uint32_t leaf) const { return sides_[leaf]; }
+  const Sides& sides(BoxHierarchy::Node leaf) const { return sides_[leaf.index]; }
 
  private:
   /// Sums over the faces below a node, without regard to signs: normals times twice the areas, and edges times their
@@ -59,7 +59,7 @@ class OrientedBoxes {
 
   OrientedBoxes() = default;
   std::vector<Sums> make_leaves(const TriangleMesh& mesh, const BoxHierarchy& hierarchy);
-  std::vector<Sums> make_level(const BoxHierarchy& hierarchy, std::uint32_t level, const std::vector<Sums>& below);
+  std::vector<Sums> make_level(const BoxHierarchy& hierarchy, std::size_t level, const std::vector<Sums>& below);
 
   std::vector<std::vector<Box>> levels_;  // parallel to the nodes
   std::vector<Sides> sides_;              // of the leaves
