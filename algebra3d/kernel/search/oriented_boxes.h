@@ -17,7 +17,7 @@ namespace algebra3d {
 /// others of their fan too: of n needles each box holds a share of all n. Their oriented boxes overlap only their
 /// neighbours, except near the tip that they have in common.
 ///
-/// Long edges count more for the axes of a box than short ones. Immutable, refers to nothing. Memory: 15 bytes per
+/// Long edges count more for the axes of a box than short ones. Immutable, refers to nothing. Memory: 18 bytes per
 /// face. Source: [gottschalk1996], with axes that need no eigenvectors.
 class OrientedBoxes {
  public:
