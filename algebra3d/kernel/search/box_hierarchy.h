@@ -31,7 +31,7 @@ class OrientedBoxes;
 /// Boxes are floats, scaled to the mesh by a monotonic map (subtract, scale, round), so boxes that touch or overlap
 /// still do so afterwards: a query may find too many candidates, never too few, however far from the origin the mesh
 /// lies. Immutable after construction and `set_groups`; refers to nothing. Memory: 54 bytes per triangle, 5 more for
-/// slabs once they are asked for, and 15 for oriented boxes where there are needles. Deterministic. Source:
+/// slabs once they are asked for, and 18 for oriented boxes where there are needles. Deterministic. Source:
 /// [lauterbach2009] for the order of the triangles.
 class BoxHierarchy {
  public:

@@ -27,8 +27,8 @@ NodeSlabs::Areas NodeSlabs::make_leaves(const TriangleMesh& mesh, const BoxHiera
     const Vec3 middle = hierarchy.place({0, static_cast<std::uint32_t>(leaf)}).middle;
     std::array<Vec3, 3 * BoxHierarchy::kLeafSize> corners;
     std::size_t count = 0;
-    for (const std::uint32_t face : hierarchy.leaf_faces(leaf)) {
-      for (const std::uint32_t corner : mesh.triangle(FaceId(face)))
+    for (const auto face : hierarchy.leaf_faces(leaf)) {
+      for (const auto corner : mesh.triangle(FaceId(face)))
         corners[count++] = hierarchy.frame().place_of(points[corner]) - middle;
       const Vec3& last = corners[count - 1];
       add_unsigned(areas[leaf], cross(corners[count - 3] - last, corners[count - 2] - last));

@@ -15,6 +15,7 @@ using node_extents::Children;
 using node_extents::direction_along;
 using node_extents::Extent;
 using node_extents::kNodesPerTask;
+using node_extents::node_at;
 
 Vec3 across(const Vec3& normal, const Vec3& vector) {
   return vector - dot(normal, vector) * normal;
@@ -91,13 +92,13 @@ struct Leaf {
   OrientedBoxes::Box box;
   OrientedBoxes::Sides sides;
 
-  Leaf(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, std::uint32_t index) {
+  Leaf(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, BoxHierarchy::Node leaf) {
     const std::vector<Vec3>& points = mesh.points().approx();
-    const Vec3 middle = hierarchy.place({0, index}).middle;
+    const Vec3 middle = hierarchy.place(leaf).middle;
     std::array<Vec3, 3 * BoxHierarchy::kLeafSize> places;
     std::size_t count = 0;
-    for (const std::uint32_t face : hierarchy.leaf_faces(index)) {
-      for (const std::uint32_t corner : mesh.triangle(FaceId(face)))
+    for (const auto face : hierarchy.faces_of(leaf)) {
+      for (const auto corner : mesh.triangle(FaceId(face)))
         places[count++] = hierarchy.frame().place_of(points[corner]) - middle;
       const Vec3 &a = places[count - 3], &b = places[count - 2], &c = places[count - 1];
       add_unsigned(area, cross(a - c, b - c));
@@ -120,8 +121,8 @@ bool are_much_tighter(const TriangleMesh& mesh, const BoxHierarchy& hierarchy) {
   if (count <= kFewLeaves) return false;
   double oriented = 0, along_axes = 0;
   for (std::size_t index = 0; index < count; index += step) {
-    const auto leaf = static_cast<std::uint32_t>(index);
-    const Vec3 half = hierarchy.place({0, leaf}).half;
+    const BoxHierarchy::Node leaf = node_at(0, index);
+    const Vec3 half = hierarchy.place(leaf).half;
     oriented += half_area(Leaf(mesh, hierarchy, leaf).box);
     along_axes += half_area(2 * half.x, 2 * half.y, 2 * half.z);
   }
@@ -136,7 +137,7 @@ std::unique_ptr<const OrientedBoxes> OrientedBoxes::where_much_tighter(const Tri
   std::unique_ptr<OrientedBoxes> boxes(new OrientedBoxes);
   boxes->levels_.resize(hierarchy.level_count());
   std::vector<Sums> sums = boxes->make_leaves(mesh, hierarchy);
-  for (std::uint32_t level = 1; level < hierarchy.level_count(); ++level)
+  for (std::size_t level = 1; level < hierarchy.level_count(); ++level)
     sums = boxes->make_level(hierarchy, level, sums);
   return boxes;
 }
@@ -146,7 +147,7 @@ std::vector<OrientedBoxes::Sums> OrientedBoxes::make_leaves(const TriangleMesh& 
   levels_[0].resize(sums.size());
   sides_.resize(sums.size());
   parallel_for(sums.size(), kNodesPerTask, [&](std::size_t index) {
-    const Leaf leaf(mesh, hierarchy, static_cast<std::uint32_t>(index));
+    const Leaf leaf(mesh, hierarchy, node_at(0, index));
     sums[index] = {leaf.area, leaf.edges};
     levels_[0][index] = leaf.box;
     sides_[index] = leaf.sides;
@@ -154,12 +155,12 @@ std::vector<OrientedBoxes::Sums> OrientedBoxes::make_leaves(const TriangleMesh& 
   return sums;
 }
 
-std::vector<OrientedBoxes::Sums> OrientedBoxes::make_level(const BoxHierarchy& hierarchy, std::uint32_t level,
+std::vector<OrientedBoxes::Sums> OrientedBoxes::make_level(const BoxHierarchy& hierarchy, std::size_t level,
                                                            const std::vector<Sums>& below) {
-  std::vector<Sums> sums(hierarchy.node_count(level));
+  std::vector<Sums> sums(hierarchy.node_count(node_at(level, 0).level));
   levels_[level].resize(sums.size());
   parallel_for(sums.size(), kNodesPerTask, [&](std::size_t index) {
-    const BoxHierarchy::Node node{level, static_cast<std::uint32_t>(index)};
+    const BoxHierarchy::Node node = node_at(level, index);
     const Children children(hierarchy, node);
     children.for_each([&](BoxHierarchy::Node child) {
       add_unsigned(sums[index].area, below[child.index].area);

@@ -17,7 +17,7 @@ namespace algebra3d {
 /// others of their fan too: of n needles each box holds a share of all n. Their oriented boxes overlap only their
 /// neighbours, except near the tip that they have in common.
 ///
-/// Long edges count more for the axes of a box than short ones. Immutable, refers to nothing. Memory: 15 bytes per
+/// Long edges count more for the axes of a box than short ones. Immutable, refers to nothing. Memory: 18 bytes per
 /// face. Source: [gottschalk1996], with axes that need no eigenvectors.
 class OrientedBoxes {
  public:
@@ -48,7 +48,7 @@ class OrientedBoxes {
   struct Sides {
     std::array<float, 3> left{}, right{};
   };
-  const Sides& sides(std::uint32_t leaf) const { return sides_[leaf]; }
+  const Sides& sides(BoxHierarchy::Node leaf) const { return sides_[leaf.index]; }
 
  private:
   /// Sums over the faces below a node, without regard to signs: normals times twice the areas, and edges times their
@@ -59,7 +59,7 @@ class OrientedBoxes {
 
   OrientedBoxes() = default;
   std::vector<Sums> make_leaves(const TriangleMesh& mesh, const BoxHierarchy& hierarchy);
-  std::vector<Sums> make_level(const BoxHierarchy& hierarchy, std::uint32_t level, const std::vector<Sums>& below);
+  std::vector<Sums> make_level(const BoxHierarchy& hierarchy, std::size_t level, const std::vector<Sums>& below);
 
   std::vector<std::vector<Box>> levels_;  // parallel to the nodes
   std::vector<Sides> sides_;              // of the leaves

@@ -109,12 +109,12 @@ bool SlabGaps::does_box_tell(const Pair& pair, const Vec3& along, double least) 
 }
 
 /// Where the corners of a leaf's faces are along a direction.
-SlabGaps::Span SlabGaps::span_of(const Side& side, std::uint32_t leaf, const Vec3& direction) {
+SlabGaps::Span SlabGaps::span_of(const Side& side, BoxHierarchy::Node leaf, const Vec3& direction) {
   const std::vector<Vec3>& points = side.mesh.points().approx();
   const BoxHierarchy::Frame& frame = side.hierarchy.frame();
   Span span;
-  for (const std::uint32_t face : side.hierarchy.leaf_faces(leaf))
-    for (const std::uint32_t corner : side.mesh.triangle(FaceId(face))) {
+  for (const auto face : side.hierarchy.faces_of(leaf))
+    for (const auto corner : side.mesh.triangle(FaceId(face))) {
       const double product = dot(direction, frame.place_of(points[corner]));
       span.low = std::min(span.low, product);
       span.high = std::max(span.high, product);
@@ -127,16 +127,16 @@ SlabGaps::Span SlabGaps::span_of(const Side& side, std::uint32_t leaf, const Vec
 /// end, and where fans have one tip their boxes meet there.
 bool SlabGaps::do_fans_tell(const Pair& pair, double least) const {
   if (pair.first.level > 0 || pair.second.level > 0) return false;
-  const OrientedBoxes::Sides& first = first_.boxes->sides(pair.first.index);
-  const OrientedBoxes::Sides& second = second_.boxes->sides(pair.second.index);
+  const OrientedBoxes::Sides& first = first_.boxes->sides(pair.first);
+  const OrientedBoxes::Sides& second = second_.boxes->sides(pair.second);
   for (const auto& side : {first.left, first.right})
     for (const auto& other : {second.left, second.right}) {
       const Vec3 across = cross(Vec3{side[0], side[1], side[2]}, Vec3{other[0], other[1], other[2]});
       const double size = std::sqrt(dot(across, across));
       if (!(size > 0x1p-20)) continue;
       const Vec3 direction = (1 / size) * across;
-      const Span of_first = span_of(first_, pair.first.index, direction);
-      const Span of_second = span_of(second_, pair.second.index, direction);
+      const Span of_first = span_of(first_, pair.first, direction);
+      const Span of_second = span_of(second_, pair.second, direction);
       if (of_second.low - of_first.high > least || of_first.low - of_second.high > least) return true;
     }
   return false;

@@ -59,7 +59,7 @@ class SlabGaps {
   bool compare(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance) const;
   bool does_box_tell(const Pair& pair, const Vec3& along, double least) const;
   bool do_fans_tell(const Pair& pair, double least) const;
-  static Span span_of(const Side& side, std::uint32_t leaf, const Vec3& direction);
+  static Span span_of(const Side& side, BoxHierarchy::Node leaf, const Vec3& direction);
 
   Side first_, second_;
   std::array<Score, 32> scores_;  // of levels

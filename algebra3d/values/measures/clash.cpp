@@ -43,7 +43,7 @@ struct Overlap {
 struct Shell {
   std::vector<FaceId> faces;
   TriangleMesh mesh;
-  Rational volume;
+  Rational volume = {};  ///< after `measure`
 };
 
 /// Links the faces at a non-manifold edge. The inside lies behind a face, so in radial order after one that runs
@@ -64,7 +64,7 @@ void link_at_edge(const TriangleMesh& mesh, std::span<const HalfedgeId> edge, Di
   }
 }
 
-Result<std::vector<Shell>> shells_of(const TriangleMesh& mesh, const Monitor& monitor) {
+std::vector<Shell> shells_of(const TriangleMesh& mesh) {
   DisjointIds<FaceId> linked(mesh.face_count());
   for (std::size_t h = 0; h < mesh.halfedge_count(); ++h) {
     const HalfedgeId other = mesh.opposite(HalfedgeId(h));
@@ -82,11 +82,16 @@ Result<std::vector<Shell>> shells_of(const TriangleMesh& mesh, const Monitor& mo
     shells[shell].faces.emplace_back(f);
   }
   SubmeshMaker maker(mesh);
+  for (Shell& shell : shells) shell.mesh = maker.make(shell.faces);
+  return shells;
+}
+
+/// Exact, which takes microseconds for each triangle whose corners are not doubles.
+Status measure(std::vector<Shell>& shells, const Monitor& monitor) {
   for (Shell& shell : shells) {
-    shell.mesh = maker.make(shell.faces);
     A3D_ASSIGN(shell.volume, exact_volume(shell.mesh.points(), triangles_of(shell.mesh), monitor.cancel()));
   }
-  return shells;
+  return {};
 }
 
 /// The boxes of solids, to be searched.
@@ -146,7 +151,9 @@ bool is_within(const Shell& cavity, const Geometry& outer) {
 // The bodies of a solid: the connected parts of its interior. Parts that touch in an edge only are different bodies,
 // though their faces are connected across that edge.
 Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& monitor) {
-  A3D_ASSIGN(std::vector<Shell> shells, shells_of(solid.mesh(), monitor));
+  std::vector<Shell> shells = shells_of(solid.mesh());
+  if (shells.size() <= 1) return std::vector<Volume3d>(shells.size(), solid);
+  A3D_TRY(measure(shells, monitor));
   std::vector<Shell> outer, cavities;
   for (Shell& shell : shells) (shell.volume.sign() > 0 ? outer : cavities).push_back(std::move(shell));
   if (outer.size() <= 1) return std::vector<Volume3d>(outer.size(), solid);
@@ -175,7 +182,9 @@ Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& mo
 /// True if a part of a solid, a valid volume, has two bodies in one body of the solid. Exact. Errors: interrupted.
 /// Cost: linear; for each body of the part a ray for each body of the solid whose box holds it.
 Result<bool> has_divided_body(const Volume3d& solid, const TriangleMesh& part, const Monitor& monitor) {
-  A3D_ASSIGN(std::vector<Shell> shells, shells_of(part, monitor));
+  std::vector<Shell> shells = shells_of(part);
+  if (shells.size() <= 1) return false;
+  A3D_TRY(measure(shells, monitor));
   std::erase_if(shells, [](const Shell& shell) { return shell.volume.sign() <= 0; });
   if (shells.size() <= 1) return false;
   A3D_ASSIGN(const std::vector<Volume3d> bodies, bodies_of(solid, monitor));

@@ -47,6 +47,10 @@ struct Extent {
   }
 };
 
+inline BoxHierarchy::Node node_at(std::size_t level, std::size_t index) {
+  return {static_cast<std::uint32_t>(level), static_cast<std::uint32_t>(index)};
+}
+
 /// The children of a node.
 struct Children {
   BoxHierarchy::Node first;
@@ -57,7 +61,7 @@ struct Children {
 
   template <typename Visit>
   void for_each(const Visit& visit) const {
-    for (std::uint32_t child = first.index; child < end; ++child) visit(BoxHierarchy::Node{first.level, child});
+    for (auto child = first.index; child < end; ++child) visit(BoxHierarchy::Node{first.level, child});
   }
 };
 
