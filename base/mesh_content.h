@@ -40,6 +40,7 @@ struct MeshContent {
   Encoding encoding = Encoding::binary;
   std::vector<std::string> remarks;       ///< tolerated or dropped parts, one sentence each, without the file name
   std::optional<WrongCount> wrong_count;  ///< set if there is a sign that the file is incomplete
+  std::vector<std::string> unread = {};   ///< those of the remarks that are on facets of the file, or may be
 };
 
 /// True if the first kilobyte has no control characters other than white space.

@@ -18,6 +18,7 @@ enum class Wanted : std::uint8_t {
 struct ReadMesh {
   algebra3d::PolygonSoup soup;       ///< every face has at least 3 corners
   std::vector<std::string> remarks;  ///< tolerated or dropped parts, one sentence each, without the file name
+  std::vector<std::string> unread;   ///< as MeshContent::unread
 };
 
 }  // namespace mesh_formats

@@ -26,13 +26,15 @@ Match detect_obj(std::string_view head, std::size_t /*size*/) {
 Result<MeshContent> read_obj_content(std::string_view bytes, std::string_view file_name,
                                      const std::atomic<bool>* cancel) {
   A3D_ASSIGN(ReadMesh read, read_obj(bytes, file_name, cancel));
-  return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt};
+  return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt,
+                     std::move(read.unread)};
 }
 
 Result<MeshContent> read_obj_with_attributes(std::string_view bytes, std::string_view file_name,
                                              const std::atomic<bool>* cancel) {
   A3D_ASSIGN(ReadMesh read, read_obj(bytes, file_name, cancel, Wanted::attributes));
-  return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt};
+  return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt,
+                     std::move(read.unread)};
 }
 
 Status write_obj_content(algebra3d::ByteSink& sink, const Facets& facets, std::string_view name,

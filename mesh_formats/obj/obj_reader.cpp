@@ -397,8 +397,10 @@ class ObjReader : Reading {
     add_remark(weighted_count_, "vertex weight", " other than 1");
     add_count(ObjStatement::line, "line element", " (l)");
     add_count(ObjStatement::point, "point element", " (p)");
+    const std::size_t before = read_.remarks.size();
     add_count(ObjStatement::free_form, "statement", " on curves and surfaces");
     add_remark(short_face_count_, "face", " with fewer than 3 corners");
+    read_.unread.assign(read_.remarks.begin() + static_cast<std::ptrdiff_t>(before), read_.remarks.end());
     if (first_unknown_ == nullptr) return;
     cursor_.move_to(first_unknown_);
     add_count(ObjStatement::unknown, "statement",

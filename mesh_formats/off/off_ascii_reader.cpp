@@ -63,7 +63,7 @@ class OffAsciiReader : Reading {
       ignored_.texture_coordinates = header_.has_texture_coordinates ? vertex_count_ : 0;
       ignored_.normals = header_.has_normals ? vertex_count_ : 0;
     }
-    add_remarks(ignored_, read_.remarks);
+    add_remarks(ignored_, read_);
     note_rest();
     return std::move(read_);
   }
@@ -307,9 +307,11 @@ class OffAsciiReader : Reading {
     cursor_.skip_space();
     const std::string_view rest = cursor_.rest();
     if (rest.empty()) return;
-    const std::string what = is_padding(rest) ? counted(rest.size(), "trailing byte")
-                                              : fmt::format("text from line {}", line_number(bytes_, offset()));
+    const bool has_text = !is_padding(rest);
+    const std::string what = has_text ? fmt::format("text from line {}", line_number(bytes_, offset()))
+                                      : counted(rest.size(), "trailing byte");
     read_.remarks.push_back(fmt::format("{} after the last face ignored", what));
+    if (has_text) read_.unread.push_back(read_.remarks.back());
   }
 
   [[nodiscard]] std::size_t vertex_number() const { return read_.soup.points.size() + 1; }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/padding.h"
 #include "base/reading.h"
 #include "base/soup_capacity.h"
 #include "base/text.h"
@@ -80,9 +81,11 @@ class OffBinaryReader : Reading {
       ignored_.vertex_colours = header_.has_colours ? vertex_count_ : 0;
       ignored_.texture_coordinates = header_.has_texture_coordinates ? vertex_count_ : 0;
     }
-    add_remarks(ignored_, read_.remarks);
-    if (const std::size_t rest = bytes_.size() - offset_of(next_); rest > 0)
+    add_remarks(ignored_, read_);
+    if (const std::size_t rest = bytes_.size() - offset_of(next_); rest > 0) {
       read_.remarks.push_back(fmt::format("{} after the last face ignored", counted(rest, "trailing byte")));
+      if (!algebra3d::is_padding(bytes_.substr(offset_of(next_)))) read_.unread.push_back(read_.remarks.back());
+    }
     return std::move(read_);
   }
 

@@ -31,7 +31,7 @@ Result<MeshContent> read_off_content(std::string_view bytes, std::string_view fi
   A3D_ASSIGN(ReadMesh read, read_off(bytes, file_name, cancel, wanted));
   const auto header = off_header(bytes);
   const Encoding encoding = header && header->is_binary ? Encoding::binary : Encoding::ascii;
-  return MeshContent{std::move(read.soup), encoding, std::move(read.remarks), std::nullopt};
+  return MeshContent{std::move(read.soup), encoding, std::move(read.remarks), std::nullopt, std::move(read.unread)};
 }
 
 Status write_off_content(algebra3d::ByteSink& sink, const Facets& facets, std::string_view /*name*/,

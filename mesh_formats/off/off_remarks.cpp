@@ -1,6 +1,8 @@
 #include "mesh_formats/off/off_remarks.h"
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -10,7 +12,8 @@ namespace mesh_formats {
 
 using algebra3d::counted;
 
-void add_remarks(const IgnoredInOff& ignored, std::vector<std::string>& remarks) {
+void add_remarks(const IgnoredInOff& ignored, ReadMesh& read) {
+  std::vector<std::string>& remarks = read.remarks;
   const auto add = [&](std::size_t count, std::string_view noun, std::string_view which) {
     if (count > 0) remarks.push_back(fmt::format("{}{} ignored", counted(count, noun), which));
   };
@@ -23,6 +26,7 @@ void add_remarks(const IgnoredInOff& ignored, std::vector<std::string>& remarks)
                     ignored.surplus_vertices == 1 ? "1 vertex" : fmt::format("{} vertices", ignored.surplus_vertices)));
   add(ignored.face_colours, "face colour", "");
   add(ignored.short_faces, "face", " with fewer than 3 corners");
+  if (ignored.short_faces > 0) read.unread.push_back(remarks.back());
 }
 
 std::string off_index_message(std::uint64_t face, std::uint64_t face_count, std::uint64_t corner, std::uint64_t index,

@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
+
+#include "mesh_formats/detail/read_mesh.h"
 
 namespace mesh_formats {
 
@@ -18,7 +19,7 @@ struct IgnoredInOff {
 };
 
 /// Adds a remark for each count that is not 0.
-void add_remarks(const IgnoredInOff& ignored, std::vector<std::string>& remarks);
+void add_remarks(const IgnoredInOff& ignored, ReadMesh& read);
 
 /// The message of both readers for an invalid index; `face` and `corner` count from 1.
 std::string off_index_message(std::uint64_t face, std::uint64_t face_count, std::uint64_t corner, std::uint64_t index,

@@ -11,8 +11,8 @@ namespace mesh_formats {
 /// Writes `soup` as an OFF file: all points, also unused ones, and all faces, in
 /// order. The number of edges is written as 0, which the format allows; it has no names. Binary files are big-endian.
 /// Attributes of points and colours of faces are written, with the keyword that announces them, as `CNOFF`; colours as
-/// four numbers from 0 to 1, of faces without an opacity as three. Where a point has no normal, texture coordinate or colour, zeros stand; a face without a
-/// colour has none.
+/// four numbers from 0 to 1, of faces without an opacity as three. Where a point has no normal, texture coordinate or
+/// colour, zeros stand; a face without a colour has none.
 ///
 /// Exactness: ASCII digits are the shortest for the same double, so coordinates read back unchanged; binary coordinates
 /// are rounded once, to the nearest float. Errors: invalid_value (a soup that breaks its invariants, a face of fewer

@@ -8,8 +8,9 @@
 
 namespace algebra3d {
 
-/// The rounding noise of the coordinates of a file. Its numbers are floats if each is one or has at most nine
-/// significant digits, as a float has that was written as text; else doubles.
+/// The rounding noise of the coordinates of a file. Its numbers are rounded floats if each is one, or the text of one
+/// with up to nine significant digits, and if one at least needs the last bit of a float: whole numbers far out are
+/// exact. Else they are doubles.
 class RoundingNoise {
  public:
   /// `points`: those of the file, which must outlive this.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -36,10 +38,13 @@ Result<ImportedSurface> refused_surface_or_failed(Error error) {
   return result;
 }
 
-/// Reports a wrong count, and refuses the solid for it if repair is not wanted: the missing triangles may belong to it.
-void judge_count(ImportedSolid& result, bool is_strict) {
-  if (!result.wrong_count) return;
-  const std::string text = result.wrong_count->text();
+/// Reports what may be missing, and refuses the solid for it if repair is not wanted: missing triangles may belong to
+/// it.
+void judge_completeness(ImportedSolid& result, const std::vector<std::string>& unread, bool is_strict) {
+  std::vector<std::string> texts = unread;
+  if (result.wrong_count) texts.push_back(result.wrong_count->text());
+  if (texts.empty()) return;
+  const std::string text = fmt::format("{}", fmt::join(texts, "; "));
   const bool is_refused = is_strict && result.solid;
   result.status = is_refused ? text : result.status + "; " + text;
   if (!is_refused) return;
@@ -101,7 +106,7 @@ Result<ImportedSolid> import_solid(Result<MeshFile> read, const RepairOptions& o
   result.wrong_count = read->wrong_count;
   result.bent = read->bent;
   if (result.bent.count > 0) result.status += "; " + result.bent.text();
-  judge_count(result, options.is_strict);
+  judge_completeness(result, read->unread, options.is_strict);
   return result;
 }
 

@@ -29,7 +29,8 @@ Result<MeshFacets> read_as(const MeshFormat& format, std::string_view bytes, con
   const bool has_attributes = extras == Extras::attributes && format.read_with_attributes != nullptr;
   const auto read_bytes = has_attributes ? format.read_with_attributes : format.read;
   A3D_ASSIGN(MeshContent read, read_bytes(bytes, name, cancel));
-  return MeshFacets{std::move(read.facets), std::move(read.remarks), &format, read.encoding, read.wrong_count};
+  return MeshFacets{std::move(read.facets), std::move(read.remarks), &format,
+                    read.encoding,          read.wrong_count,        std::move(read.unread)};
 }
 
 Result<MeshFacets> read_facets(std::string_view bytes, const std::string& name, const MeshFormat* format,
@@ -82,6 +83,7 @@ Result<MeshFile> read_mesh(std::string_view bytes, const std::string& name, cons
   result.format = read.format;
   result.encoding = read.encoding;
   result.wrong_count = read.wrong_count;
+  result.unread = std::move(read.unread);
   if (const auto* const polygons = std::get_if<PolygonSoup>(&read.facets)) result.bent = bent_polygons(*polygons);
   if (result.bent.count > 0) result.remarks.push_back(result.bent.text());
   result.soup = triangles_of(std::move(read.facets));

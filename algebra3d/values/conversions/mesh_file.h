@@ -24,7 +24,8 @@ struct MeshFile {
   const mesh_formats::MeshFormat* format = nullptr;  ///< never null
   mesh_formats::Encoding encoding = mesh_formats::Encoding::binary;
   std::optional<mesh_formats::WrongCount> wrong_count;
-  BentPolygons bent;  ///< also among the remarks
+  std::vector<std::string> unread;  ///< as MeshContent::unread
+  BentPolygons bent;                ///< also among the remarks
 };
 
 /// The facets of a mesh file as it stores them: triangles or polygons.
@@ -34,6 +35,7 @@ struct MeshFacets {
   const mesh_formats::MeshFormat* format = nullptr;  ///< never null
   mesh_formats::Encoding encoding = mesh_formats::Encoding::binary;
   std::optional<mesh_formats::WrongCount> wrong_count;
+  std::vector<std::string> unread = {};  ///< as MeshContent::unread
 };
 
 /// Reads a mesh file of the given format or, if that is null, of the detected one (MeshFormats::detect). If the content

@@ -34,7 +34,7 @@ struct Slot {
 
   const ListedFile* listed = nullptr;
   Stage stage = Stage::hashing;  // guarded by the mutex of Work, as `since`; the rest belongs to who is at work
-  std::optional<Clock::time_point> since;  // when work on it began
+  std::optional<Clock::time_point> since;  // when the work of this stage began; nothing while it waits for a thread
   std::atomic<bool> is_to_stop = false;
   bool is_late = false;  // stopped because its time was up
   LoadedFile file;
@@ -251,12 +251,13 @@ void FileLoader::Work::run(Slot& slot, Slot::Stage stage) {
   {
     const std::lock_guard lock(mutex_);
     slot.stage = stage;
+    slot.since.reset();
     ++running_;
   }
   arena_.enqueue([this, &slot, stage] {
     {
       const std::lock_guard lock(mutex_);
-      if (!slot.since) slot.since = Clock::now();
+      slot.since = Clock::now();
     }
     const Slot::Stage after = stop_.load() ? Slot::Stage::dropped : outcome(slot, stage);
     // Notified under the lock: once it is released, the destructor may end the life of all this.

@@ -72,14 +72,20 @@ std::vector<std::string> defect_kinds(std::string_view defects) {
   return kinds;
 }
 
-/// Every run of digits becomes N.
+/// Every run of digits becomes N, but for those in words such as 3MF.
 std::string without_numbers(std::string_view text) {
+  const auto is_letter = [&](std::size_t at) {
+    return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
+  };
   std::string rest;
-  for (const char letter : text) {
-    if (!is_digit(letter))
-      rest += letter;
-    else if (rest.empty() || rest.back() != 'N')
-      rest += 'N';
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    if (end == at)
+      rest += text[at++];
+    else
+      rest += is_letter(end) || is_letter(at - 1) ? std::string(text.substr(at, end - at)) : "N";
+    at = std::max(at, end);
   }
   return rest;
 }

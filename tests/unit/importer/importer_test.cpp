@@ -485,6 +485,25 @@ TEST_F(Importer, a_file_may_be_given_a_limit_of_time) {
   EXPECT_EQ(rows().at("b.stl").status, "ok");
 }
 
+// The thread that all need is taken for longer than the limit of each.
+TEST_F(Importer, waiting_for_a_thread_does_not_count_against_the_limit) {
+  for (const char* name : {"a.stl", "b.stl", "c.stl", "d.stl", "e.stl"}) write(name, box_stl(1, 1, 1));
+  const SolidReader reader = [](const std::filesystem::path& file,
+                                const std::atomic<bool>* stop) -> Result<SolidOrReason> {
+    const bool is_slow = file.stem() == "a" || file.stem() == "b";
+    while (is_slow && !stop->load()) usleep(1000);
+    if (is_slow) return Error{ErrorCode::interrupted, "interrupted"};
+    return SolidOrReason{algebra3d::Volume3d(), "ok"};
+  };
+  ImportOptions limited = options();
+  limited.file_seconds = 0.25;
+  limited.jobs = 1;
+  ASSERT_EQ(import(limited, reader), 0) << err_;
+  const auto found = rows();
+  EXPECT_FALSE(found.at("a.stl").is_defined || found.at("b.stl").is_defined);
+  for (const char* name : {"c.stl", "d.stl", "e.stl"}) EXPECT_TRUE(found.at(name).is_defined) << found.at(name).status;
+}
+
 TEST_F(Importer, quiet_means_no_output) {
   write("a.stl", box_stl(1, 1, 1));
   ImportOptions quiet = options();

@@ -71,6 +71,28 @@ TEST(ShellOrientation, follows_the_rules_for_nested_shells_in_any_order) {
   }
 }
 
+// Hollows that cross each other, which together are one.
+TEST(ShellOrientation, cavities_may_overlap) {
+  const TriangleSoup block = cube_soup(0, 20);
+  const TriangleSoup first = turned(box_soup({2, 8, 8}, {18, 12, 12})),
+                     second = turned(box_soup({8, 2, 9}, {12, 17, 13}));
+  const TriangleSoup third = turned(box_soup({9, 9, 3}, {11, 11, 10}));
+  for (const TriangleSoup& soup :
+       {joined(joined(block, first), second), joined(joined(joined(block, first), second), third)}) {
+    IndexedSoup indexed = indexed_soup(soup);
+    RepairReport report;
+    ASSERT_TRUE(orient_shells(indexed, report).ok());
+    EXPECT_EQ(in_order(soup_of(indexed)), in_order(soup));
+    EXPECT_EQ(count_of(report, RepairStep::flipped_shells), 0U);
+  }
+  // A body that is inside out, in the hollow: nothing of it is in the material.
+  const TriangleSoup inner = box_soup({4, 9, 9}, {6, 11, 11});
+  IndexedSoup indexed = indexed_soup(joined(joined(block, first), turned(inner)));
+  RepairReport report;
+  ASSERT_TRUE(orient_shells(indexed, report).ok());
+  EXPECT_EQ(in_order(soup_of(indexed)), in_order(joined(joined(block, first), inner)));
+}
+
 TEST(ShellOrientation, what_is_inside_out_is_so_with_its_cavities_and_what_is_in_them) {
   const TriangleSoup onion = joined(joined(cube_soup(0, 8), turned(cube_soup(1, 7))), cube_soup(2, 6));
   const TriangleSoup beside = shifted(cube_soup(0, 9), {20, 0, 0});

@@ -220,6 +220,34 @@ TEST(RoundedSolid, the_distance_is_that_of_what_remains) {
   EXPECT_NEAR(flat->largest_movement, 0, 1e-6);
 }
 
+// Features as thick as the grid are not noise, however large the solid is.
+TEST(RoundedSolid, keeps_what_is_as_thick_as_the_grid) {
+  SetOperations engine;
+  for (const double thickness : {0.6, 0.9, 1.1, 1.3, 1.4}) {
+    SCOPED_TRACE(thickness);
+    const TriangleMesh plate = box({0, 0, 0}, {400, 300, thickness});
+    const TriangleMesh with_hole = engine.subtract(plate, box({100, 100, -10}, {200, 200, 10}));
+    const TriangleMesh tray =
+        engine.subtract(box({0, 0, 0}, {400, 300, 100}), box({thickness, thickness, thickness}, {399, 299, 200}));
+    const TriangleMesh with_pocket =
+        engine.subtract(box({0, 0, 0}, {400, 300, 100}), box({100, 100, 50}, {300, 200, 50 + thickness}));
+    const std::vector<std::pair<const TriangleMesh*, Rational>> solids = {
+        {&plate, Rational(400 * 300)},
+        {&with_hole, Rational(400 * 300 - 100 * 100)},
+        {&tray, Rational(400 * 300 * 100 - 398 * 298 * 99)},
+        {&with_pocket, Rational(400 * 300 * 100 - 200 * 100)}};
+    for (const auto& [solid, volume] : solids) {
+      const auto rounded = rounded_solid(*solid, CoordinateGrid::multiples(1));
+      ASSERT_TRUE(rounded.ok() && rounded->mesh);
+      const bool is_pocket = solid == &with_pocket;
+      // What is narrower than the grid may be closed.
+      const bool is_closed = is_pocket && thickness < 1;
+      EXPECT_EQ(exact_volume_of(*rounded->mesh), is_closed ? Rational(400 * 300 * 100) : volume);
+      EXPECT_LE(rounded->largest_movement, 1.5);
+    }
+  }
+}
+
 /// A sphere without itself, turned by some radians: shells as thin as that, whose sides cross in needles.
 TriangleMesh sphere_without_itself_turned(int corners, double radians) {
   const TriangleMesh sphere = geodesic_sphere(corners);

@@ -19,7 +19,8 @@ class ShellNesting {
  public:
   explicit ShellNesting(const IndexedSoup& soup) : soup_(soup), mesh_(soup.mesh()) {}
 
-  /// True if the others together hold all of the shell, judged by its sample triangles.
+  /// True if all of the shell is in bodies of the others, and some of it not in their cavities, judged by its sample
+  /// triangles.
   bool is_within(const Shell& shell, std::span<const Shell> others) const;
   /// The smallest of the others, which descend, that goes around all of the shell, judged by its sample triangles; null
   /// if none does.
@@ -27,7 +28,11 @@ class ShellNesting {
 
  private:
   int winding(const Shell& shell, const PointRef& point) const;
-  int winding_at(FaceId triangle, std::span<const Shell> others) const;
+  /// The winding numbers of shells about a triangle: of those with a positive volume, and of all.
+  struct Windings {
+    int of_bodies = 0, of_all = 0;
+  };
+  Windings windings_at(FaceId triangle, std::span<const Shell> others) const;
   std::vector<FaceId> sample_triangles(const Shell& shell) const;
 
   const IndexedSoup& soup_;
@@ -44,17 +49,20 @@ int ShellNesting::winding(const Shell& shell, const PointRef& point) const {
   return shell.is_flipped ? -sum : sum;
 }
 
-/// The winding number of shells about the middle of a triangle. Shells may touch in corners and edges, so those decide
-/// nothing.
-int ShellNesting::winding_at(FaceId triangle, std::span<const Shell> others) const {
+/// About the middle of the triangle. Shells may touch in corners and edges, so those decide nothing.
+ShellNesting::Windings ShellNesting::windings_at(FaceId triangle, std::span<const Shell> others) const {
   const TriangleRef c = mesh_->corners(triangle);
   const ExactPoint middle(Rational(1, 3) * (c[0].rational() + c[1].rational() + c[2].rational()));
   Box3 box;
   for (const PointRef& corner : c) box.extend(corner.approx);
-  int sum = 0;
-  for (const Shell& other : others)
-    if (other.box.intersects(box)) sum += winding(other, middle);
-  return sum;
+  Windings result;
+  for (const Shell& other : others) {
+    if (!other.box.intersects(box)) continue;
+    const int of_other = winding(other, middle);
+    result.of_all += of_other;
+    if (other.volume.sign() > 0) result.of_bodies += of_other;
+  }
+  return result;
 }
 
 /// All triangles of the shell, or its largest ones and those with the largest and the smallest coordinates.
@@ -77,13 +85,19 @@ std::vector<FaceId> ShellNesting::sample_triangles(const Shell& shell) const {
 }
 
 bool ShellNesting::is_within(const Shell& shell, std::span<const Shell> others) const {
-  return std::ranges::all_of(sample_triangles(shell), [&](FaceId f) { return winding_at(f, others) > 0; });
+  bool is_in_material = false;
+  for (const FaceId f : sample_triangles(shell)) {
+    const Windings windings = windings_at(f, others);
+    if (windings.of_bodies <= 0) return false;
+    is_in_material = is_in_material || windings.of_all > 0;
+  }
+  return is_in_material;
 }
 
 const Shell* ShellNesting::enclosing_shell(const Shell& shell, std::span<const Shell> others) const {
   for (std::size_t i = others.size(); i-- > 0;) {
     if (!others[i].box.contains(shell.box)) continue;
-    const auto is_enclosed = [&](FaceId f) { return winding_at(f, others.subspan(i, 1)) != 0; };
+    const auto is_enclosed = [&](FaceId f) { return windings_at(f, others.subspan(i, 1)).of_all != 0; };
     if (std::ranges::all_of(sample_triangles(shell), is_enclosed)) return &others[i];
   }
   return nullptr;

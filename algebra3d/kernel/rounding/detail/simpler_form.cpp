@@ -13,8 +13,9 @@ namespace {
 /// Vertices no farther from the surface than so many spacings are superfluous. With one, a chain of 2000 turned
 /// intersections has twice as many triangles as it needs, with two a third more.
 constexpr double kSuperfluous = 2;
-/// This number on a grid of multiples, which the user asked for and may see.
-constexpr double kSuperfluousOnMultiples = 1;
+/// This number on a grid of multiples, which the user asked for and may see: less than the thickness of a plate of one
+/// spacing.
+constexpr double kSuperfluousOnMultiples = 0.5;
 /// How many spacings long the box of the solid must be. On a coarser grid a spacing may be half of a part of the solid.
 constexpr double kFineGrid = 256;
 
