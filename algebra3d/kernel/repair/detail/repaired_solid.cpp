@@ -9,6 +9,7 @@
 #include "algebra3d/kernel/repair/detail/parity_estimate.h"
 #include "algebra3d/kernel/repair/detail/repair_attempt.h"
 #include "algebra3d/kernel/repair/detail/repair_strategy.h"
+#include "algebra3d/kernel/repair/detail/soup_repair.h"
 #include "base/propagate.h"
 
 namespace algebra3d {
@@ -82,13 +83,15 @@ Status RepairSearch::take_if_cheaper(const RepairStrategy& strategy, RepairAttem
 }
 
 /// The accepted attempt, or a cheaper one: the part that it leaves out may be a cap that lacks a narrow strip. If
-/// closing that adds less than leaving the cap out loses, it is closed.
+/// closing that adds less than leaving the cap out loses, it is closed. Of triangles that are balanced as given nothing
+/// is lacking: cells with a negative winding number are then where hollows cross each other, and stay empty.
 Result<RepairedSolid> RepairSearch::cheapest(RepairAttempt accepted) {
   if (!accepted.has_solid() || !accepted.may_be_done_otherwise()) return finish(std::move(accepted));
   A3D_TRY(accepted.measure());
   for (const CheaperStrategies& group : cheaper_strategies()) {
     if (!accepted.is_worth_trying(group.condition)) continue;
-    for (const RepairStrategy& strategy : group.strategies) A3D_TRY(take_if_cheaper(strategy, accepted));
+    for (const RepairStrategy& strategy : group.strategies)
+      if (!strategy.keeps_negative || !is_balanced(*given_.mesh())) A3D_TRY(take_if_cheaper(strategy, accepted));
   }
   return finish(std::move(accepted));
 }
