@@ -84,7 +84,7 @@ class OffBinaryReader : Reading {
     add_remarks(ignored_, read_);
     if (const std::size_t rest = bytes_.size() - offset_of(next_); rest > 0) {
       read_.remarks.push_back(fmt::format("{} after the last face ignored", counted(rest, "trailing byte")));
-      if (!algebra3d::is_padding(bytes_.substr(offset_of(next_)))) read_.unread.push_back(read_.remarks.back());
+      if (!is_padding(bytes_.substr(offset_of(next_)))) read_.unread.push_back(read_.remarks.back());
     }
     return std::move(read_);
   }
