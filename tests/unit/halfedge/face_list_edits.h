@@ -90,20 +90,25 @@ class FaceLists {
     if (first == last) return false;
     std::set<Vertex> moved;
     for (Vertex at = first; at != last; at = following(v, at)) moved.insert(at);
+    bool divides_first = false, divides_last = false;  // the face to the right of that edge was a triangle
     for (Face& face : faces_) {
       Face changed;
       for (std::size_t i = 0; i < face.size(); ++i) {
         const bool is_moved = face[i] == v && moved.contains(after(face, i));
         if (face[i] == v && before(face, i) == first) {
           changed.insert(changed.end(), {added, v});
+          divides_first = face.size() == 3;
         } else if (face[i] == v && before(face, i) == last) {
           changed.insert(changed.end(), {v, added});
+          divides_last = face.size() == 3;
         } else {
           changed.push_back(is_moved ? added : face[i]);
         }
       }
       face = std::move(changed);
     }
+    if (divides_first) (void)split_face(face_along(added, v), first, v);
+    if (divides_last) (void)split_face(face_along(v, added), last, added);
     return true;
   }
 
@@ -125,6 +130,15 @@ class FaceLists {
   const std::vector<Face>& faces() const { return faces_; }
 
  private:
+  /// The face that has an edge from one vertex to another.
+  std::size_t face_along(Vertex from, Vertex to) const {
+    const auto has_edge = [&](const Face& face) {
+      for (std::size_t i = 0; i < face.size(); ++i)
+        if (face[i] == from && after(face, i) == to) return true;
+      return false;
+    };
+    return static_cast<std::size_t>(std::ranges::find_if(faces_, has_edge) - faces_.begin());
+  }
   static Vertex after(const Face& face, std::size_t i) { return face[(i + 1) % face.size()]; }
   static Vertex before(const Face& face, std::size_t i) { return face[(i + face.size() - 1) % face.size()]; }
   Vertex& at(std::size_t face, std::size_t corner) { return faces_[face][corner % faces_[face].size()]; }
