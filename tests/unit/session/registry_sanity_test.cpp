@@ -115,8 +115,8 @@ TEST(Operators, that_give_at_most_one_tuple) {
   }
   EXPECT_EQ(found,
             (std::vector<std::string>{"boundingCylinder", "boundingSphere", "clash", "closestPair", "closestPoints",
-                                      "closestSelfPair", "commonPoint", "congruence", "deletebyid", "inertia",
-                                      "inserttuple", "minimalBox", "relation", "updatebyid"}));
+                                      "closestSelfPair", "commonPoint", "congruence", "deletebyid", "halfedge",
+                                      "inertia", "inserttuple", "minimalBox", "relation", "updatebyid"}));
 }
 
 TEST_P(EveryOperator, errors_say_what_they_say) {
