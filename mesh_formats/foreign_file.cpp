@@ -44,6 +44,7 @@ constexpr std::array kBeginnings{
     Sign{"\x89PNG", {"a PNG image"}},
     Sign{"\xff\xd8\xff", {"a JPEG image"}},
     Sign{"%PDF", {"a PDF document"}},
+    Sign{"version https://git-lfs", {"a pointer of Git LFS without the content of the file"}},
     Sign{"\xff\xfe", {"text in UTF-16, not UTF-8"}},
     Sign{"\xfe\xff", {"text in UTF-16, not UTF-8"}},
     Sign{"ply\n", shapes("a PLY file")},
@@ -110,7 +111,17 @@ ForeignKind kind_of_json(std::string_view text) {
   return {"a JSON file", ForeignContent::rows};
 }
 
+/// In any case of the letters: what a server answers in place of a file that it has not.
+bool is_html(std::string_view text) {
+  constexpr std::size_t kLongest = 14;
+  std::string word(text.substr(0, kLongest));
+  std::ranges::transform(word, word.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return word.starts_with("<!doctype html") || word.starts_with("<html");
+}
+
 ForeignKind kind_of_xml(std::string_view text) {
+  if (is_html(text)) return {"a web page (HTML)"};
   for (const Sign& element : kXmlElements)
     if (holds(text, element.text)) return element.kind;
   return {text.starts_with("<?xml") ? "an XML file" : ""};
