@@ -31,7 +31,7 @@ std::string shells_text(const RoundedSolid& rounded);
 /// that meet the solid, cannot fail.
 ///
 /// A simpler form of each result is proved first: without corners of facets with moved corners that lie on the surface
-/// or on an edge of it within two spacings (vertex_removal.h); on a grid of multiples half of one, and only if the grid
+/// or on an edge of it within two spacings (vertex_removal.h); on a grid of multiples 0.9 of one, and only if the grid
 /// is fine for the
 /// solid. A result is missing only if a coordinate is out of range. It is empty only where nothing is left
 /// within a reach of two spacings, and no cell of the grid is found within the solid. The monitor may end the call with
