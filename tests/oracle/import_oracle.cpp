@@ -70,7 +70,7 @@ std::string volume_by_cgal(const std::string& path) {
   return text;
 }
 
-/// What a file holds, whatever is made of it.
+/// Sums over the triangles of a file as they are read.
 struct Given {
   std::size_t triangles = 0;
   double area = 0, boundary = 0;  ///< the boundary: edges that an odd number of triangles has, by equal coordinates

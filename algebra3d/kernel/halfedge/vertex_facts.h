@@ -9,10 +9,10 @@
 
 namespace algebra3d {
 
-/// What is known of a vertex only after a look at all faces there.
+/// Properties of a vertex that depend on all faces at it.
 struct VertexFacts {
   std::size_t valence = 0;   ///< number of edges
-  Vec3 normal;               ///< vertex_normal; zero if there is none
+  Vec3 normal;               ///< as vertex_normal gives it
   bool is_boundary = false;  ///< an edge with one face ends there
 };
 

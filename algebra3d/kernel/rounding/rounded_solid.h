@@ -32,10 +32,9 @@ std::string shells_text(const RoundedSolid& rounded);
 ///
 /// A simpler form of each result is proved first: without corners of facets with moved corners that lie on the surface
 /// or on an edge of it within two spacings (vertex_removal.h); on a grid of multiples 0.9 of one, and only if the grid
-/// is fine for the
-/// solid. A result is missing only if a coordinate is out of range. It is empty only where nothing is left
-/// within a reach of two spacings, and no cell of the grid is found within the solid. The monitor may end the call with
-/// the error interrupted, and receives the methods that are tried. Exactness: rounded; validity is exact.
+/// is fine for the solid. A result is missing only if a coordinate is out of range. It is empty only where nothing is
+/// left within a reach of two spacings, and no cell of the grid is found within the solid. The monitor may end the call
+/// with the error interrupted, and receives the methods that are tried. Exactness: rounded; validity is exact.
 /// Deterministic. Errors: interrupted, limit_exceeded. Cost: for nearly all solids a scan, and snap rounding and a
 /// proof of the faces near vertices that move. Source: snap rounding after [hobby1999] and [halperin2002].
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid, const Monitor& monitor = {});

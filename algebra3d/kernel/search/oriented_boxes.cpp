@@ -86,7 +86,7 @@ OrientedBoxes::Box box_around(const std::array<Vec3, 3>& axes, const ForEachExte
   return box;
 }
 
-/// What is known of a leaf: its box and sides, and the sums of its faces.
+/// The box and the sides of a leaf, and sums over its faces.
 struct Leaf {
   Vec3 area, edges;
   OrientedBoxes::Box box;

@@ -43,8 +43,8 @@ class OrientedBoxes {
     double reach(const Vec3& direction) const;
   };
   const Box& box(BoxHierarchy::Node node) const { return levels_[node.level][node.index]; }
-  /// Of the long edges of a leaf's faces, the directions of the two between which the others lie: those of the sides of
-  /// a fan. 0 if there are none.
+  /// The directions of the outermost two of the long edges of a leaf's faces: the sides of a fan. Zero if no edge is
+  /// long.
   struct Sides {
     std::array<float, 3> left{}, right{};
   };

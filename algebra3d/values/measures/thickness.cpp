@@ -151,8 +151,8 @@ class RoundedRay {
     return section;
   }
 
-  /// The same for an oriented box. The margin is above what the rounding of the direction moves the ray aside within
-  /// twice the extent of the solid.
+  /// The section of the ray in an oriented box. The margin is above what the rounding of the direction moves the ray
+  /// aside within twice the extent of the solid.
   Section section_of(const OrientedBoxes::Box& box, const Vec3& middle, double unit) const {
     Section section{-margin_, kUnbounded};
     for (std::size_t i = 0; i < 3; ++i) {

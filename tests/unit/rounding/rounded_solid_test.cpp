@@ -240,7 +240,7 @@ TEST(RoundedSolid, keeps_what_is_as_thick_as_the_grid) {
       const auto rounded = rounded_solid(*solid, CoordinateGrid::multiples(1));
       ASSERT_TRUE(rounded.ok() && rounded->mesh);
       const bool is_pocket = solid == &with_pocket;
-      // What is narrower than the grid may be closed.
+      // A pocket narrower than the grid is closed.
       const bool is_closed = is_pocket && thickness < 1;
       EXPECT_EQ(exact_volume_of(*rounded->mesh), is_closed ? Rational(400 * 300 * 100) : volume);
       EXPECT_LE(rounded->largest_movement, 1.5);

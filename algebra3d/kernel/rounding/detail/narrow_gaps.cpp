@@ -83,6 +83,10 @@ class GapSearch {
   WideVec3 place(VertexId v) const { return WideVec3(solid_.point(v).approx); }
   WideVec3 normal_of(FaceId face) const;
   bool are_opposite(FaceId f, FaceId g) const { return dot(normals_[f], normals_[g]) < kOppositeCosine; }
+  /// The second face of one of the pairs.
+  const TriangleFrame& other_of(const Opposite& pair) const {
+    return others_[static_cast<std::size_t>(&pair - pairs_.data())];
+  }
   bool find_wall(std::span<const Opposite> pairs, Gap& wall, std::vector<Opposite>& across);
   bool has_opposite(const WideVec3& point, std::span<const Opposite> pairs, long double width);
   bool is_before(const Piece& part, FaceId face, FaceId other, long double width) const;
@@ -92,7 +96,7 @@ class GapSearch {
   long double touching_;
   IdVector<FaceId, WideVec3> normals_;
   std::vector<Opposite> pairs_;        // sorted; each both ways
-  std::vector<TriangleFrame> others_;  // of the second faces of the pairs
+  std::vector<TriangleFrame> others_;  // per pair, of its second face
   std::vector<bool> is_gone_;          // per face
   std::size_t parts_ = 0;              // that were compared with a face
 };
@@ -139,7 +143,7 @@ bool GapSearch::is_before(const Piece& part, FaceId face, FaceId other, long dou
 bool GapSearch::has_opposite(const WideVec3& point, std::span<const Opposite> pairs, long double width) {
   parts_ += pairs.size();
   return std::ranges::any_of(pairs, [&](const Opposite& pair) {
-    const TriangleFrame& other = others_[static_cast<std::size_t>(&pair - pairs_.data())];
+    const TriangleFrame& other = other_of(pair);
     return !is_gone_[pair.other.index()] && other.squared_distance_of(point) <= 4 * width * width;
   });
 }
@@ -157,7 +161,7 @@ bool GapSearch::find_wall(std::span<const Opposite> pairs, Gap& wall, std::vecto
   std::vector<Opposite> found;
   for (const Opposite& pair : pairs) {
     if (is_gone_[pair.other.index()]) continue;
-    const TriangleFrame& other = others_[static_cast<std::size_t>(&pair - pairs_.data())];
+    const TriangleFrame& other = other_of(pair);
     std::vector<Piece> rest;
     bool covers = false;
     for (Piece& piece : open) {

@@ -21,7 +21,7 @@ namespace {
 
 /// How many pieces the bound of the faces that are measured may take, a microsecond or two each.
 constexpr std::size_t kMaxPiecesMeasured = 100'000;
-/// What is enough of that bound: faces that lie upon given ones are at next to no distance.
+/// Precision of that bound: faces that lie upon given ones are at next to no distance.
 constexpr double kEnoughPerKnown = 0x1p-20;
 
 /// The places of a face's corners by their numbers, ascending.
