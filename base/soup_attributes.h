@@ -30,7 +30,10 @@ struct SoupAttributes {
   std::vector<std::uint32_t> corner_textures;
   std::vector<Vec3> normals;  ///< likewise
   std::vector<std::uint32_t> corner_normals;
-  FaceNames groups, objects, materials;
+  /// `libraries` are the files that describe the materials.
+  FaceNames groups, objects, materials, libraries;
+  std::array<FaceNames*, 4> face_names() { return {&groups, &objects, &materials, &libraries}; }
+  std::array<const FaceNames*, 4> face_names() const { return {&groups, &objects, &materials, &libraries}; }
 
   // One per point or face; NaN where the file has no number.
   std::vector<Vec3> point_normals;

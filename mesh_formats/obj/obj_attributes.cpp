@@ -85,6 +85,16 @@ void ObjAttributes::add_normal(std::string_view rest) {
   attributes_.normals.push_back({normal[0], normal[1], normal[2]});
 }
 
+void ObjAttributes::begin_library(std::string_view names) {
+  auto& [libraries, of_face] = attributes_.libraries;
+  if (!libraries.empty() && libraries.back() == names) return;
+  const bool is_named_by_faces = !libraries.empty() && !of_face.empty() && of_face.back() == libraries.size() - 1;
+  if (libraries.empty() || is_named_by_faces)
+    libraries.emplace_back(names);
+  else if (!names.empty())
+    libraries.back().append(libraries.back().empty() ? "" : " ").append(names);
+}
+
 void ObjAttributes::add_corner(Index texture, Index normal) {
   textures_.push_back(from_first(texture, attributes_.textures.size()));
   normals_.push_back(from_first(normal, attributes_.normals.size()));
@@ -96,8 +106,7 @@ void ObjAttributes::end_face(SoupAttributes::FaceNames& names) {
 }
 
 void ObjAttributes::end_face() {
-  for (SoupAttributes::FaceNames* names : {&attributes_.groups, &attributes_.objects, &attributes_.materials})
-    end_face(*names);
+  for (SoupAttributes::FaceNames* names : attributes_.face_names()) end_face(*names);
 }
 
 void ObjAttributes::drop_corners(std::size_t count) {
@@ -109,8 +118,7 @@ SoupAttributes ObjAttributes::finish(std::size_t& unknown_count) && {
   unknown_count = 0;
   attributes_.corner_textures = resolved(textures_, attributes_.textures.size(), unknown_count);
   attributes_.corner_normals = resolved(normals_, attributes_.normals.size(), unknown_count);
-  for (SoupAttributes::FaceNames* names : {&attributes_.groups, &attributes_.objects, &attributes_.materials})
-    drop_if_unused(*names);
+  for (SoupAttributes::FaceNames* names : attributes_.face_names()) drop_if_unused(*names);
   return std::move(attributes_);
 }
 

@@ -24,6 +24,8 @@ class ObjAttributes {
   void begin_group(std::string_view name) { attributes_.groups.names.emplace_back(name); }
   void begin_object(std::string_view name) { attributes_.objects.names.emplace_back(name); }
   void begin_material(std::string_view name) { attributes_.materials.names.emplace_back(name); }
+  /// The file or files in a statement `mtllib`. Statements without a face in between count as one.
+  void begin_library(std::string_view names);
 
   void add_corner(Index texture, Index normal);
   void end_face();

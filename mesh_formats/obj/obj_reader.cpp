@@ -175,6 +175,7 @@ class ObjReader : Reading {
     if (statement == ObjStatement::group) attributes_.begin_group(name_in(rest));
     if (statement == ObjStatement::object) attributes_.begin_object(name_in(rest));
     if (keyword == "usemtl") attributes_.begin_material(name_in(rest));
+    if (keyword == "mtllib") attributes_.begin_library(name_in(rest));
   }
 
   // Behind `v`.

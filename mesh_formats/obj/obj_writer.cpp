@@ -63,15 +63,17 @@ void append_corner(std::string& line, std::uint32_t point, std::uint32_t texture
   if (normal != kNone) append_number(line += '/', normal + 1);
 }
 
-/// Statements that give the name of a kind where it changes.
+/// Statements that give the name of a kind where it changes, and an empty one where it ends, if that ends it.
 class NameStatements {
  public:
-  NameStatements(std::string_view keyword, const SoupAttributes::FaceNames& names)
-      : keyword_(keyword), names_(&names) {}
+  enum class Empty : bool { ends_name, means_nothing };
+
+  NameStatements(std::string_view keyword, const SoupAttributes::FaceNames& names, Empty empty = Empty::ends_name)
+      : keyword_(keyword), names_(&names), empty_(empty) {}
 
   void append_if_new(std::string& lines, std::size_t face) {
     const std::uint32_t number = number_in(names_->of_face, face);
-    if (number == current_) return;
+    if (number == current_ || (number == kNone && empty_ == Empty::means_nothing)) return;
     current_ = number;
     lines += keyword_;
     if (number != kNone) lines += ' ' + one_line(names_->names[number]);
@@ -82,6 +84,7 @@ class NameStatements {
  private:
   std::string_view keyword_;
   const SoupAttributes::FaceNames* names_;
+  Empty empty_;
   std::uint32_t current_ = kNone;
 };
 
@@ -91,6 +94,7 @@ Status append_with_attributes(ByteSink& sink, const PolygonSoup& soup) {
   for (const Vec3& normal : attributes.normals)
     A3D_TRY(append_elements(sink, "vn", std::array{normal.x, normal.y, normal.z}));
   std::array names{NameStatements("o", attributes.objects), NameStatements("g", attributes.groups),
+                   NameStatements("mtllib", attributes.libraries, NameStatements::Empty::means_nothing),
                    NameStatements("usemtl", attributes.materials)};
   std::string lines;
   for (std::size_t face = 0; face < soup.face_count(); ++face) {

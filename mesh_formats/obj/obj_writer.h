@@ -11,8 +11,8 @@ namespace mesh_formats {
 
 /// Writes `soup` as one object of an OBJ file: the name as `o` unless it is empty,
 /// all points as `v`, also unused ones, and all faces as `f`, in order. Without a name and points it has a comment.
-/// Attributes of the soup become `vt` and `vn`, indices of corners, and `o`, `g` and `usemtl` where they change;
-/// without a name if there is none.
+/// Attributes of the soup become `vt` and `vn`, indices of corners, and `o`, `g`, `mtllib` and `usemtl` where they
+/// change; without a name if there is none, but for `mtllib`, which holds on.
 ///
 /// The name becomes one line: control characters become blanks, and blanks at the ends are removed. The name of the
 /// soup is not used. Exactness: digits are the shortest for the same double, so coordinates read back unchanged.

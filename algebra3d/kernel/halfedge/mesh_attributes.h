@@ -80,7 +80,7 @@ class AttributeValues {
 };
 
 // Names of attributes that mesh files have: texture coordinates and normals of half-edges, that is, of corners, or of
-// vertices; groups, objects and materials of faces; colours of vertices and faces, as red, green and blue from 0 to 1,
+// vertices; groups, objects, materials and their files of faces; colours of vertices and faces, as red, green and blue from 0 to 1,
 // with their opacities. Vectors of any elements with the name of normals turn with the mesh.
 inline constexpr const char* kTextureAttribute = "TextureCoordinate";
 inline constexpr const char* kNormalAttribute = "Normal";
@@ -89,6 +89,7 @@ inline constexpr const char* kOpacityAttribute = "Opacity";
 inline constexpr const char* kGroupAttribute = "Group";
 inline constexpr const char* kObjectAttribute = "Object";
 inline constexpr const char* kMaterialAttribute = "Material";
+inline constexpr const char* kMaterialLibraryAttribute = "MaterialLibrary";
 
 struct MeshAttribute {
   MeshElement element;

@@ -132,7 +132,8 @@ MeshAttributes attributes_of_file(const SoupAttributes& given) {
         }));
   attributes = with_names(std::move(attributes), kGroupAttribute, given.groups);
   attributes = with_names(std::move(attributes), kObjectAttribute, given.objects);
-  return with_names(std::move(attributes), kMaterialAttribute, given.materials);
+  attributes = with_names(std::move(attributes), kMaterialAttribute, given.materials);
+  return with_names(std::move(attributes), kMaterialLibraryAttribute, given.libraries);
 }
 
 /// The attributes of a mesh of one element, with their numbers put into a list of a file.
@@ -209,10 +210,11 @@ FileAttributes attributes_of_corners(const MeshAttributes& attributes) {
     result.attributes.normals = std::move(table).take_doubles();
     ++written;
   }
-  const std::array<std::pair<const char*, SoupAttributes::FaceNames*>, 3> names{
+  const std::array<std::pair<const char*, SoupAttributes::FaceNames*>, 4> names{
       {{kGroupAttribute, &result.attributes.groups},
        {kObjectAttribute, &result.attributes.objects},
-       {kMaterialAttribute, &result.attributes.materials}}};
+       {kMaterialAttribute, &result.attributes.materials},
+       {kMaterialLibraryAttribute, &result.attributes.libraries}}};
   for (const auto& [name, target] : names)
     if (const auto* const texts = find_values(attributes, MeshElement::face, name, AttributeKind::text)) {
       *target = names_of(*texts);
@@ -294,7 +296,7 @@ std::size_t add_attributes(const MeshAttributes& attributes, const mesh_formats:
 std::size_t count_changed_texts(const SoupAttributes* attributes) {
   if (attributes == nullptr) return 0;
   std::size_t count = 0;
-  for (const SoupAttributes::FaceNames* names : {&attributes->groups, &attributes->objects, &attributes->materials})
+  for (const SoupAttributes::FaceNames* names : attributes->face_names())
     count += static_cast<std::size_t>(std::ranges::count_if(
         names->names, [](const std::string& name) { return name.empty() || one_line(name) != name; }));
   return count;

@@ -59,15 +59,15 @@ TEST(Mesh3dFiles, attributes_of_obj_files_are_kept) {
       "((halfedge \"Normal\" vector ((0.0 0.0 1.0) (0.0 0.0 1.0) (0.0 0.0 1.0) (0.0 0.0 1.0) undefined undefined "
       "undefined)) (halfedge \"TextureCoordinate\" pair ((0.0 0.0) (1.0 0.0) (1.0 0.0) undefined undefined (1.0 0.0) "
       "undefined)) (face \"Group\" text ('left side' undefined)) (face \"Material\" text ('steel' 'steel')) "
-      "(face \"Object\" text ('cube' 'cube'))))";
+      "(face \"MaterialLibrary\" text ('x.mtl' 'x.mtl')) (face \"Object\" text ('cube' 'cube'))))";
   const Answer read = import(folder.path(""), "a.obj");
   EXPECT_EQ(read.text(), expected);
   EXPECT_EQ(read.diagnostics, std::vector<std::string>());
   ASSERT_TRUE(
       call(folder.path(""), "exportOBJ", {read.single(), Value::of(std::string()), calls::value("b.obj")}).get<bool>());
   EXPECT_EQ(folder.bytes("b.obj"),
-            "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvn 0 0 1\no cube\ng left side\nusemtl steel\n"
-            "f 1/1/1 2/2/1 3/2/1 4//1\ng\nf 1 5/2 2\n");
+            "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvn 0 0 1\no cube\ng left side\nmtllib x.mtl\n"
+            "usemtl steel\nf 1/1/1 2/2/1 3/2/1 4//1\ng\nf 1 5/2 2\n");
   EXPECT_EQ(import(folder.path(""), "b.obj").text(), expected);
 }
 

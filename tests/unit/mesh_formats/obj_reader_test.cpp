@@ -286,8 +286,8 @@ TEST(ObjReader, the_shape_is_the_same_with_attributes) {
 TEST(ObjReader, attributes_are_those_of_corners_and_faces) {
   const std::string bytes =
       kObjVertices +
-      "vt 0 \\\n 1#c\nvt 2 3 4\nvn 0 0 1 # up\ng a b\nusemtl m\nf 1/1/1 2/-1/-1 3//1\ng\nf 1 2\nf 1/3 2/2/ 3/-9\n"
-      "usemtl n\\\n  o\nf 1 2 4\n";
+      "mtllib a.mtl\nmtllib b c.mtl\nvt 0 \\\n 1#c\nvt 2 3 4\nvn 0 0 1 # up\ng a b\nusemtl m\nf 1/1/1 2/-1/-1 3//1\ng\nf 1 2\nf 1/3 2/2/ 3/-9\n"
+      "usemtl n\\\n  o\nmtllib d.mtl\nf 1 2 4\n";
   const auto read = read_obj(bytes, "a.obj", nullptr, mesh_formats::Wanted::attributes);
   ASSERT_TRUE(read) << read.error().text();
   constexpr std::uint32_t none = 0xFFFFFFFF;
@@ -302,6 +302,8 @@ TEST(ObjReader, attributes_are_those_of_corners_and_faces) {
   EXPECT_EQ(attributes.groups.names[0], "a b");
   EXPECT_EQ(attributes.materials.of_face, (Numbers{0, 0, 1}));
   EXPECT_EQ(attributes.materials.names[1], "n  o");
+  EXPECT_EQ(attributes.libraries.of_face, (Numbers{0, 0, 1}));
+  EXPECT_EQ(attributes.libraries.names, (std::vector<std::string>{"a.mtl b c.mtl", "d.mtl"}));
   EXPECT_TRUE(attributes.objects.of_face.empty());
   EXPECT_EQ(read->remarks,
             (std::vector<std::string>{"1 face with fewer than 3 corners ignored",
