@@ -77,8 +77,9 @@ const kActions: Readonly<Record<string, Action>> = {
     const edges = !faces && before === "none" ? "features" : before;
     view.update({ appearance: { faces, edges } });
   },
+  vertices: (view) => view.update({ appearance: { vertices: !view.state.appearance.vertices } }),
   shading: (view) =>
-    view.update({ appearance: { shading: view.state.appearance.shading === "flat" ? "smooth" : "flat" } }),
+    view.update({ appearance: { shading: nextOf(kShadings, view.state.appearance.shading) } }),
   axes: toggle("axes"),
   grid: toggle("grid"),
   boxes: toggle("boxes"),
@@ -129,16 +130,18 @@ const kActions: Readonly<Record<string, Action>> = {
   inspect: (view) => (view.tool = view.tool === "inspect" ? "select" : "inspect"),
 };
 
+const kShadings: readonly Appearance["shading"][] = ["smooth", "flat", "unlit"];
 const kEdgeModes: readonly Appearance["edges"][] = ["none", "features", "all"];
 
 function nextOf<T>(values: readonly T[], value: T): T {
   return values[(values.indexOf(value) + 1) % values.length]!;
 }
 
-/** One colour, gradient, then each attribute. */
+/** One colour, by position, gradient, then each attribute. */
 function nextScheme(view: View): ColorScheme {
   const schemes: ColorScheme[] = [
     { by: "one" },
+    { by: "position" },
     { by: "gradient", from: "#2b6cb0", to: "#f2b134" },
     ...view.attributes.map(({ name }) => ({ by: "attribute", attribute: name, palette: "viridis" }) as const),
   ];
@@ -199,6 +202,6 @@ export function performAction(view: View, action: string): boolean {
     return true;
   }
   if (!kShortcuts.some((shortcut) => shortcut.action === action)) return false;
-  view.emitAction(action);
+  view.emitter.emit("action", action);
   return true;
 }

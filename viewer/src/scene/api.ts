@@ -134,6 +134,14 @@ export interface VertexMove {
   readonly finished: boolean;
 }
 
+export type TransformMode = "translate" | "rotate" | "scale";
+
+/** What was done to an object by its handle. */
+export type Transformation =
+  | { readonly mode: "translate"; readonly by: Vec3 }
+  | { readonly mode: "rotate"; readonly about: Vec3; readonly axis: Vec3; readonly degrees: number }
+  | { readonly mode: "scale"; readonly about: Vec3; readonly factors: Vec3 };
+
 /** What keeps the view from drawing. */
 export interface SceneProblem {
   readonly kind: "no_webgl" | "context_lost" | "out_of_memory";
@@ -164,6 +172,8 @@ export interface SceneEvents {
   /** See SceneView.farCount. */
   far: { readonly count: number };
   vertex: VertexMove;
+  /** The handle of an object was let go; the object is drawn there until `transformTarget` is set or it goes. */
+  transform: { readonly cell: CellRef; readonly transformation: Transformation };
   /** null when it is over. */
   problem: SceneProblem | null;
   /** A keyboard shortcut that the application has to carry out, see `shortcuts.ts`. */
@@ -281,6 +291,9 @@ export interface SceneView {
   snap: { vertices: boolean; edges: boolean };
   /** The object whose vertices are dragged while tool is `vertex`. */
   vertexTarget: { readonly cell: CellRef; readonly along: "normal" | "plane" | "free" } | null;
+
+  /** The object with a handle by which it is moved, turned or scaled. */
+  transformTarget: { readonly cell: CellRef; readonly mode: TransformMode } | null;
 
   // Additions to the picture that do not belong to a result
   setCaps(caps: readonly { readonly cell: CellRef; readonly bytes: ArrayBuffer }[]): void;

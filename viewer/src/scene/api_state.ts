@@ -60,6 +60,8 @@ export interface NavigationState {
 /** How the colour of an object is found; an override of the object comes first. */
 export type ColorScheme =
   | { readonly by: "one" }
+  /** Red, green and blue for x, y and z, over the box of all that is seen; objects have no other colours then. */
+  | { readonly by: "position" }
   | { readonly by: "gradient"; readonly from: Color; readonly to: Color }
   | { readonly by: "attribute"; readonly attribute: string; readonly palette: PaletteName };
 
@@ -67,13 +69,16 @@ export type PaletteName = "viridis" | "cividis" | "magma" | "coolwarm" | "greys"
 
 export interface Appearance {
   readonly faces: boolean;
+  /** Of faces. */
+  readonly vertices: boolean;
   readonly edges: "none" | "features" | "all";
-  readonly shading: "smooth" | "flat";
+  /** `unlit`: in their plain colours, without light. */
+  readonly shading: "smooth" | "flat" | "unlit";
   /** 0 invisible to 1 solid. */
   readonly opacity: number;
   readonly color: Color;
   readonly edgeColor: Color;
-  /** Diameter of points in pixels. */
+  /** Diameter of points and vertices in pixels. */
   readonly pointSize: number;
   readonly scheme: ColorScheme;
   /** null: the colour of the page's theme. */

@@ -63,6 +63,9 @@ interface Slot {
 
 const kRoles: readonly Role[] = ["faces", "edges", "boundary", "nonmanifold", "lines", "points"];
 
+/** Besides the roles: all edges of triangles, and the vertices of faces. */
+type LayerKey = Role | "all" | "vertices";
+
 /** One draw call: the indices of a role, and those of all shapes to make them from. */
 interface Layer {
   readonly object: Mesh | LineSegments | Points;
@@ -76,7 +79,7 @@ export class Chunk {
   private readonly colors: Uint16Array<ArrayBuffer>;
   private readonly sizes: Float32Array<ArrayBuffer> | null;
   private readonly attributes: Readonly<Record<"position" | "color", BufferAttribute>>;
-  private readonly layers = new Map<Role | "all", Layer>();
+  private readonly layers = new Map<LayerKey, Layer>();
   private readonly origin = new Vector3();
   private style: Style | null = null;
   private hasTransparent = false;
@@ -121,7 +124,8 @@ export class Chunk {
       setStyle: (style) => this.setStyle(style),
       positionsChanged: () => this.writePositions(slot),
       chooseFronts: () => undefined, // of the chunk as a whole
-      showVertices: () => undefined,
+      showGrips: () => undefined,
+      setPreview: () => undefined,
       dispose: () => this.release(slot),
     }));
   }
@@ -140,10 +144,11 @@ export class Chunk {
     this.indicesStale = false;
     this.dropFronts();
     for (const [role, layer] of this.layers) {
-      if (role === "all") continue;
+      if (role === "all" || role === "vertices") continue;
       layer.geometry.setIndex(new BufferAttribute(this.indicesOf(role), 1));
     }
     if (this.layers.has("all")) this.makeAllEdges();
+    if (this.layers.has("vertices")) this.makeVertices();
   }
 
   /** Whether all shapes were disposed of. */
@@ -207,11 +212,13 @@ export class Chunk {
     const { appearance, display } = style;
     const wantAll = appearance.edges === "all";
     if (wantAll && !this.layers.has("all")) this.makeAllEdges();
+    if (appearance.vertices && !this.layers.has("vertices")) this.makeVertices();
     this.chooseEdges(wantAll || !appearance.faces);
     const visible: Record<string, boolean> = {
       faces: appearance.faces,
       edges: appearance.edges !== "none",
       all: wantAll,
+      vertices: appearance.vertices,
       boundary: display.boundary || wantAll,
       nonmanifold: display.nonManifold,
       lines: true,
@@ -285,7 +292,7 @@ export class Chunk {
   private objectOf(role: Role, geometry: BufferGeometry): Mesh | LineSegments | Points {
     switch (role) {
       case "faces":
-        return new Mesh(geometry, faceMaterial(true));
+        return new Mesh(geometry, faceMaterial(true, this.shared.place));
       case "points":
         return new Points(geometry, pointMaterial(true));
       case "lines":
@@ -299,7 +306,7 @@ export class Chunk {
     }
   }
 
-  private addObject(key: Role | "all", object: Mesh | LineSegments | Points): void {
+  private addObject(key: LayerKey, object: Mesh | LineSegments | Points): void {
     // The arrays change, and with them the box; a chunk is nearly always in sight.
     object.frustumCulled = false;
     if (key === "boundary" || key === "nonmanifold") object.renderOrder = 2;
@@ -353,6 +360,14 @@ export class Chunk {
     geometry.setAttribute("position", this.attributes.position);
     geometry.setIndex(new BufferAttribute(triangleEdges(faces), 1));
     if (!old) this.addObject("all", new LineSegments(geometry, this.shared.edges));
+  }
+
+  private makeVertices(): void {
+    const old = this.layers.get("vertices");
+    const geometry = old?.geometry ?? new BufferGeometry();
+    geometry.setAttribute("position", this.attributes.position);
+    geometry.setIndex(new BufferAttribute(Uint32Array.from(new Set(this.indicesOf("faces"))), 1));
+    if (!old) this.addObject("vertices", new Points(geometry, this.shared.vertices));
   }
 
   private release(slot: Slot): void {

@@ -8,6 +8,8 @@ import { cellKey } from "./shape_store";
 import type { Column, ShapeRecord, ShapeStore } from "./shape_store";
 
 const kValuesPerRequest = 10_000;
+/** Multiplied with the colours of places. */
+const kWhite: Color = "#ffffff";
 
 interface Values {
   readonly attribute: string;
@@ -36,11 +38,12 @@ export class Coloring {
     const overrides = new Map(state.overrides.map((override) => [cellKey(override.cell), override]));
     const selected = new Set(selection.map(cellKey));
     const centre = this.store.centre();
+    const byPosition = state.appearance.scheme.by === "position";
     for (const record of this.store.records()) {
       const key = cellKey(record.cell);
       const override = overrides.get(key);
       const look: Look = {
-        color: override?.color ?? this.colorOf(record, state),
+        color: byPosition ? kWhite : (override?.color ?? this.colorOf(record, state)),
         opacity: override?.opacity ?? state.appearance.opacity,
         pointSize: override?.pointSize ?? state.appearance.pointSize,
         selected: selected.has(key),

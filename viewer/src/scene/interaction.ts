@@ -2,7 +2,7 @@
 
 import { Vector3 } from "three";
 
-import type { CameraState, CellRef, Hit, NavigationState, Tool, VertexMove } from "./api";
+import type { CameraState, CellRef, Hit, NavigationState, Tool, Transformation, VertexMove } from "./api";
 import { orbit, pan, placeInTargetPlane, turned, zoom } from "./camera";
 import { lightAt } from "./lights";
 import type { Motion } from "./navigation";
@@ -36,6 +36,7 @@ export interface InteractionHost {
   hovered(hit: Hit | null): void;
   sectionRests(): void;
   vertexMoved(move: VertexMove): void;
+  transformed(cell: CellRef, transformation: Transformation): void;
   redraw(moving: boolean): void;
   held(down: boolean): void;
 }
@@ -116,6 +117,7 @@ export class Interaction implements PointerClient {
       return;
     }
     this.hoverRequest = requestAnimationFrame(() => {
+      if (this.stage.handle.hover(place.x, place.y)) this.host.redraw(false);
       if (this.pointCount() > kMaxHoverPoints) return;
       this.host.hovered(this.hitAt(place.x, place.y));
     });
@@ -159,7 +161,12 @@ export class Interaction implements PointerClient {
   grab(x: number, y: number, event: PointerEvent): Dragged | null {
     const left = event.button === 0;
     if (!left) return null;
-    return this.grabLight(x, y, event) ?? this.grabSection(x, y) ?? this.grabVertex(x, y);
+    return (
+      this.grabLight(x, y, event) ??
+      this.grabSection(x, y) ??
+      this.stage.handle.grab(x, y, this.host) ??
+      this.grabVertex(x, y)
+    );
   }
 
   /** The marker of a light, or with Ctrl the selected light from anywhere. */

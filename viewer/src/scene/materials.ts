@@ -12,8 +12,9 @@ import {
   MeshLambertMaterial,
   PointsMaterial,
   ShaderChunk,
+  Vector3,
 } from "three";
-import type { Material, Plane } from "three";
+import type { Box3, Material, Plane } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 
 import { kBoundaryColor, kNonManifoldColor, isTransparent } from "./look";
@@ -65,8 +66,47 @@ function takeAnySize(shader: { fragmentShader: string }): void {
   shader.fragmentShader = shader.fragmentShader.replace(`#include <${chunk}>`, normals);
 }
 
-/** Of faces; `closed`: backs are never seen unless the solid is cut open. */
-export function faceMaterial(vertexColors: boolean): MeshLambertMaterial {
+/** The box over which colours by position go, relative to the local origin. */
+export interface PlaceUniforms {
+  readonly placeMin: { readonly value: Vector3 };
+  readonly placeSize: { readonly value: Vector3 };
+}
+
+/** Where the defines say so, colours by position (red, green and blue for x, y and z), and colours without light. */
+function takeVariants(shader: { vertexShader: string; fragmentShader: string }): void {
+  shader.vertexShader = `#ifdef COLOR_BY_PLACE
+       uniform vec3 placeMin, placeSize;
+       varying vec3 vPlace;
+     #endif
+     ${shader.vertexShader}`.replace(
+    "#include <begin_vertex>",
+    `#include <begin_vertex>
+     #ifdef COLOR_BY_PLACE
+       vPlace = ((modelMatrix * vec4(position, 1.0)).xyz - placeMin) / placeSize;
+     #endif`,
+  );
+  shader.fragmentShader = `#ifdef COLOR_BY_PLACE
+       varying vec3 vPlace;
+     #endif
+     ${shader.fragmentShader}`
+    .replace(
+      "#include <color_fragment>",
+      `#include <color_fragment>
+       #ifdef COLOR_BY_PLACE
+         diffuseColor.rgb *= 0.1 + 0.9 * clamp(vPlace, 0.0, 1.0);
+       #endif`,
+    )
+    .replace(
+      "#include <opaque_fragment>",
+      `#ifdef UNLIT
+         outgoingLight = diffuseColor.rgb;
+       #endif
+       #include <opaque_fragment>`,
+    );
+}
+
+/** Of faces. */
+export function faceMaterial(vertexColors: boolean, place: PlaceUniforms): MeshLambertMaterial {
   const material = new MeshLambertMaterial({
     vertexColors,
     polygonOffset: true,
@@ -76,11 +116,24 @@ export function faceMaterial(vertexColors: boolean): MeshLambertMaterial {
   material.onBeforeCompile = (shader) => {
     passLittle(shader);
     takeAnySize(shader);
+    takeVariants(shader);
+    Object.assign(shader.uniforms, place);
   };
   return material;
 }
 
-/** Sets what depends on the style; makes the renderer compile anew only if it has to. */
+/** What the shader is compiled with for a style. */
+function definesOf({ shading, scheme }: Style["appearance"]): Record<string, string> {
+  return {
+    ...(shading === "unlit" ? { UNLIT: "" } : {}),
+    ...(scheme.by === "position" ? { COLOR_BY_PLACE: "" } : {}),
+  };
+}
+
+/**
+ * Sets what depends on the style; makes the renderer compile anew only if it has to. `closed`: backs are never seen
+ * unless the solid is cut open.
+ */
 export function styleFaces(
   material: MeshLambertMaterial,
   style: Style,
@@ -89,9 +142,16 @@ export function styleFaces(
   const flat = style.appearance.shading === "flat" || !options.hasNormals;
   const transparent = isTransparent(options.opacity);
   const side = options.closed && style.clipping.length === 0 && !transparent ? FrontSide : DoubleSide;
-  if (material.flatShading !== flat || material.side !== side || material.transparent !== transparent) {
+  const defines = definesOf(style.appearance);
+  if (
+    material.flatShading !== flat ||
+    material.side !== side ||
+    material.transparent !== transparent ||
+    Object.keys(material.defines ?? {}).join() !== Object.keys(defines).join()
+  ) {
     material.needsUpdate = true;
   }
+  material.defines = defines;
   material.flatShading = flat;
   material.side = side;
   material.transparent = transparent;
@@ -108,8 +168,13 @@ export function clip(material: Material, planes: readonly Plane[]): void {
 /** The materials that all objects of a view share. */
 export class SharedMaterials {
   readonly edges = new LineBasicMaterial();
-  /** Vertices that can be dragged. */
   readonly vertices = pointMaterial(false);
+  /** Vertices that can be dragged. */
+  readonly grips = pointMaterial(false);
+  readonly place: PlaceUniforms = {
+    placeMin: { value: new Vector3() },
+    placeSize: { value: new Vector3(1, 1, 1) },
+  };
   readonly boundary = new LineBasicMaterial({ color: kBoundaryColor });
   readonly nonManifold = new LineBasicMaterial({ color: kNonManifoldColor });
   readonly wideBoundary = new LineMaterial({ color: kBoundaryColor, linewidth: 2.5 });
@@ -122,8 +187,9 @@ export class SharedMaterials {
     this.edges.color.set(style.appearance.edgeColor);
     this.edges.transparent = isTransparent(style.appearance.opacity) && style.appearance.faces;
     this.edges.opacity = this.edges.transparent ? Math.max(0.25, style.appearance.opacity) : 1;
-    this.vertices.color.set(style.appearance.edgeColor);
-    this.vertices.size = 8;
+    for (const vertices of [this.vertices, this.grips]) vertices.color.set(style.appearance.edgeColor);
+    this.vertices.size = style.appearance.pointSize;
+    this.grips.size = 8;
     for (const material of this.all()) clip(material, style.clipping);
   }
 
@@ -131,6 +197,7 @@ export class SharedMaterials {
     return [
       this.edges,
       this.vertices,
+      this.grips,
       this.boundary,
       this.nonManifold,
       this.wideBoundary,
@@ -138,6 +205,15 @@ export class SharedMaterials {
       this.stencilBack,
       this.stencilFront,
     ];
+  }
+
+  /** Colours by position go over this box. */
+  setPlace(box: Box3, origin: Vector3): void {
+    const { placeMin, placeSize } = this.place;
+    placeMin.value.copy(box.min).sub(origin);
+    box.getSize(placeSize.value);
+    const { x, y, z } = placeSize.value;
+    placeSize.value.set(x || 1, y || 1, z || 1);
   }
 
   dispose(): void {

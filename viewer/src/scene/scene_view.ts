@@ -28,7 +28,7 @@ export class View implements api.SceneView {
   readonly snap = { vertices: true, edges: true };
   private currentTool: api.Tool = "select";
   private target: api.SceneView["vertexTarget"] = null;
-  private readonly emitter = new Emitter<api.SceneEvents>();
+  readonly emitter = new Emitter<api.SceneEvents>();
   readonly stage: Stage;
   readonly canvas: Canvas;
   private readonly additions: Additions;
@@ -65,7 +65,7 @@ export class View implements api.SceneView {
     this.canvas = new Canvas(element, {
       draw: (quality) => this.draw(quality),
       triangles: () => this.stage.store.triangleCounts(),
-      problem: (problem) => this.setProblem(problem),
+      problem: (problem) => this.emitter.emit("problem", (this.problem = problem)),
       resized: (size) => (this.stage.projector.size = size),
       viewResized: () => this.sight.resized(),
     });
@@ -100,6 +100,7 @@ export class View implements api.SceneView {
       hovered: (hit) => this.emitter.emit("hover", { hit }),
       sectionRests: () => this.sectionRests(),
       vertexMoved: (move) => this.emitter.emit("vertex", move),
+      transformed: (cell, transformation) => this.emitter.emit("transform", { cell, transformation }),
       redraw: (moving) => this.canvas.request(moving),
       held: (down) => this.canvas.hold(down),
     };
@@ -110,17 +111,8 @@ export class View implements api.SceneView {
     this.stage.draw(this.canvas, this.state, { software: this.canvas.software, quality, tool: this.tool });
   }
 
-  private setProblem(problem: api.SceneProblem | null): void {
-    this.problem = problem;
-    this.emitter.emit("problem", problem);
-  }
-
   on<K extends keyof api.SceneEvents>(event: K, listener: (data: api.SceneEvents[K]) => void): () => void {
     return this.emitter.on(event, listener);
-  }
-
-  emitAction(action: string): void {
-    this.emitter.emit("action", action);
   }
 
   // Results -------------------------------------------------------------------------------------------------------
@@ -152,7 +144,7 @@ export class View implements api.SceneView {
 
   private shapesCame(column: Column, came: "first" | "more" | "finer"): void {
     this.contentChanged();
-    if (this.currentTool === "vertex") this.showVertices(true);
+    if (this.currentTool === "vertex") this.showGrips(true);
     this.sight.came(column, came);
   }
 
@@ -254,7 +246,6 @@ export class View implements api.SceneView {
   reset(...parts: (keyof api.SceneState)[]): void {
     for (const part of parts) {
       if (part === "camera") this.home();
-      else if (part === "overrides") this.update({ overrides: [] });
       else this.update({ [part]: kDefaultState[part] });
     }
   }
@@ -322,7 +313,7 @@ export class View implements api.SceneView {
   set tool(tool: api.Tool) {
     if (tool === this.currentTool) return;
     this.currentTool = tool;
-    this.showVertices(tool === "vertex");
+    this.showGrips(tool === "vertex");
     this.canvas.element.style.cursor = tool === "select" ? "" : "crosshair";
     this.canvas.request();
     this.emitter.emit("tool", { tool });
@@ -333,15 +324,24 @@ export class View implements api.SceneView {
   }
 
   set vertexTarget(target: api.SceneView["vertexTarget"]) {
-    this.showVertices(false);
+    this.showGrips(false);
     this.target = target;
-    this.showVertices(this.currentTool === "vertex");
+    this.showGrips(this.currentTool === "vertex");
+  }
+
+  get transformTarget(): api.SceneView["transformTarget"] {
+    return this.stage.handle.target;
+  }
+
+  set transformTarget(target: api.SceneView["transformTarget"]) {
+    this.stage.handle.target = target;
+    this.canvas.request();
   }
 
   /** The vertices that can be dragged. */
-  private showVertices(show: boolean): void {
+  private showGrips(show: boolean): void {
     const record = this.target && this.stage.store.record(this.target.cell);
-    record?.finest?.body.showVertices(show);
+    record?.finest?.body.showGrips(show);
     this.canvas.request();
   }
 

@@ -9,12 +9,13 @@ import {
   LineSegments,
   Mesh,
   Points,
+  Vector3,
 } from "three";
 import type { BufferGeometry, MeshLambertMaterial, Object3D, PointsMaterial } from "three";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 
 import type { Primitive, Role, Shape } from "../glb/shapes";
-import type { Body } from "./body";
+import type { Body, Preview } from "./body";
 import {
   AttributeCache,
   geometryOf,
@@ -55,22 +56,24 @@ export class SingleBody implements Body {
   private readonly nonManifold: Object3D | null;
   private stencils: Mesh[] = [];
   private vertices: Points | null = null;
+  private hasGrips = false;
   private look: Look | null = null;
   private style: Style | null = null;
+  private preview: Preview | null = null;
 
   constructor(
     readonly shape: Shape,
     private readonly parent: Object3D,
     private readonly shared: SharedMaterials,
   ) {
-    this.faces = this.make("faces", (geometry) => new Mesh(geometry, faceMaterial(false)));
+    this.faces = this.make("faces", (geometry) => new Mesh(geometry, faceMaterial(false, shared.place)));
     this.whole = this.faces?.geometry ?? null;
     this.points = this.make("points", (geometry) => new Points(geometry, pointMaterial(false)));
     this.lines = this.make("lines", (geometry) => new LineSegments(geometry, new LineBasicMaterial()));
     this.edges = this.make("edges", (geometry) => new LineSegments(geometry, shared.edges));
     this.boundary = this.makeDefects("boundary");
     this.nonManifold = this.makeDefects("nonmanifold");
-    this.group.position.set(...shape.translation);
+    this.place();
     parent.add(this.group);
   }
 
@@ -105,12 +108,7 @@ export class SingleBody implements Body {
 
   setLook(look: Look): void {
     this.look = look;
-    const { translation } = this.shape;
-    this.group.position.set(
-      translation[0] + look.offset[0],
-      translation[1] + look.offset[1],
-      translation[2] + look.offset[2],
-    );
+    this.place();
     const color = shownColor(look);
     if (this.faces) {
       this.faces.material.color.copy(color);
@@ -119,6 +117,24 @@ export class SingleBody implements Body {
     if (this.points) this.points.material.color.copy(color);
     if (this.lines) this.lines.material.color.copy(color);
     this.refresh();
+  }
+
+  setPreview(preview: Preview | null): void {
+    this.preview = preview;
+    this.place();
+  }
+
+  private place(): void {
+    const { position, quaternion, scale } = this.group;
+    position.set(...this.shape.translation);
+    if (this.look) position.add(new Vector3(...this.look.offset));
+    quaternion.identity();
+    scale.set(1, 1, 1);
+    if (!this.preview) return;
+    const { centre, move } = this.preview;
+    quaternion.copy(this.preview.quaternion);
+    scale.copy(this.preview.scale);
+    position.sub(centre).multiply(scale).applyQuaternion(quaternion).add(centre).add(move);
   }
 
   setStyle(style: Style): void {
@@ -158,6 +174,7 @@ export class SingleBody implements Body {
     if (this.lines) clip(this.lines.material, style.clipping);
     this.showEdges(appearance);
     this.showAllEdges(appearance.edges === "all");
+    this.showVertices();
     if (this.boundary) this.boundary.visible = display.boundary || appearance.edges === "all";
     if (this.nonManifold) this.nonManifold.visible = display.nonManifold;
     this.showStencils(style.stencil && this.isClosed && appearance.faces && !isTransparent(look.opacity));
@@ -209,15 +226,23 @@ export class SingleBody implements Body {
     for (const mesh of this.stencils) mesh.visible = show;
   }
 
-  showVertices(show: boolean): void {
+  showGrips(show: boolean): void {
+    this.hasGrips = show;
+    this.showVertices();
+  }
+
+  private showVertices(): void {
     const faces = primitiveOf(this.shape, "faces");
+    const show = this.hasGrips || (this.style?.appearance.vertices ?? false);
     if (show && !this.vertices && faces) {
       const corners: Primitive = { ...faces, normals: null, indices: null };
-      this.vertices = new Points(geometryOf(corners, this.cache, sphereOf(this.shape)), this.shared.vertices);
+      this.vertices = new Points(geometryOf(corners, this.cache, sphereOf(this.shape)));
       this.vertices.renderOrder = 3;
       this.group.add(this.vertices);
     }
-    if (this.vertices) this.vertices.visible = show;
+    if (!this.vertices) return;
+    this.vertices.visible = show;
+    this.vertices.material = this.hasGrips ? this.shared.grips : this.shared.vertices;
   }
 
   positionsChanged(): void {

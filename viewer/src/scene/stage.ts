@@ -19,6 +19,7 @@ import { outlineOf, Section } from "./section";
 import type { QualityStep } from "./quality";
 import { ShapeStore } from "./shape_store";
 import { themeOf } from "./theme";
+import { TransformHandle } from "./transform_handle";
 import type { SceneTheme } from "./theme";
 import { isFarOrigin, toVector3 } from "./vec";
 
@@ -41,6 +42,7 @@ export class Stage {
   readonly overlay: Overlay;
   theme: SceneTheme;
   private readonly scene = new Scene();
+  readonly handle = new TransformHandle(this.scene, this.store, this.projector);
   /** Of all that has coordinates of the database: they become those relative to the camera's target. */
   private readonly world = new Group();
   private readonly grid = new Grid();
@@ -114,6 +116,8 @@ export class Stage {
     this.world.position.copy(projector.origin).negate();
     this.store.update(state.camera, options.software ? projector.eyeFrom : null);
     this.dots.update(state.camera, projector.size.height);
+    this.handle.update(camera);
+    this.materials.setPlace(this.box, projector.origin);
     const background = state.appearance.background ?? theme.background;
     renderer.setClearColor(new Color(background), options.backgroundless ? 0 : 1);
     renderer.info.reset();
@@ -196,6 +200,7 @@ export class Stage {
   }
 
   dispose(): void {
+    this.handle.dispose();
     this.store.dispose();
     this.dots.dispose();
     this.materials.dispose();

@@ -24,6 +24,7 @@ export const kDefaultState: SceneState = {
   },
   appearance: {
     faces: true,
+    vertices: false,
     edges: "features",
     shading: "smooth",
     opacity: 1,

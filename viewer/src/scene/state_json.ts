@@ -43,7 +43,7 @@ const hasFields =
 const kLight = { on: isBoolean, color: isColor, brightness: isNumber(0, 100) };
 
 const isScheme: Check = (value) =>
-  hasFields({ by: isOneOf("one") })(value) ||
+  hasFields({ by: isOneOf("one", "position") })(value) ||
   hasFields({ by: isOneOf("gradient"), from: isColor, to: isColor })(value) ||
   hasFields({
     by: isOneOf("attribute"),
@@ -77,8 +77,9 @@ const kFields: Readonly<Record<Exclude<keyof SceneState, "overrides">, Readonly<
   },
   appearance: {
     faces: isBoolean,
+    vertices: isBoolean,
     edges: isOneOf("none", "features", "all"),
-    shading: isOneOf("smooth", "flat"),
+    shading: isOneOf("smooth", "flat", "unlit"),
     opacity: isNumber(0, 1),
     color: isColor,
     edgeColor: isColor,

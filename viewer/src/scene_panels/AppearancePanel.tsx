@@ -16,6 +16,7 @@ export function AppearancePanel({ view }: { view: SceneView }) {
   return (
     <Section title="Appearance" testId="appearance-panel" onReset={() => view.reset("appearance")}>
       <Check label="Faces" checked={appearance.faces} onChange={(faces) => set({ faces })} />
+      <Check label="Vertices" checked={appearance.vertices} onChange={(vertices) => set({ vertices })} />
       <Segments
         label="Edges"
         value={appearance.edges}
@@ -32,6 +33,7 @@ export function AppearancePanel({ view }: { view: SceneView }) {
         options={[
           { id: "smooth", title: "Smooth" },
           { id: "flat", title: "Flat" },
+          { id: "unlit", title: "No light" },
         ]}
         onChange={(shading) => set({ shading })}
       />
@@ -91,7 +93,7 @@ function SchemeFields({ view, scheme }: { view: SceneView; scheme: ColorScheme }
   const attributes = view.attributes;
   const first = attributes[0];
   const choose = (by: ColorScheme["by"]): void => {
-    if (by === "one") set({ by });
+    if (by === "one" || by === "position") set({ by });
     else if (by === "gradient") set(kGradient);
     else if (first) set({ by, attribute: first.name, palette: "viridis" });
   };
@@ -102,6 +104,7 @@ function SchemeFields({ view, scheme }: { view: SceneView; scheme: ColorScheme }
         value={scheme.by}
         options={[
           { id: "one", title: "One colour" },
+          { id: "position", title: "By position" },
           { id: "gradient", title: "Gradient over the rows" },
           ...(first ? [{ id: "attribute", title: "By an attribute" } as const] : []),
         ]}

@@ -1,5 +1,7 @@
 /** The operations of the split screen, written as expressions of the query language. */
 
+import type { Transformation } from "../scene/api";
+
 export const meshTypes = ["volume3d", "surface3d", "mesh3d"] as const;
 export type MeshType = (typeof meshTypes)[number];
 
@@ -53,10 +55,9 @@ export function limit(type: MeshType, scheme: LimitScheme, steps: number): Opera
 /** Fewer triangles: a share of them, 0 to 1. */
 export function simplification(type: MeshType, share: number): Operation {
   const mesh = type === "mesh3d" ? "triangulate($a)" : "$a";
-  const ratio = Number.isInteger(share) ? share.toFixed(1) : String(share);
   return {
     label: `simplify to ${Math.round(share * 100)} %`,
-    expression: `simplify(${mesh}, "ratio", ${ratio})`,
+    expression: `simplify(${mesh}, "ratio", ${real(share)})`,
     needsOther: false,
   };
 }
@@ -72,8 +73,35 @@ export function setOperation(operation: SetOperation, type: MeshType, other: Mes
   return { label: `${operation} with the other side`, expression, needsOther: true };
 }
 
-export function vertexMove(type: MeshType, vertex: number, to: readonly [number, number, number]): Operation {
-  const point = `[const point3d value (${to.map(coordinate).join(" ")})]`;
+/** Faces of more than three corners become triangles; a mesh of a solid or surface consists of triangles. */
+export function triangulation(type: MeshType): Operation {
+  return { label: "triangulate", expression: asMesh(type, true), needsOther: false };
+}
+
+type Triple = readonly [number, number, number];
+const constant = (type: "point3d" | "vector3d", numbers: Triple) =>
+  `[const ${type} value (${numbers.map(coordinate).join(" ")})]`;
+
+/** An affine map of a mesh of any type. */
+export function transformation(map: Transformation): Operation {
+  const made = (label: string, call: string) => ({ label, expression: `$a ${call}`, needsOther: false });
+  switch (map.mode) {
+    case "translate":
+      return made("move", `translate[${constant("vector3d", map.by)}]`);
+    case "scale":
+      return made(
+        "scale",
+        `scaleDir[${constant("point3d", map.about)}, ${constant("vector3d", map.factors)}]`,
+      );
+    case "rotate": {
+      const axis = `${constant("point3d", map.about)}, ${constant("vector3d", map.axis)}`;
+      return made("turn", `rotate[${axis}, ${real(map.degrees)}]`);
+    }
+  }
+}
+
+export function vertexMove(type: MeshType, vertex: number, to: Triple): Operation {
+  const point = constant("point3d", to);
   const mesh = type === "mesh3d" ? "$a" : asMesh(type, true);
   return {
     label: `move vertex ${vertex}`,
@@ -85,7 +113,7 @@ export function vertexMove(type: MeshType, vertex: number, to: readonly [number,
 const kWords = new Set(
   (
     "query subdivide limitPosition simplify dual triangulate volume2mesh surface2mesh mesh2volume moveVertex " +
-    "union intersection minus const point3d value TRUE e"
+    "union intersection minus translate scaleDir rotate const point3d vector3d value TRUE e"
   ).split(" "),
 );
 
@@ -102,6 +130,11 @@ export function isWorkbenchStatement(text: string): boolean {
 /** A number in the notation of the language, with all its digits. */
 function coordinate(value: number): string {
   return Object.is(value, -0) ? "0" : String(value);
+}
+
+/** A number that the language takes for a real. */
+function real(value: number): string {
+  return Number.isInteger(value) ? value.toFixed(1) : coordinate(value);
 }
 
 /** Counts of a mesh as one row. */

@@ -176,6 +176,43 @@ test("the triangles that are left out, since they show their backs, are not miss
   }
 });
 
+test("vertices of faces are drawn, of one object and of many", async () => {
+  for (const [statement, vertices] of [
+    ["query Cube", 7], // that are seen
+    ["query Row", 4 * 7 - 6],
+  ] as const) {
+    await show(statement);
+    await setColor(page, "appearance", "Edge colour", "#0000ff");
+    await choose(page, "appearance", "Edges", "None");
+    await field(page, "appearance", "Vertices").setChecked(false);
+    expect((await stillScene(page)).count(isBluish)).toBe(0);
+    await field(page, "appearance", "Point size").fill("10");
+    await field(page, "appearance", "Vertices").setChecked(true);
+    const drawn = (await stillScene(page)).count(isBluish);
+    // Those at the outline are half hidden at most.
+    expect(drawn).toBeGreaterThan(vertices * 30);
+    expect(drawn).toBeLessThan((vertices + 7) * 90);
+  }
+});
+
+test("colours by position go from corner to corner, and without light they are the same on all sides", async () => {
+  await show("query Cube");
+  await choose(page, "appearance", "Edges", "None");
+  await field(page, "appearance", "Colouring").selectOption("position");
+  await choose(page, "appearance", "Shading", "No light");
+  await frontView(page);
+  const picture = await stillScene(page);
+  await takePicture(page, "scene-by-position");
+  const half = 0.9 * halfSide(await sceneSize(page));
+  const at = (right: number, up: number) =>
+    picture.at(Math.round(picture.width / 2 + right * half), Math.round(picture.height / 2 - up * half));
+  // Seen from the front, x goes to the right and z up; y is the least.
+  const [lowLeft, lowRight, highLeft] = [at(-1, -1), at(1, -1), at(-1, 1)];
+  expect(lowRight[0]).toBeGreaterThan(lowLeft[0] + 100);
+  expect(highLeft[2]).toBeGreaterThan(lowLeft[2] + 100);
+  expect(Math.abs(highLeft[1] - lowRight[1])).toBeLessThan(10);
+});
+
 test("points have the chosen size and colour", async () => {
   await show("query Cloud");
   await press(page, "-"); // so that the toolbar covers no point

@@ -1,63 +1,17 @@
-import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from "vitest";
+import { beforeEach, expect, test } from "vitest";
 import type { Page } from "playwright-core";
-import { boxOf, expectNoErrors, ready, stillScene } from "./support/actions";
+import { boxOf, expectNoErrors, stillScene } from "./support/actions";
 import { Browser, takePicture } from "./support/browser";
-import { topRight, touchesSides } from "./support/picture";
-import { Server } from "./support/server";
+import { CompareSession, sceneOf } from "./support/compare";
+import { touchesSides } from "./support/picture";
 
-type SideName = "left" | "right";
-
-let server: Server;
-let browser: Browser;
+const session = new CompareSession();
+const { side, load, press, expectSteps, expectFact } = session;
 let page: Page;
 
-const side = (name: SideName) => page.getByTestId(`side-${name}`);
-const sceneOf = (name: SideName) => `[data-testid="side-${name}"] .scene-canvas`;
-
-/** Waits until the steps that made the mesh of a side read like this. */
-async function expectSteps(name: SideName, text: RegExp): Promise<void> {
-  const steps = side(name).locator(".steps");
-  await expect.poll(() => steps.innerText(), { timeout: 30_000 }).toMatch(text);
-}
-
-async function load(name: SideName, object: string): Promise<void> {
-  await side(name).getByLabel("Mesh of this side").selectOption(object);
-  await expectSteps(name, new RegExp(`(^|› )${object}$`));
-  await side(name).getByTestId("facts").waitFor();
-  await stillScene(page, sceneOf(name));
-}
-
-async function press(name: SideName, button: string): Promise<void> {
-  await side(name).getByRole("button", { name: button, exact: true }).click();
-}
-
-/** Waits until a number of the statistics has a value. */
-async function expectFact(name: SideName, fact: string, value: string): Promise<void> {
-  const place = side(name).locator(`[data-fact="${fact}"]`);
-  await expect.poll(() => place.innerText(), { timeout: 30_000 }).toBe(value);
-}
-
-beforeAll(async () => {
-  server = await Server.start([
-    "let Cube = createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))",
-    "let Ball = createSphere(makePoint3D(2, 1, 1), 1, 24)",
-  ]);
-  browser = await Browser.start({ width: 1400, height: 900 });
+beforeEach(() => {
+  page = session.page;
 });
-
-afterAll(async () => {
-  await browser.end();
-  await server.remove();
-});
-
-beforeEach(async () => {
-  page = await browser.open(server.url);
-  await page.reload();
-  await ready(page);
-  await page.getByRole("button", { name: "Compare" }).click();
-});
-
-afterEach(() => expectNoErrors(browser.errors));
 
 test("two meshes stand side by side with their statistics", async () => {
   await load("left", "Cube");
@@ -112,11 +66,11 @@ test("steps are undone and redone, and the result is saved", async () => {
   await side("left").getByLabel("Name of the new object").fill("Round");
   await press("left", "Save");
   await page.getByTestId("objects").getByText("Round").waitFor();
-  expect(await server.run("query size(Round)")).toMatchObject({ value: 24 });
+  expect(await session.server.run("query size(Round)")).toMatchObject({ value: 24 });
 });
 
 test("another mesh for a side is fitted", async () => {
-  await server.run("let Hall = createCube(makePoint3D(0, 0, 0), makePoint3D(100, 100, 100))");
+  await session.server.run("let Hall = createCube(makePoint3D(0, 0, 0), makePoint3D(100, 100, 100))");
   await page.getByRole("button", { name: "Read the list again" }).click();
   await load("left", "Hall");
   await stillScene(page, sceneOf("left"));
@@ -150,7 +104,7 @@ test("an undone step is computed again if the server has dropped it", async () =
   await expectFact("left", "Faces", "48");
   await press("left", "Subdivide");
   await expectFact("left", "Faces", "192");
-  for (let count = 0; count < 70; count++) await server.run("query Cube");
+  for (let count = 0; count < 70; count++) await session.server.run("query Cube");
   await press("left", "Undo");
   await expectFact("left", "Faces", "48");
   expect(await side("left").locator(".callout.error").count()).toBe(0);
@@ -235,56 +189,6 @@ test("a key goes to the scene that has just got the focus", async () => {
   expect((await stillScene(page, sceneOf("left"))).difference(before.left)).toBe(0);
 });
 
-test("a vertex is dragged in the plane of its normal", async () => {
-  await load("left", "Cube");
-  await expectFact("left", "Volume", "8");
-  await press("left", "Vertex ↔ plane");
-  await stillScene(page, sceneOf("left"));
-  const box = await boxOf(page, sceneOf("left"));
-  // In the isometric view the nearest corner is in the middle.
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + 70, y, { steps: 8 });
-  await takePicture(page, "compare-drag");
-  await page.mouse.up();
-  await expectSteps("left", /Cube › move vertex \d/);
-  await expectFact("left", "Vertices", "8");
-  await expect
-    .poll(() => side("left").locator('[data-fact="Area"]').innerText(), { timeout: 20_000 })
-    .not.toBe("24");
-  await press("left", "Undo");
-  await expectFact("left", "Area", "24");
-});
-
-test("a vertex is dragged along its normal", async () => {
-  await load("left", "Cube");
-  await expectFact("left", "Volume", "8");
-  const scene = page.locator(sceneOf("left"));
-  await scene.focus();
-  await page.keyboard.press("1");
-  await page.keyboard.press("5");
-  await page.keyboard.press("-"); // so that the corner is not at the edge of the view
-  await page.keyboard.press("-");
-  const corner = topRight(await stillScene(page, sceneOf("left")));
-  await press("left", "Vertex ↕ normal");
-  await stillScene(page, sceneOf("left")); // the corners are drawn, and can be caught
-  const box = await boxOf(page, sceneOf("left"));
-  const [x, y] = [box.x + corner.x - 1, box.y + corner.y + 1];
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  // To the right only: along the normal it goes up as well, and towards the eye.
-  await page.mouse.move(x + 60, y, { steps: 8 });
-  await takePicture(page, "compare-drag-normal");
-  await page.mouse.up();
-  await expectSteps("left", /Cube › move vertex \d/);
-  await expect
-    .poll(async () => Number(await side("left").locator('[data-fact="Volume"]').innerText()), {
-      timeout: 20_000,
-    })
-    .toBeGreaterThan(8.05);
-});
-
 test("a link restores the split screen", async () => {
   await load("left", "Cube");
   await side("left").getByLabel("Scheme").selectOption("catmull-clark");
@@ -324,7 +228,7 @@ test("a link restores the split screen", async () => {
 });
 
 test("a link restores its cameras also where other meshes are shown", async () => {
-  await server.run("let_ Yard = createCube(makePoint3D(0, 0, 0), makePoint3D(50, 50, 50))");
+  await session.server.run("let_ Yard = createCube(makePoint3D(0, 0, 0), makePoint3D(50, 50, 50))");
   await page.getByRole("button", { name: "Read the list again" }).click();
   await load("left", "Cube");
   await load("right", "Ball");
@@ -382,7 +286,9 @@ test("a running step is stopped, and what was there stays", async () => {
 });
 
 test("an operation that is not possible says why", async () => {
-  await server.run("let Flat = [const surface3d value (((0 0 0) (2 0 0) (0 2 0)))]").catch(() => undefined);
+  await session.server
+    .run("let Flat = [const surface3d value (((0 0 0) (2 0 0) (0 2 0)))]")
+    .catch(() => undefined);
   await page.getByRole("button", { name: "Read the list again" }).click();
   await load("left", "Flat");
   await load("right", "Cube");

@@ -1,11 +1,11 @@
 import { effect, untracked } from "@preact/signals";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { createSceneView } from "../../scene";
-import type { SceneView } from "../../scene/api";
+import type { SceneView, Transformation } from "../../scene/api";
 import { readBytes, shapeSource } from "../../state/shape_source";
 import type { Store } from "../../state/store";
 import { cellOf, chosenOf, type Side, type SideName, type Step } from "../../state/workbench";
-import { vertexMove } from "../../state/workbench_operations";
+import { transformation, vertexMove } from "../../state/workbench_operations";
 import { SceneToolbar, SectionReadout } from "../../scene_panels";
 import { useApp } from "../context";
 import { panelDatabase } from "../panel_database";
@@ -90,7 +90,7 @@ export function CompareSide({ name, onView }: Props) {
 const colors = { left: "#7fa3d4", right: "#d6a15b" } as const;
 
 /**
- * Keeps a scene in step with a side: its mesh, the control mesh, the theme, dragged vertices. Tells `onComing` whether
+ * Keeps a scene in step with a side: its mesh, the control mesh, the theme, what is dragged. Tells `onComing` whether
  * the mesh is still on its way.
  */
 function bindSide(
@@ -127,8 +127,15 @@ function bindSide(
     view.on("vertex", ({ vertex, to, finished }) => {
       if (finished) void side.apply((type) => vertexMove(type, vertex, to));
     }),
+    view.on("transform", ({ transformation: map }) => void transform(view, side, map)),
   ];
   return () => ends.forEach((end) => end());
+}
+
+async function transform(view: SceneView, side: Side, map: Transformation): Promise<void> {
+  await side.apply(() => transformation(map));
+  // What failed is taken back; what came out replaces what is seen.
+  if (side.error.peek() && view.transformTarget) view.transformTarget = { ...view.transformTarget };
 }
 
 /** Adds the mesh of a step; the one before it stays until this one is there. */
@@ -142,6 +149,7 @@ function showStep(view: SceneView, step: Step | null, side: Side, store: Store):
     view.addResult(shapeSource(store.client, step.outcome, cell.column, step.label));
   view.update({ overrides: [{ cell, color: colors[side.name] }] });
   if (view.vertexTarget) view.vertexTarget = { ...view.vertexTarget, cell };
+  if (view.transformTarget) view.transformTarget = { ...view.transformTarget, cell };
 }
 
 /** Whether a scene has the mesh of a step. */

@@ -9,6 +9,7 @@ import {
   setOperations,
   simplification,
   subdivision,
+  triangulation,
   type LimitScheme,
   type Scheme,
   type SetOperation,
@@ -32,7 +33,10 @@ export function Operations({ side, view }: Props) {
         <button type="button" class="btn" onClick={() => void side.apply(dual)}>
           Dual
         </button>
-        <MoveVertices side={side} view={view} />
+        <button type="button" class="btn" onClick={() => void side.apply(triangulation)}>
+          Triangulate
+        </button>
+        <Drags side={side} view={view} />
       </div>
     </fieldset>
   );
@@ -151,37 +155,40 @@ function SetOperations({ side }: { side: Side }) {
   );
 }
 
-type Along = "normal" | "plane";
+const drags = [
+  { id: "normal", label: "Vertex ↕ normal", title: "Drag a vertex along its normal" },
+  { id: "plane", label: "Vertex ↔ plane", title: "Drag a vertex in the plane of its normal" },
+  { id: "translate", label: "Move", title: "Drag arrows that move the mesh" },
+  { id: "rotate", label: "Turn", title: "Drag rings that turn the mesh about its middle" },
+  { id: "scale", label: "Scale", title: "Drag boxes that scale the mesh about its middle" },
+] as const;
+type Drag = (typeof drags)[number]["id"];
 
-/** Dragging of vertices in the scene. */
-function MoveVertices({ side, view }: Props) {
-  const [along, setAlong] = useState<Along | null>(null);
+/** What is dragged in the scene: vertices, or the whole mesh by a handle. */
+function Drags({ side, view }: Props) {
+  const [drag, setDrag] = useState<Drag | null>(null);
   const step = side.step.value;
   useEffect(() => {
-    view.tool = along ? "vertex" : "select";
-    view.vertexTarget = along && step ? { cell: cellOf(step), along } : null;
-  }, [view, along, step]);
-  const choose = (value: Along) => setAlong(along === value ? null : value);
+    const cell = drag && step && cellOf(step);
+    const isVertex = drag === "normal" || drag === "plane";
+    view.tool = isVertex ? "vertex" : "select";
+    view.vertexTarget = cell && isVertex ? { cell, along: drag } : null;
+    view.transformTarget = cell && !isVertex ? { cell, mode: drag } : null;
+  }, [view, drag, step]);
   return (
-    <div class="btn-group" role="group" aria-label="Drag vertices">
-      <button
-        type="button"
-        class="btn"
-        aria-pressed={along === "normal"}
-        title="Drag a vertex along its normal"
-        onClick={() => choose("normal")}
-      >
-        Vertex ↕ normal
-      </button>
-      <button
-        type="button"
-        class="btn"
-        aria-pressed={along === "plane"}
-        title="Drag a vertex in the plane of its normal"
-        onClick={() => choose("plane")}
-      >
-        Vertex ↔ plane
-      </button>
+    <div class="btn-group" role="group" aria-label="Drag in the scene">
+      {drags.map(({ id, label, title }) => (
+        <button
+          key={id}
+          type="button"
+          class="btn"
+          aria-pressed={drag === id}
+          title={title}
+          onClick={() => setDrag(drag === id ? null : id)}
+        >
+          {label}
+        </button>
+      ))}
     </div>
   );
 }
