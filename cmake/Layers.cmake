@@ -3,7 +3,7 @@
 # The library algebra3d_NAME of all sources in `folder` and the folders in it. Its headers are reached through an include
 # folder that holds nothing but a link to `folder`; so a source compiles only if each of its includes lies in its own
 # layer or in one that it uses. A folder without sources gives a layer of headers; a folder that is not there gives none.
-# PUBLIC is a folder below include/ with headers of the layer that users of the libraries include.
+# PUBLIC is a folder below include/ with headers of the layer that users of the libraries include, or one such header.
 # LIBRARIES are names of algebra3d-dependencies.cmake.
 function(add_layer name)
   cmake_parse_arguments(layer "" "FOLDER;PUBLIC" "USES;LIBRARIES" ${ARGN})
@@ -17,7 +17,9 @@ function(add_layer name)
 
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer_FOLDER}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer_FOLDER}/*.h)
-  if(layer_PUBLIC)
+  if(layer_PUBLIC MATCHES "\\.h$")
+    list(APPEND headers ${PROJECT_SOURCE_DIR}/${layer_PUBLIC})
+  elseif(layer_PUBLIC)
     file(GLOB_RECURSE public_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer_PUBLIC}/*.h)
     list(APPEND headers ${public_headers})
   endif()

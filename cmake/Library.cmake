@@ -13,7 +13,7 @@ configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/public/algebra3d/version
 # add_public_library(NAME [USES library...] FOLDERS folder...)
 #
 # The library algebra3d::NAME of the layer NAME and those below it, without those of the libraries that it uses. FOLDERS
-# of include/algebra3d hold the headers that its users may include.
+# of include/algebra3d, or single headers there, are what its users may include.
 function(add_public_library name)
   cmake_parse_arguments(library "" "" "USES;FOLDERS" ${ARGN})
   set(target algebra3d_${name}_library)
@@ -50,7 +50,11 @@ function(add_public_library name)
   foreach(folder ${library_FOLDERS})
     file(CREATE_LINK ${PROJECT_SOURCE_DIR}/include/algebra3d/${folder} ${PROJECT_BINARY_DIR}/public/algebra3d/${folder} SYMBOLIC)
     if(ALGEBRA3D_INSTALL)
-      install(DIRECTORY include/algebra3d/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/algebra3d COMPONENT development)
+      set(kind DIRECTORY)
+      if(folder MATCHES "\\.h$")
+        set(kind FILES)
+      endif()
+      install(${kind} include/algebra3d/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/algebra3d COMPONENT development)
     endif()
   endforeach()
   if(ALGEBRA3D_INSTALL)
@@ -99,6 +103,7 @@ endfunction()
 
 add_public_library(geometry FOLDERS base geometry)
 add_public_library(database USES geometry FOLDERS database)
+add_public_library(c FOLDERS c.h)
 
 # What find_package(algebra3d) and `pkg-config algebra3d` read.
 if(ALGEBRA3D_INSTALL)

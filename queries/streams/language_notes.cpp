@@ -4,7 +4,7 @@
 namespace queries {
 
 void register_language_notes(algebra3d::Registry& registry) {
-  for (const char* name : {"sum", "avg", "min", "max", "union_aggr", "intersection_aggr"})
+  for (const char* name : {"sum", "avg", "min", "max", "union_aggr", "intersection_aggr", "extent"})
     registry.add_language_note(name, std::string("In `groupby`, for each group: `group feed ") + name + "[A]`.");
   for (const char* name : {"=", "#"})
     registry.add_language_note(

@@ -171,6 +171,7 @@ constexpr std::array kStatements = {
     "query Balls feed closestSelfPair[Ball] count",
     "query Numbers feed projectextend[; P: makePoint3D(.Elem * 0.000001, 0.0, 0.0)] pointsInside[P, Fractions] count",
     "query Balls feed union_aggr[Ball]",
+    "query Balls feed extent[Ball]",
     "query importCSV('numbers.csv') count",
     "query importJSON('numbers.json') count",
 };

@@ -91,7 +91,6 @@ constexpr const char* kMeaningOfDistance =
 void register_distances(Registry& registry) {
   registry.add({
       .name = "distance",
-      .host_name = "distance_between",
       .syntax = "distance(_, _)",
       .doc = "The smallest distance of a point of one set and a point of the other, in coordinate units.",
       .detail = std::string(kMeaningOfDistance) +

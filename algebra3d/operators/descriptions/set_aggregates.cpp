@@ -1,6 +1,7 @@
-// union_aggr, intersection_aggr: one solid or set of points of many.
+// union_aggr, intersection_aggr, extent: one solid, set of points or box of many.
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "algebra3d/operators/registry/aggregate.h"
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/constructions/solid_sets.h"
+#include "algebra3d/values/types/mesh3d.h"
+#include "algebra3d/values/types/spatial.h"
 #include "base/propagate.h"
 
 namespace algebra3d {
@@ -93,6 +96,38 @@ class IntersectionOfPoints {
   std::optional<Points3d> common_;
 };
 
+/// The box around the boxes of values of any spatial type.
+class Extent final : public AggregateState {
+ public:
+  Status step(const Value& value, Context& /*context*/) override {
+    extend(value.header().box);
+    return {};
+  }
+  Status combine(AggregateState& later, Context& /*context*/) override {
+    extend(static_cast<Extent&>(later).box_);
+    return {};
+  }
+  Result<Outcome> finish(Context& /*context*/) override {
+    if (box_.is_empty()) return Outcome(Undefined{"there is no defined value with a point"});
+    return Outcome(Value::of(box_));
+  }
+
+ private:
+  void extend(const Box3& box) {
+    if (!box.is_empty()) box_.extend(box);
+  }
+
+  Box3 box_;
+};
+
+Overload extent(const Type& type) {
+  Overload overload;
+  overload.parameters = {{"values", &type, true}};
+  overload.result = &TypeOf<Box3>::type();
+  overload.start = [] { return std::make_unique<Extent>(); };
+  return overload;
+}
+
 /// The overload, made to report how many undefined values it left out.
 Overload counting_undefined(Overload overload) {
   overload.counts_undefined = true;
@@ -108,6 +143,7 @@ std::string cube_from(int x) {
 void register_set_aggregates(Registry& registry) {
   registry.add({
       .name = "union_aggr",
+      .host_name = "union_agg",
       .doc = "The union of the defined solids or sets of points; empty if there are none.",
       .detail = "All solids are united at once, not one after the other. Undefined values are left out, with a note.",
       .exactness = Exactness::exact,
@@ -123,6 +159,7 @@ void register_set_aggregates(Registry& registry) {
   });
   registry.add({
       .name = "intersection_aggr",
+      .host_name = "intersection_agg",
       .doc = "The intersection of the defined solids or sets of points; undefined if there are none.",
       .detail = "Undefined values are left out, with a note.",
       .exactness = Exactness::exact,
@@ -135,6 +172,20 @@ void register_set_aggregates(Registry& registry) {
                     "((0.0 0.0 1.0))"},
                    {{"(volume3d)"}, "undefined"}},
       .errors = {{{"1"}, "intersection_aggr: expected values of type volume3d or points3d, got int"}},
+  });
+  registry.add({
+      .name = "extent",
+      .doc = "The smallest box of doubles around all defined values; undefined if they have no point.",
+      .detail = "Rounded outward if coordinates are not doubles. Undefined and empty values are left out.",
+      .exactness = Exactness::outward,
+      .cost = Cost::linear,
+      .overloads = {extent(TypeOf<Point3d>::type()), extent(TypeOf<Points3d>::type()),
+                    extent(TypeOf<Surface3d>::type()), extent(TypeOf<Volume3d>::type()),
+                    extent(TypeOf<Mesh3d>::type()), extent(TypeOf<Box3>::type())},
+      .examples = {{{cube_from(0), "(volume3d ())", cube_from(5)}, "(0.0 7.0 0.0 2.0 0.0 2.0)"},
+                   {{"(point3d (1 2 3))", "(point3d undefined)", "(point3d (0 4 3))"}, "(0.0 1.0 2.0 4.0 3.0 3.0)"},
+                   {{"(volume3d)"}, "undefined"}},
+      .errors = {{{"1"}, "extent: expected values of type point3d, points3d, surface3d, volume3d, mesh3d or rect3"}},
   });
 }
 

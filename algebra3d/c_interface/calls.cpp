@@ -1,0 +1,120 @@
+#include <memory>
+
+#include "algebra3d/c_interface/detail/functions.h"
+#include "algebra3d/c_interface/detail/session.h"
+#include "algebra3d/operators/registry/aggregate.h"
+#include "algebra3d/operators/registry/registry.h"
+#include "base/propagate.h"
+
+using algebra3d::Aggregation;
+using algebra3d::Context;
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::Registry;
+using algebra3d::Result;
+using algebra3d::Row;
+using algebra3d::RowSourcePtr;
+using algebra3d::Status;
+using algebra3d::Value;
+using algebra3d::c_interface::done;
+using algebra3d::c_interface::Function;
+using algebra3d::c_interface::function_of;
+using algebra3d::c_interface::made;
+
+struct a3d_rows {
+  RowSourcePtr source;
+  std::size_t column_count;
+};
+
+struct a3d_aggregate {
+  explicit a3d_aggregate(const Function& function) : content(function.call) {}
+
+  Aggregation content;
+};
+
+namespace {
+
+/// Copies of the arguments. Errors: wrong_usage for a function of another kind; type_error for another number of
+/// arguments.
+Result<std::vector<Value>> values_for(const Function& function, a3d_kind kind, a3d_value* const* arguments,
+                                      std::size_t count) {
+  const a3d_function& description = function.description;
+  if (description.kind != kind)
+    return Error{ErrorCode::wrong_usage, "'{}' is {}", description.name, describe(function.call.overload->kind())};
+  if (count != description.parameter_count)
+    return Error{ErrorCode::type_error, "'{}' takes {} arguments, got {}", description.name,
+                 description.parameter_count, count};
+  std::vector<Value> values;
+  values.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) values.push_back(arguments[i]->content);
+  return values;
+}
+
+}  // namespace
+
+a3d_status a3d_call(a3d_session* session, const a3d_function* function, a3d_value* const* arguments, size_t count,
+                    a3d_value** result) {
+  return made(session, result, [&](Context& context) -> Result<Value> {
+    const Function& called = function_of(function);
+    A3D_ASSIGN(std::vector<Value> values, values_for(called, A3D_SCALAR, arguments, count));
+    return Registry::call(called.call, values, context);
+  });
+}
+
+a3d_status a3d_open_rows(a3d_session* session, const a3d_function* function, a3d_value* const* arguments, size_t count,
+                         a3d_rows** result) {
+  return done(
+      session,
+      [&](Context& context) -> Result<RowSourcePtr> {
+        const Function& called = function_of(function);
+        A3D_ASSIGN(std::vector<Value> values, values_for(called, A3D_TABLE, arguments, count));
+        return Registry::rows(called.call, values, context);
+      },
+      [&](RowSourcePtr source) {
+        *result = new a3d_rows{std::move(source), function->column_count};
+      });
+}
+
+a3d_status a3d_next_row(a3d_session* session, a3d_rows* rows, a3d_value** cells) {
+  bool is_end = false;
+  const a3d_status status = done(
+      session, [&](Context& context) { return rows->source->next(context); },
+      [&](std::optional<Row> row) {
+        is_end = !row;
+        if (is_end) return;
+        std::vector<std::unique_ptr<a3d_value>> made;
+        for (Value& cell : *row) made.push_back(std::make_unique<a3d_value>(std::move(cell)));
+        for (std::size_t i = 0; i < rows->column_count; ++i) cells[i] = made[i].release();
+      });
+  return status == A3D_OK && is_end ? A3D_END : status;
+}
+
+void a3d_close_rows(a3d_rows* rows) {
+  delete rows;
+}
+
+a3d_status a3d_open_aggregate(a3d_session* session, const a3d_function* function, a3d_aggregate** result) {
+  return done(session, [&](Context&) -> Status {
+    const Function& called = function_of(function);
+    if (called.description.kind != A3D_AGGREGATE)
+      return Error{ErrorCode::wrong_usage, "'{}' is {}", function->name, describe(called.call.overload->kind())};
+    *result = new a3d_aggregate(called);
+    return {};
+  });
+}
+
+a3d_status a3d_step(a3d_session* session, a3d_aggregate* aggregate, const a3d_value* value) {
+  return done(session, [&](Context& context) { return aggregate->content.step(value->content, context); });
+}
+
+a3d_status a3d_combine(a3d_session* session, a3d_aggregate* aggregate, a3d_aggregate* later) {
+  return done(session, [&](Context& context) { return aggregate->content.combine(later->content, context); });
+}
+
+a3d_status a3d_finish(a3d_session* session, a3d_aggregate* aggregate, a3d_value** result) {
+  return made(session, result, [&](Context& context) { return aggregate->content.finish(context); });
+}
+
+void a3d_close_aggregate(a3d_aggregate* aggregate) {
+  delete aggregate;
+}

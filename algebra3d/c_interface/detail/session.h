@@ -1,0 +1,86 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/c.h"
+#include "algebra3d/values/types/value.h"
+#include "base/context.h"
+#include "base/diagnostics.h"
+#include "base/memory_limit.h"
+#include "base/scheduler.h"
+#include "base/without_exceptions.h"
+
+struct a3d_session {
+  algebra3d::MemoryUser memory;
+  std::atomic<bool> is_cancelled = false;
+  std::uint32_t threads = 1;
+  std::filesystem::path folder;
+  algebra3d::Diagnostics diagnostics;
+  std::vector<std::string> notices;
+  a3d_error error = {};
+
+  algebra3d::Context context() { return {diagnostics, &is_cancelled, algebra3d::WorkingFolder(folder)}; }
+  a3d_status fail(const algebra3d::Error& failure) noexcept;
+};
+
+/// Counted by its owners, as all that C code holds.
+struct a3d_value {
+  explicit a3d_value(algebra3d::Value its_content) : content(std::move(its_content)) {}
+
+  const algebra3d::Value content;
+  std::atomic<std::size_t> owners = 1;
+};
+
+namespace algebra3d::c_interface {
+
+/// Does the work of a session: `work(context)` returns a Status, or a Result, whose value `take` gets. Nothing is
+/// thrown; an error becomes that of the session.
+template <typename Work, typename Take>
+a3d_status done(a3d_session* session, const Work& work, const Take& take) noexcept {
+  const MemoryUserScope memory(&session->memory);
+  using Returned = std::invoke_result_t<const Work&, Context&>;
+  const Status status = without_exceptions([&]() -> Status {
+    const InterruptionScope interruption(&session->is_cancelled);
+    std::optional<Returned> returned;
+    const auto call = [&] {
+      Context context = session->context();
+      returned.emplace(work(context));
+    };
+    if (session->threads == 0)
+      call();
+    else
+      with_threads(static_cast<int>(session->threads), call);
+    if (!returned->ok()) return std::move(*returned).error();
+    if constexpr (!std::is_same_v<Returned, Status>) take(std::move(*returned).value());
+    return {};
+  });
+  return status.ok() ? A3D_OK : session->fail(status.error());
+}
+
+template <typename Work>
+a3d_status done(a3d_session* session, const Work& work) noexcept {
+  return done(session, work, [](const auto&) {});
+}
+
+/// For work that returns a Value.
+template <typename Work>
+a3d_status made(a3d_session* session, a3d_value** result, const Work& work) noexcept {
+  return done(session, work, [&](Value value) { *result = new a3d_value(std::move(value)); });
+}
+
+/// The type of that name. Errors: unknown_name.
+Result<const Type*> type_named(std::string_view name);
+
+/// The bytes for C code; `*result` owns them.
+void give(std::string bytes, a3d_bytes* result);
+
+}  // namespace algebra3d::c_interface

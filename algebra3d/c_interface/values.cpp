@@ -1,0 +1,199 @@
+#include <cmath>
+
+#include "algebra3d/c_interface/detail/functions.h"
+#include "algebra3d/c_interface/detail/session.h"
+#include "algebra3d/values/types/codec.h"
+#include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/utf8.h"
+#include "algebra3d/values/types/value_text.h"
+#include "base/propagate.h"
+
+namespace algebra3d::c_interface {
+
+Result<const Type*> type_named(std::string_view name) {
+  if (const Type* const type = operators().find_type(name)) return type;
+  return Error{ErrorCode::unknown_name, "there is no type '{}'", name};
+}
+
+namespace {
+
+/// Errors: type_error.
+Status check_same_type(const Value& a, const Value& b) {
+  if (&a.type() == &b.type()) return {};
+  return Error{ErrorCode::type_error, "expected two values of one type, got {} and {}", a.type().name(),
+               b.type().name()};
+}
+
+void write(const GeometryHeader& header, a3d_header* result) {
+  const auto& [box, count] = header;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    result->min[axis] = box.min[axis];
+    result->max[axis] = box.max[axis];
+  }
+  result->count = count;
+}
+
+}  // namespace
+}  // namespace algebra3d::c_interface
+
+using algebra3d::Context;
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::GeometryHeader;
+using algebra3d::NestedList;
+using algebra3d::Origin;
+using algebra3d::Result;
+using algebra3d::Status;
+using algebra3d::Text;
+using algebra3d::Type;
+using algebra3d::TypeOf;
+using algebra3d::Value;
+using algebra3d::c_interface::check_same_type;
+using algebra3d::c_interface::done;
+using algebra3d::c_interface::give;
+using algebra3d::c_interface::made;
+using algebra3d::c_interface::type_named;
+using algebra3d::c_interface::write;
+
+a3d_value* a3d_retain(a3d_value* value) {
+  value->owners.fetch_add(1, std::memory_order_relaxed);
+  return value;
+}
+
+void a3d_release(a3d_value* value) {
+  if (value != nullptr && value->owners.fetch_sub(1, std::memory_order_acq_rel) == 1) delete value;
+}
+
+const char* a3d_type_of(const a3d_value* value) {
+  return value->content.type().name().data();  // a literal
+}
+
+int a3d_is_defined(const a3d_value* value) {
+  return value->content.is_defined() ? 1 : 0;
+}
+
+a3d_status a3d_make_undefined(a3d_session* session, const char* type, a3d_value** result) {
+  return made(session, result, [&](Context&) -> Result<Value> {
+    A3D_ASSIGN(const Type* const found, type_named(type));
+    return Value(*found);
+  });
+}
+
+a3d_status a3d_make_int(a3d_session* session, int64_t number, a3d_value** result) {
+  return made(session, result, [&](Context&) -> Result<Value> { return Value::of<std::int64_t>(number); });
+}
+
+a3d_status a3d_make_real(a3d_session* session, double number, a3d_value** result) {
+  return made(session, result, [&](Context&) -> Result<Value> {
+    if (!std::isfinite(number)) return Error{ErrorCode::invalid_value, "{} is no finite number", number};
+    return Value::of<double>(number == 0 ? 0 : number);
+  });
+}
+
+a3d_status a3d_make_bool(a3d_session* session, int truth, a3d_value** result) {
+  return made(session, result, [&](Context&) -> Result<Value> { return Value::of<bool>(truth != 0); });
+}
+
+a3d_status a3d_make_text(a3d_session* session, const char* type, const char* text, size_t size, a3d_value** result) {
+  return made(session, result, [&](Context&) -> Result<Value> {
+    const std::string_view characters(text, size);
+    if (const std::size_t wrong = algebra3d::first_no_text(characters); wrong != std::string::npos)
+      return Error{ErrorCode::invalid_value, "byte {}: {}", wrong + 1, algebra3d::no_text_message(characters[wrong])};
+    A3D_ASSIGN(const Type* const found, type_named(type));
+    if (found == &TypeOf<std::string>::type()) return Value::of<std::string>(std::string(characters));
+    if (found == &TypeOf<Text>::type()) return Value::of<Text>(Text{std::string(characters)});
+    return Error{ErrorCode::type_error, "expected string or text, got {}", type};
+  });
+}
+
+int64_t a3d_int_of(const a3d_value* value) {
+  return value->content.get<std::int64_t>();
+}
+
+double a3d_real_of(const a3d_value* value) {
+  return value->content.get<double>();
+}
+
+int a3d_bool_of(const a3d_value* value) {
+  return value->content.get<bool>() ? 1 : 0;
+}
+
+const char* a3d_text_of(const a3d_value* value, size_t* size) {
+  const std::string& characters = characters_of(value->content);
+  *size = characters.size();
+  return characters.c_str();
+}
+
+a3d_status a3d_encode(a3d_session* session, const a3d_value* value, a3d_bytes* result) {
+  return done(
+      session, [&](Context&) { return algebra3d::encode_to_store(value->content); },
+      [&](std::string bytes) { give(std::move(bytes), result); });
+}
+
+a3d_status a3d_decode(a3d_session* session, const char* type, const char* bytes, size_t size, int is_trusted,
+                      a3d_value** result) {
+  return made(session, result, [&](Context&) -> Result<Value> {
+    A3D_ASSIGN(const Type* const found, type_named(type));
+    return algebra3d::decode(*found, {bytes, size}, is_trusted != 0 ? Origin::own_store : Origin::elsewhere);
+  });
+}
+
+a3d_status a3d_print(a3d_session* session, const a3d_value* value, a3d_bytes* result) {
+  return done(
+      session,
+      [&](Context&) -> Result<std::string> {
+        std::string text;
+        append_text(value->content, text);
+        return text;
+      },
+      [&](std::string text) { give(std::move(text), result); });
+}
+
+a3d_status a3d_parse(a3d_session* session, const char* type, const char* text, size_t size, a3d_value** result) {
+  return made(session, result, [&](Context& context) -> Result<Value> {
+    A3D_ASSIGN(const Type* const found, type_named(type));
+    A3D_ASSIGN(const NestedList list, NestedList::parse({text, size}));
+    return value_from_nested(*found, list, context);
+  });
+}
+
+a3d_status a3d_header_of(a3d_session* session, const a3d_value* value, a3d_header* result) {
+  return done(
+      session,
+      [&](Context&) -> Result<GeometryHeader> {
+        const Type& type = value->content.type();
+        if (!type.has_header() || !value->content.is_defined())
+          return Error{ErrorCode::type_error, "expected a defined spatial value, got {}{}",
+                       value->content.is_defined() ? "a value of type " : "an undefined ", type.name()};
+        return value->content.header();
+      },
+      [&](const GeometryHeader& header) { write(header, result); });
+}
+
+a3d_status a3d_header_of_bytes(a3d_session* session, const char* bytes, size_t size, a3d_header* result) {
+  static_assert(A3D_HEADER_BYTES == algebra3d::kCodecHeaderBytes);
+  return done(
+      session,
+      [&](Context&) {
+        return algebra3d::decode_header({bytes, size});
+      },
+      [&](const GeometryHeader& header) { write(header, result); });
+}
+
+a3d_status a3d_compare(a3d_session* session, const a3d_value* a, const a3d_value* b, int* result) {
+  return done(
+      session,
+      [&](Context&) -> Result<std::strong_ordering> {
+        A3D_TRY(check_same_type(a->content, b->content));
+        return compare(a->content, b->content);
+      },
+      [&](std::strong_ordering order) { *result = order < 0   ? -1
+                                                  : order > 0 ? 1
+                                                              : 0; });
+}
+
+a3d_status a3d_hash(a3d_session* session, const a3d_value* value, uint64_t* result) {
+  return done(
+      session, [&](Context&) -> Result<std::size_t> { return hash(value->content); },
+      [&](std::size_t hashed) { *result = hashed; });
+}
