@@ -24,7 +24,7 @@ endif()
 
 # What a source keeps to itself looks like part of a header there.
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  add_compile_options(-Wno-subobject-linkage)
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
 endif()
 
 if(ALGEBRA3D_SANITIZE STREQUAL thread)

@@ -1,0 +1,180 @@
+/* Functions of SQL that are functions of the library. */
+#include "module.h"
+
+#include "funcapi.h"
+#include "miscadmin.h"
+#include "utils/memutils.h"
+#include "utils/tuplestore.h"
+
+typedef struct Call {
+  a3d_session* session;
+  const a3d_function* function;
+  a3d_value* arguments[8];
+  size_t count;
+  a3d_value* result;
+  a3d_rows* rows;
+  a3d_value** cells;
+} Call;
+
+static a3d_status call(void* given) {
+  Call* c = given;
+  return a3d_call(c->session, c->function, c->arguments, c->count, &c->result);
+}
+
+static a3d_status open_rows(void* given) {
+  Call* c = given;
+  return a3d_open_rows(c->session, c->function, c->arguments, c->count, &c->rows);
+}
+
+static a3d_status next_row(void* given) {
+  Call* c = given;
+  return a3d_next_row(c->session, c->rows, c->cells);
+}
+
+/* The function of the library, found at the first call of a query. */
+static const a3d_function* function_of(FunctionCallInfo fcinfo, const FunctionKey* key) {
+  const a3d_function* function = fcinfo->flinfo->fn_extra;
+  if (function == NULL) {
+    check_status(a3d_find(backend_session(), key->name, key->types, key->parameter_count, &function));
+    fcinfo->flinfo->fn_extra = (void*)function;
+  }
+  return function;
+}
+
+/* Arguments of more points and triangles together make a call of linear cost long. */
+#define MOST_ELEMENTS_AT_ONCE 1000
+
+/* Fills in the arguments; whether the call may take long. */
+static bool prepare(Call* c, FunctionCallInfo fcinfo, const FunctionKey* key) {
+  size_t elements = 0;
+  a3d_header header;
+  c->session = backend_session();
+  c->function = function_of(fcinfo, key);
+  c->count = key->parameter_count;
+  for (int i = 0; i < key->parameter_count; ++i) {
+    if (PG_ARGISNULL(i)) {
+      a3d_value* undefined = NULL;
+      check_status(a3d_make_undefined(c->session, key->types[i], &undefined));
+      c->arguments[i] = owned_value(undefined);
+      continue;
+    }
+    c->arguments[i] = value_of_datum(PG_GETARG_DATUM(i), key->types[i]);
+    if (a3d_header_of(c->session, c->arguments[i], &header) == A3D_OK) elements += header.count;
+  }
+  return c->function->cost > A3D_LINEAR || (c->function->cost == A3D_LINEAR && elements > MOST_ELEMENTS_AT_ONCE);
+}
+
+Datum call_scalar(FunctionCallInfo fcinfo, const FunctionKey* key) {
+  Call c = {0};
+  a3d_status status;
+  CHECK_FOR_INTERRUPTS();
+  status = prepare(&c, fcinfo, key) ? run_aside(call, &c) : call(&c);
+  check_status(status);
+  owned_value(c.result);
+  show_notices();
+  if (!a3d_is_defined(c.result)) PG_RETURN_NULL();
+  return datum_of_value(c.result);
+}
+
+static void close_rows(void* rows) {
+  a3d_close_rows(rows);
+}
+
+Datum call_table(FunctionCallInfo fcinfo, const FunctionKey* key) {
+  ReturnSetInfo* result;
+  Call c = {0};
+  bool is_long;
+  MemoryContext row_memory, before;
+  MemoryContextCallback* closing;
+  Datum* values;
+  bool* nulls;
+  /* Rows of plain values have no composite type. */
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
+  result = (ReturnSetInfo*)fcinfo->resultinfo;
+  is_long = prepare(&c, fcinfo, key);
+  closing = palloc0(sizeof *closing);
+  closing->func = close_rows;
+  values = palloc(c.function->column_count * sizeof *values);
+  nulls = palloc(c.function->column_count * sizeof *nulls);
+  c.cells = palloc(c.function->column_count * sizeof *c.cells);
+  row_memory = AllocSetContextCreate(CurrentMemoryContext, "algebra3d row", ALLOCSET_DEFAULT_SIZES);
+  check_status(is_long ? run_aside(open_rows, &c) : open_rows(&c));
+  closing->arg = c.rows;
+  MemoryContextRegisterResetCallback(CurrentMemoryContext, closing);
+  for (;;) {
+    a3d_status status;
+    CHECK_FOR_INTERRUPTS();
+    status = is_long ? run_aside(next_row, &c) : next_row(&c);
+    if (status == A3D_END) break;
+    check_status(status);
+    before = MemoryContextSwitchTo(row_memory);
+    for (size_t i = 0; i < c.function->column_count; ++i) owned_value(c.cells[i]);
+    for (size_t i = 0; i < c.function->column_count; ++i) {
+      nulls[i] = !a3d_is_defined(c.cells[i]);
+      values[i] = nulls[i] ? (Datum)0 : datum_of_value(c.cells[i]);
+    }
+    MemoryContextSwitchTo(before);
+    tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+    MemoryContextReset(row_memory);
+  }
+  show_notices();
+  return (Datum)0;
+}
+
+/* ---- Aggregates ---- */
+
+typedef struct State {
+  const a3d_function* function;
+  a3d_aggregate* aggregate;
+  a3d_session* session;
+  a3d_value* value;
+  a3d_value* result;
+} State;
+
+static void close_aggregate(void* aggregate) {
+  a3d_close_aggregate(aggregate);
+}
+
+static a3d_status finish(void* given) {
+  State* s = given;
+  return a3d_finish(s->session, s->aggregate, &s->result);
+}
+
+Datum step_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key) {
+  MemoryContext memory, before;
+  State* state;
+  if (!AggCheckCallContext(fcinfo, &memory))
+    ereport(ERROR, errcode(ERRCODE_FEATURE_NOT_SUPPORTED), errmsg("%s is called outside of an aggregate", key->name));
+  state = PG_ARGISNULL(0) ? NULL : (State*)PG_GETARG_POINTER(0);
+  if (state == NULL) {
+    MemoryContextCallback* closing;
+    before = MemoryContextSwitchTo(memory);
+    state = palloc0(sizeof *state);
+    closing = palloc0(sizeof *closing);
+    MemoryContextSwitchTo(before);
+    state->session = backend_session();
+    check_status(a3d_find(state->session, key->name, key->types, 1, &state->function));
+    check_status(a3d_open_aggregate(state->session, state->function, &state->aggregate));
+    closing->func = close_aggregate;
+    closing->arg = state->aggregate;
+    MemoryContextRegisterResetCallback(memory, closing);
+  }
+  if (!PG_ARGISNULL(1)) {
+    a3d_value* value = value_of_datum(PG_GETARG_DATUM(1), key->types[0]);
+    check_status(a3d_step(backend_session(), state->aggregate, value));
+  }
+  PG_RETURN_POINTER(state);
+}
+
+PG_FUNCTION_INFO_V1(algebra3d_finish_aggregate);
+Datum algebra3d_finish_aggregate(PG_FUNCTION_ARGS);
+Datum algebra3d_finish_aggregate(PG_FUNCTION_ARGS) {
+  State* state = PG_ARGISNULL(0) ? NULL : (State*)PG_GETARG_POINTER(0);
+  if (state == NULL) PG_RETURN_NULL();
+  state->session = backend_session();
+  check_status(run_aside(finish, state));
+  owned_value(state->result);
+  show_notices();
+  if (!a3d_is_defined(state->result)) PG_RETURN_NULL();
+  return datum_of_value(state->result);
+}

@@ -1,0 +1,268 @@
+// Writes what follows from the registry: algebra3d--1.0.sql, the functions, types and operators of the extension, and
+// functions.c, the C functions that these name. Usage: algebra3d_postgres_generator FOLDER
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "algebra3d/c.h"
+
+namespace {
+
+/// The types of the extension, each before those whose functions need it.
+constexpr std::array<std::string_view, 9> kTypes = {"point3d", "points3d",  "vector3d", "plane3d", "rect3",
+                                                    "region",  "surface3d", "volume3d", "mesh3d"};
+
+const std::map<std::string_view, std::string_view>& plain_types() {
+  static const std::map<std::string_view, std::string_view> types = {
+      {"int", "bigint"}, {"real", "float8"}, {"bool", "boolean"}, {"string", "text"}, {"text", "text"}};
+  return types;
+}
+
+/// Words that a name of a column must not be.
+const std::map<std::string_view, std::string_view>& column_names() {
+  static const std::map<std::string_view, std::string_view> names = {
+      {"from", "from_t"}, {"to", "to_t"}, {"position", "place"}};
+  return names;
+}
+
+bool is_own(std::string_view type) {
+  return std::ranges::find(kTypes, type) != kTypes.end();
+}
+
+/// Empty for types that the extension has not.
+std::string sql_type(std::string_view type) {
+  const auto plain = plain_types().find(type);
+  if (plain != plain_types().end()) return std::string(plain->second);
+  return is_own(type) ? std::string(type) : "";
+}
+
+std::string snake_case(std::string_view name) {
+  std::string result;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto c = static_cast<unsigned char>(name[i]);
+    const bool begins_word =
+        std::isupper(c) != 0 && i > 0 && std::islower(static_cast<unsigned char>(name[i - 1])) != 0;
+    if (begins_word) result += '_';
+    result += static_cast<char>(std::tolower(c));
+  }
+  const auto other = column_names().find(result);
+  return other == column_names().end() ? result : std::string(other->second);
+}
+
+std::string quoted(std::string_view text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+  return result + "'";
+}
+
+/// A function of SQL: one of the library whose types are all known here.
+struct SqlFunction {
+  const a3d_function* function;
+  std::vector<std::string> sql_types;
+  std::string symbol;  ///< of the C function
+
+  std::string signature() const {
+    std::string text = std::string(function->name) + "(";
+    for (std::size_t i = 0; i < sql_types.size(); ++i) text += (i > 0 ? ", " : "") + sql_types[i];
+    return text + ")";
+  }
+};
+
+std::vector<std::string_view> results_of(const a3d_function& function) {
+  if (function.kind != A3D_TABLE) return {function.result_type};
+  std::vector<std::string_view> types;
+  for (std::size_t i = 0; i < function.column_count; ++i) types.emplace_back(function.columns[i].type);
+  return types;
+}
+
+bool has_own_type(const a3d_function& function) {
+  const auto results = results_of(function);
+  return std::ranges::any_of(results, is_own) ||
+         std::any_of(function.parameters, function.parameters + function.parameter_count,
+                     [](const a3d_parameter& parameter) { return is_own(parameter.type); });
+}
+
+bool has_known_types(const a3d_function& function) {
+  const auto results = results_of(function);
+  return std::ranges::none_of(results, [](std::string_view type) { return sql_type(type).empty(); }) &&
+         std::none_of(function.parameters, function.parameters + function.parameter_count,
+                      [](const a3d_parameter& parameter) { return sql_type(parameter.type).empty(); });
+}
+
+/// What SQL has of its own for values of any type.
+bool is_generic(std::string_view family) {
+  return family == "comparison" || family == "undefined values";
+}
+
+std::vector<SqlFunction> exported() {
+  std::vector<SqlFunction> result;
+  std::set<std::string> known;
+  for (std::size_t i = 0; i < a3d_function_count(); ++i) {
+    const a3d_function& function = *a3d_function_at(i);
+    if (function.reads_files != 0 || function.writes_files != 0 || is_generic(function.family)) continue;
+    if (!has_own_type(function) || !has_known_types(function)) continue;
+    SqlFunction made{&function, {}, "algebra3d_" + std::string(function.name)};
+    for (std::size_t p = 0; p < function.parameter_count; ++p) {
+      made.sql_types.push_back(sql_type(function.parameters[p].type));
+      made.symbol += "_" + std::string(function.parameters[p].type);
+    }
+    if (known.insert(made.signature()).second) result.push_back(std::move(made));
+  }
+  return result;
+}
+
+std::string key_of(const SqlFunction& sql) {
+  std::string key = "{\"" + std::string(sql.function->name) + "\", " + std::to_string(sql.sql_types.size()) + ", {";
+  for (std::size_t p = 0; p < sql.sql_types.size(); ++p)
+    key += std::string(p > 0 ? ", " : "") + "\"" + sql.function->parameters[p].type + "\"";
+  return key + "}}";
+}
+
+void write_c(std::ostream& out, const std::vector<SqlFunction>& functions) {
+  out << "/* Written by algebra3d_postgres_generator; do not edit. */\n#include \"module.h\"\n\n"
+         "#define DECLARED(symbol)       \\\n  PG_FUNCTION_INFO_V1(symbol);  \\\n  Datum symbol(PG_FUNCTION_ARGS)\n\n";
+  for (const std::string_view type : kTypes) {
+    for (const auto& [name, call] : std::map<std::string, std::string>{{"in", "read_value"},
+                                                                       {"out", "write_value"},
+                                                                       {"recv", "receive_value"},
+                                                                       {"send", "send_value"},
+                                                                       {"cmp", "compare_values"},
+                                                                       {"hash", "hash_value"},
+                                                                       {"eq", "compare_equal"},
+                                                                       {"ne", "compare_not_equal"},
+                                                                       {"lt", "compare_less"},
+                                                                       {"le", "compare_not_greater"},
+                                                                       {"gt", "compare_greater"},
+                                                                       {"ge", "compare_not_less"},
+                                                                       {"as_text", "text_of_value"}}) {
+      const std::string symbol = "algebra3d_" + std::string(type) + "_" + name;
+      out << "DECLARED(" << symbol << ");\nDatum " << symbol << "(PG_FUNCTION_ARGS) {\n  return " << call
+          << "(fcinfo, \"" << type << "\");\n}\n";
+    }
+  }
+  for (const SqlFunction& sql : functions) {
+    const char* const call = sql.function->kind == A3D_TABLE       ? "call_table"
+                             : sql.function->kind == A3D_AGGREGATE ? "step_aggregate"
+                                                                   : "call_scalar";
+    out << "DECLARED(" << sql.symbol << ");\nDatum " << sql.symbol << "(PG_FUNCTION_ARGS) {\n"
+        << "  static const FunctionKey key = " << key_of(sql) << ";\n  return " << call << "(fcinfo, &key);\n}\n";
+  }
+}
+
+void write_type(std::ostream& out, std::string_view type) {
+  const std::string name(type), symbol = "algebra3d_" + name + "_";
+  const auto function = [&](const std::string& what, const std::string& parameters, const std::string& result,
+                            const std::string& volatility) {
+    out << "CREATE FUNCTION " << what << "(" << parameters << ") RETURNS " << result << " AS 'MODULE_PATHNAME', '"
+        << symbol << (what == "as_text" ? what : what.substr(name.size() + 1)) << "' LANGUAGE C " << volatility
+        << " STRICT PARALLEL SAFE;\n";
+  };
+  out << "CREATE TYPE " << name << ";\n";
+  function(name + "_in", "cstring", name, "IMMUTABLE");
+  function(name + "_out", name, "cstring", "STABLE");
+  function(name + "_recv", "internal", name, "IMMUTABLE");
+  function(name + "_send", name, "bytea", "IMMUTABLE");
+  out << "CREATE TYPE " << name << " (INPUT = " << name << "_in, OUTPUT = " << name << "_out, RECEIVE = " << name
+      << "_recv, SEND = " << name << "_send, INTERNALLENGTH = VARIABLE, STORAGE = EXTERNAL);\n";
+  function("as_text", name, "text", "IMMUTABLE");
+  function(name + "_cmp", name + ", " + name, "integer", "IMMUTABLE");
+  function(name + "_hash", name, "integer", "IMMUTABLE");
+  struct Comparison {
+    const char *name, *symbol, *commutator, *negator, *selectivity;
+  };
+  constexpr std::array<Comparison, 6> kComparisons = {{{"lt", "<", ">", ">=", "scalarlt"},
+                                                       {"le", "<=", ">=", ">", "scalarle"},
+                                                       {"eq", "=", "=", "<>", "eq"},
+                                                       {"ne", "<>", "<>", "=", "neq"},
+                                                       {"ge", ">=", "<=", "<", "scalarge"},
+                                                       {"gt", ">", "<", "<=", "scalargt"}}};
+  for (const Comparison& comparison : kComparisons) {
+    function(name + "_" + comparison.name, name + ", " + name, "boolean", "IMMUTABLE");
+    out << "CREATE OPERATOR " << comparison.symbol << " (LEFTARG = " << name << ", RIGHTARG = " << name
+        << ", FUNCTION = " << name << "_" << comparison.name << ", COMMUTATOR = " << comparison.commutator
+        << ", NEGATOR = " << comparison.negator << ", RESTRICT = " << comparison.selectivity
+        << "sel, JOIN = " << comparison.selectivity << "joinsel"
+        << (std::string_view(comparison.name) == "eq" ? ", HASHES, MERGES" : "") << ");\n";
+  }
+  out << "CREATE OPERATOR CLASS " << name << "_ops DEFAULT FOR TYPE " << name
+      << " USING btree AS OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 " << name
+      << "_cmp(" << name << ", " << name << ");\n"
+      << "CREATE OPERATOR CLASS " << name << "_hash_ops DEFAULT FOR TYPE " << name
+      << " USING hash AS OPERATOR 1 =, FUNCTION 1 " << name << "_hash(" << name << ");\n\n";
+}
+
+int planner_cost(a3d_cost cost) {
+  constexpr std::array<int, 7> kCosts = {1, 1, 100, 200, 1000, 10000, 10000};
+  return kCosts.at(static_cast<std::size_t>(cost));
+}
+
+void write_function(std::ostream& out, const SqlFunction& sql) {
+  const a3d_function& function = *sql.function;
+  bool is_strict = true;
+  for (std::size_t p = 0; p < function.parameter_count; ++p)
+    is_strict = is_strict && function.parameters[p].accepts_undefined == 0;
+  if (function.kind == A3D_AGGREGATE) {
+    const std::string step = std::string(function.name) + "_step(internal, " + sql.sql_types[0] + ")";
+    out << "CREATE FUNCTION " << step << " RETURNS internal AS 'MODULE_PATHNAME', '" << sql.symbol
+        << "' LANGUAGE C IMMUTABLE PARALLEL SAFE;\n"
+        << "CREATE FUNCTION " << function.name << "_finish(internal, " << sql.sql_types[0] << ") RETURNS "
+        << sql_type(function.result_type)
+        << " AS 'MODULE_PATHNAME', 'algebra3d_finish_aggregate' LANGUAGE C IMMUTABLE PARALLEL SAFE;\n"
+        << "CREATE AGGREGATE " << sql.signature() << " (SFUNC = " << function.name
+        << "_step, STYPE = internal, FINALFUNC = " << function.name
+        << "_finish, FINALFUNC_EXTRA, FINALFUNC_MODIFY = READ_WRITE, PARALLEL = SAFE);\n";
+    out << "COMMENT ON AGGREGATE " << sql.signature() << " IS " << quoted(function.doc) << ";\n";
+    return;
+  }
+  out << "CREATE FUNCTION " << function.name << "(";
+  for (std::size_t p = 0; p < sql.sql_types.size(); ++p)
+    out << (p > 0 ? ", " : "") << '"' << snake_case(function.parameters[p].name) << "\" " << sql.sql_types[p];
+  out << ") RETURNS ";
+  if (function.kind == A3D_SCALAR) {
+    out << sql_type(function.result_type);
+  } else if (function.gives_elements != 0) {
+    out << "SETOF " << sql_type(function.columns[0].type);
+  } else {
+    out << "TABLE (";
+    for (std::size_t i = 0; i < function.column_count; ++i)
+      out << (i > 0 ? ", " : "") << '"' << snake_case(function.columns[i].name) << "\" "
+          << sql_type(function.columns[i].type);
+    out << ")";
+  }
+  out << " AS 'MODULE_PATHNAME', '" << sql.symbol << "' LANGUAGE C "
+      << (function.is_pure != 0 ? "IMMUTABLE" : "VOLATILE") << (is_strict ? " STRICT" : "") << " PARALLEL SAFE COST "
+      << planner_cost(function.cost) << ";\n"
+      << "COMMENT ON FUNCTION " << sql.signature() << " IS " << quoted(function.doc) << ";\n";
+}
+
+void write_sql(std::ostream& out, const std::vector<SqlFunction>& functions) {
+  out << "-- Written by algebra3d_postgres_generator; do not edit.\n"
+         "\\echo Use \"CREATE EXTENSION algebra3d\" to load this file. \\quit\n\n";
+  for (const std::string_view type : kTypes) write_type(out, type);
+  for (const SqlFunction& sql : functions) write_function(out, sql);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: algebra3d_postgres_generator FOLDER\n";
+    return 2;
+  }
+  a3d_session* const session = a3d_open(nullptr);
+  if (session == nullptr) return 1;
+  const std::vector<SqlFunction> functions = exported();
+  const std::string folder = argv[1];
+  std::ofstream sql(folder + "/algebra3d--1.0.sql"), c(folder + "/functions.c");
+  write_sql(sql, functions);
+  write_c(c, functions);
+  a3d_close(session);
+  return sql.flush() && c.flush() ? 0 : 1;
+}

@@ -1,0 +1,205 @@
+/* Values of the library as data of PostgreSQL: the binary form in a varlena, base64 or a value list as text. */
+#include "module.h"
+
+#include "common/base64.h"
+#include "libpq/pqformat.h"
+#include "mb/pg_wchar.h"
+#include "utils/builtins.h"
+#include "utils/memutils.h"
+
+#include "settings.h"
+
+/* ---- The binary form ---- */
+
+typedef struct Decoding {
+  a3d_session* session;
+  const char* type;
+  const char* bytes;
+  size_t size;
+  int is_trusted;
+  a3d_value* result;
+} Decoding;
+
+static a3d_status decode(void* given) {
+  Decoding* d = given;
+  return a3d_decode(d->session, d->type, d->bytes, d->size, d->is_trusted, &d->result);
+}
+
+/* What is decoded in less than a millisecond needs no thread of its own. */
+#define MOST_BYTES_AT_ONCE 65536
+
+/* Bytes of a client, whose errors have a SQL state of their own, are proved; those of the server (state 0) are not. */
+static a3d_value* decoded(const char* type, const char* bytes, size_t size, int sql_state) {
+  Decoding decoding = {backend_session(), type, bytes, size, sql_state == 0, NULL};
+  const size_t most = sql_state == 0 ? MOST_BYTES_AT_ONCE : MOST_BYTES_AT_ONCE / 16;
+  a3d_status status = size <= most ? decode(&decoding) : run_aside(decode, &decoding);
+  if (sql_state == 0)
+    check_status(status);
+  else
+    check_given(status, sql_state);
+  return owned_value(decoding.result);
+}
+
+/* ---- Plain values ---- */
+
+a3d_value* value_of_datum(Datum datum, const char* type) {
+  a3d_session* session = backend_session();
+  a3d_value* result = NULL;
+  if (strcmp(type, "int") == 0) {
+    check_status(a3d_make_int(session, DatumGetInt64(datum), &result));
+  } else if (strcmp(type, "real") == 0) {
+    check_status(a3d_make_real(session, DatumGetFloat8(datum), &result));
+  } else if (strcmp(type, "bool") == 0) {
+    check_status(a3d_make_bool(session, DatumGetBool(datum), &result));
+  } else if (strcmp(type, "text") == 0 || strcmp(type, "string") == 0) {
+    text* given = DatumGetTextPP(datum);
+    char* utf8 = pg_server_to_any(VARDATA_ANY(given), VARSIZE_ANY_EXHDR(given), PG_UTF8);
+    size_t size = utf8 == VARDATA_ANY(given) ? VARSIZE_ANY_EXHDR(given) : strlen(utf8);
+    check_status(a3d_make_text(session, type, utf8, size, &result));
+  } else {
+    struct varlena* bytes;
+    result = expanded_value(datum);
+    if (result != NULL) return result;
+    bytes = PG_DETOAST_DATUM_PACKED(datum);
+    return decoded(type, VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes), 0);
+  }
+  return owned_value(result);
+}
+
+Datum datum_of_value(a3d_value* value) {
+  const char* type = a3d_type_of(value);
+  if (strcmp(type, "int") == 0) return Int64GetDatum(a3d_int_of(value));
+  if (strcmp(type, "real") == 0) return Float8GetDatum(a3d_real_of(value));
+  if (strcmp(type, "bool") == 0) return BoolGetDatum(a3d_bool_of(value));
+  if (strcmp(type, "text") == 0 || strcmp(type, "string") == 0) {
+    size_t size;
+    const char* characters = a3d_text_of(value, &size);
+    char* converted = pg_any_to_server(characters, size, PG_UTF8);
+    return PointerGetDatum(converted == characters ? cstring_to_text_with_len(characters, size)
+                                                   : cstring_to_text(converted));
+  }
+  return expanded_datum(value);
+}
+
+/* ---- Text and messages ---- */
+
+static a3d_value* parsed(const char* type, const char* given) {
+  a3d_value* result = NULL;
+  char* utf8 = pg_server_to_any(given, strlen(given), PG_UTF8);
+  check_status(a3d_parse(backend_session(), type, utf8, strlen(utf8), &result));
+  return owned_value(result);
+}
+
+Datum read_value(FunctionCallInfo fcinfo, const char* type) {
+  const char* given = PG_GETARG_CSTRING(0);
+  a3d_value* value;
+  while (*given == ' ' || *given == '\n' || *given == '\t' || *given == '\r') ++given;
+  if (*given == '(') {
+    value = parsed(type, given);
+  } else {
+    int size = pg_b64_dec_len(strlen(given));
+    char* bytes = palloc(size);
+    size = pg_b64_decode(given, strlen(given), bytes, size);
+    if (size < 0)
+      ereport(ERROR, errcode(ERRCODE_INVALID_TEXT_REPRESENTATION), errmsg("invalid text for type %s", type),
+              errhint("Expected a value list, which begins with a parenthesis, or base64; a missing value is NULL."));
+    value = decoded(type, bytes, size, ERRCODE_INVALID_TEXT_REPRESENTATION);
+  }
+  if (!a3d_is_defined(value)) {
+    show_notices();
+    ereport(ERROR, errcode(ERRCODE_INVALID_TEXT_REPRESENTATION), errmsg("the text is no valid %s", type),
+            errhint("The notice before says why. A missing value is NULL."));
+  }
+  return datum_of_value(value);
+}
+
+static char* list_text(a3d_value* value) {
+  a3d_bytes bytes;
+  char* result;
+  check_status(a3d_print(backend_session(), value, &bytes));
+  result = MemoryContextAllocExtended(CurrentMemoryContext, bytes.size + 1, MCXT_ALLOC_NO_OOM);
+  if (result != NULL) memcpy(result, bytes.data, bytes.size + 1);
+  a3d_free_bytes(&bytes);
+  if (result == NULL) ereport(ERROR, errcode(ERRCODE_OUT_OF_MEMORY), errmsg("out of memory"));
+  return pg_any_to_server(result, strlen(result), PG_UTF8);
+}
+
+Datum write_value(FunctionCallInfo fcinfo, const char* type) {
+  struct varlena* bytes;
+  char* result;
+  int size;
+  if (setting_output == OUTPUT_LIST) PG_RETURN_CSTRING(list_text(value_of_datum(PG_GETARG_DATUM(0), type)));
+  bytes = PG_GETARG_VARLENA_PP(0);
+  size = pg_b64_enc_len(VARSIZE_ANY_EXHDR(bytes));
+  result = palloc(size + 1);
+  size = pg_b64_encode(VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes), result, size);
+  result[size] = '\0';
+  PG_RETURN_CSTRING(result);
+}
+
+Datum receive_value(FunctionCallInfo fcinfo, const char* type) {
+  StringInfo message = (StringInfo)PG_GETARG_POINTER(0);
+  int size = message->len - message->cursor;
+  const char* bytes = pq_getmsgbytes(message, size);
+  a3d_value* value = decoded(type, bytes, size, ERRCODE_INVALID_BINARY_REPRESENTATION);
+  if (!a3d_is_defined(value))
+    ereport(ERROR, errcode(ERRCODE_INVALID_BINARY_REPRESENTATION), errmsg("the bytes are an undefined %s", type),
+            errhint("A missing value is NULL."));
+  return datum_of_value(value);
+}
+
+Datum send_value(FunctionCallInfo fcinfo, const char* type) {
+  struct varlena* bytes = PG_GETARG_VARLENA_PP(0);
+  StringInfoData message;
+  pq_begintypsend(&message);
+  pq_sendbytes(&message, VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes));
+  PG_RETURN_BYTEA_P(pq_endtypsend(&message));
+}
+
+Datum text_of_value(FunctionCallInfo fcinfo, const char* type) {
+  PG_RETURN_TEXT_P(cstring_to_text(list_text(value_of_datum(PG_GETARG_DATUM(0), type))));
+}
+
+/* ---- Order ---- */
+
+static int compared(FunctionCallInfo fcinfo, const char* type) {
+  int order;
+  a3d_value* a = value_of_datum(PG_GETARG_DATUM(0), type);
+  a3d_value* b = value_of_datum(PG_GETARG_DATUM(1), type);
+  check_status(a3d_compare(backend_session(), a, b, &order));
+  return order;
+}
+
+Datum compare_values(FunctionCallInfo fcinfo, const char* type) {
+  PG_RETURN_INT32(compared(fcinfo, type));
+}
+
+Datum compare_equal(FunctionCallInfo fcinfo, const char* type) {
+  PG_RETURN_BOOL(compared(fcinfo, type) == 0);
+}
+
+Datum compare_not_equal(FunctionCallInfo fcinfo, const char* type) {
+  PG_RETURN_BOOL(compared(fcinfo, type) != 0);
+}
+
+Datum compare_less(FunctionCallInfo fcinfo, const char* type) {
+  PG_RETURN_BOOL(compared(fcinfo, type) < 0);
+}
+
+Datum compare_not_greater(FunctionCallInfo fcinfo, const char* type) {
+  PG_RETURN_BOOL(compared(fcinfo, type) <= 0);
+}
+
+Datum compare_greater(FunctionCallInfo fcinfo, const char* type) {
+  PG_RETURN_BOOL(compared(fcinfo, type) > 0);
+}
+
+Datum compare_not_less(FunctionCallInfo fcinfo, const char* type) {
+  PG_RETURN_BOOL(compared(fcinfo, type) >= 0);
+}
+
+Datum hash_value(FunctionCallInfo fcinfo, const char* type) {
+  uint64_t hash;
+  check_status(a3d_hash(backend_session(), value_of_datum(PG_GETARG_DATUM(0), type), &hash));
+  PG_RETURN_INT32((int32)(hash ^ (hash >> 32)));
+}
