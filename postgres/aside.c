@@ -6,9 +6,9 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
-#include "miscadmin.h"
-#include "pgstat.h"
-#include "storage/latch.h"
+#include <miscadmin.h>
+#include <pgstat.h>
+#include <storage/latch.h>
 
 /* Deep recursion of the library ends with an error at a depth that this holds. */
 #define STACK_BYTES ((size_t)64 << 20)

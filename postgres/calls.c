@@ -1,10 +1,10 @@
 /* Functions of SQL that are functions of the library. */
 #include "module.h"
 
-#include "funcapi.h"
-#include "miscadmin.h"
-#include "utils/memutils.h"
-#include "utils/tuplestore.h"
+#include <funcapi.h>
+#include <miscadmin.h>
+#include <utils/memutils.h>
+#include <utils/tuplestore.h>
 
 typedef struct Call {
   a3d_session* session;

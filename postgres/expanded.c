@@ -2,8 +2,8 @@
  * when the value is stored or sent. */
 #include "module.h"
 
-#include "utils/expandeddatum.h"
-#include "utils/memutils.h"
+#include <utils/expandeddatum.h>
+#include <utils/memutils.h>
 
 #define MAGIC 1094926180 /* tells ours from those of others */
 

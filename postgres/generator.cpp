@@ -68,8 +68,9 @@ struct SqlFunction {
   std::vector<std::string> sql_types;
   std::string symbol;  ///< of the C function
 
-  std::string signature() const {
-    std::string text = std::string(function->name) + "(";
+  std::string signature() const { return signature(function->name); }
+  std::string signature(std::string_view name) const {
+    std::string text = std::string(name) + "(";
     for (std::size_t i = 0; i < sql_types.size(); ++i) text += (i > 0 ? ", " : "") + sql_types[i];
     return text + ")";
   }
@@ -203,7 +204,7 @@ int planner_cost(a3d_cost cost) {
   return kCosts.at(static_cast<std::size_t>(cost));
 }
 
-void write_function(std::ostream& out, const SqlFunction& sql) {
+void write_function(std::ostream& out, const SqlFunction& sql, std::string_view name) {
   const a3d_function& function = *sql.function;
   bool is_strict = true;
   for (std::size_t p = 0; p < function.parameter_count; ++p)
@@ -221,7 +222,7 @@ void write_function(std::ostream& out, const SqlFunction& sql) {
     out << "COMMENT ON AGGREGATE " << sql.signature() << " IS " << quoted(function.doc) << ";\n";
     return;
   }
-  out << "CREATE FUNCTION " << function.name << "(";
+  out << "CREATE FUNCTION " << name << "(";
   for (std::size_t p = 0; p < sql.sql_types.size(); ++p)
     out << (p > 0 ? ", " : "") << '"' << snake_case(function.parameters[p].name) << "\" " << sql.sql_types[p];
   out << ") RETURNS ";
@@ -239,14 +240,65 @@ void write_function(std::ostream& out, const SqlFunction& sql) {
   out << " AS 'MODULE_PATHNAME', '" << sql.symbol << "' LANGUAGE C "
       << (function.is_pure != 0 ? "IMMUTABLE" : "VOLATILE") << (is_strict ? " STRICT" : "") << " PARALLEL SAFE COST "
       << planner_cost(function.cost) << ";\n"
-      << "COMMENT ON FUNCTION " << sql.signature() << " IS " << quoted(function.doc) << ";\n";
+      << "COMMENT ON FUNCTION " << sql.signature(name) << " IS " << quoted(function.doc) << ";\n";
+}
+
+/// Functions that are called by the names of types as well.
+std::string_view constructor_of(std::string_view name) {
+  static const std::map<std::string_view, std::string_view> names = {
+      {"make_point3d", "point3d"}, {"make_vector3d", "vector3d"}, {"make_plane3d", "plane3d"}, {"rectangle3", "rect3"}};
+  const auto found = names.find(name);
+  return found == names.end() ? std::string_view() : found->second;
+}
+
+/// A symbol for a function of two arguments, for all types that it has, or for those that `is_for` names.
+struct Symbol {
+  std::string_view symbol, function, options;
+  std::vector<std::string_view> is_for = {};
+};
+
+void write_operators(std::ostream& out, const std::vector<SqlFunction>& functions) {
+  const std::vector<std::string_view> sets = {"points3d", "surface3d", "volume3d"};
+  const std::vector<Symbol> symbols = {{"@>", "contains", "COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel"},
+                                       {"<@", "inside", "COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel"},
+                                       {"<->", "distance", "COMMUTATOR = <->"},
+                                       {"+", "union_of", "COMMUTATOR = +", sets},
+                                       {"*", "intersection", "COMMUTATOR = *", sets},
+                                       {"-", "difference", "", sets},
+                                       {"+", "plus", "COMMUTATOR = +", {"vector3d"}},
+                                       {"-", "minus", "", {"vector3d"}}};
+  for (const Symbol& symbol : symbols)
+    for (const SqlFunction& sql : functions) {
+      if (sql.function->name != symbol.function || sql.sql_types.size() != 2) continue;
+      if (!is_own(sql.sql_types[0]) || !is_own(sql.sql_types[1])) continue;
+      const bool is_wanted =
+          symbol.is_for.empty() || (std::ranges::find(symbol.is_for, sql.sql_types[0]) != symbol.is_for.end() &&
+                                    sql.sql_types[0] == sql.sql_types[1]);
+      if (!is_wanted) continue;
+      out << "CREATE OPERATOR " << symbol.symbol << " (LEFTARG = " << sql.sql_types[0]
+          << ", RIGHTARG = " << sql.sql_types[1] << ", FUNCTION = " << symbol.function
+          << (symbol.options.empty() ? "" : ", ") << symbol.options << ");\n";
+    }
+  constexpr std::array<std::string_view, 6> kWithBoxes = {"point3d",   "points3d", "rect3",
+                                                          "surface3d", "volume3d", "mesh3d"};
+  for (const std::string_view a : kWithBoxes)
+    for (const std::string_view b : kWithBoxes)
+      out << "CREATE FUNCTION boxes_meet(" << a << ", " << b
+          << ") RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet' LANGUAGE C IMMUTABLE STRICT PARALLEL "
+             "SAFE;\n"
+          << "CREATE OPERATOR && (LEFTARG = " << a << ", RIGHTARG = " << b
+          << ", FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);\n";
 }
 
 void write_sql(std::ostream& out, const std::vector<SqlFunction>& functions) {
   out << "-- Written by algebra3d_postgres_generator; do not edit.\n"
          "\\echo Use \"CREATE EXTENSION algebra3d\" to load this file. \\quit\n\n";
   for (const std::string_view type : kTypes) write_type(out, type);
-  for (const SqlFunction& sql : functions) write_function(out, sql);
+  for (const SqlFunction& sql : functions) {
+    write_function(out, sql, sql.function->name);
+    if (const std::string_view name = constructor_of(sql.function->name); !name.empty()) write_function(out, sql, name);
+  }
+  write_operators(out, functions);
 }
 
 }  // namespace

@@ -3,12 +3,12 @@
 
 #include <limits.h>
 
-#include "access/xact.h"
-#include "mb/pg_wchar.h"
-#include "miscadmin.h"
-#include "utils/guc.h"
-#include "utils/memutils.h"
-#include "utils/timestamp.h"
+#include <access/xact.h>
+#include <mb/pg_wchar.h>
+#include <miscadmin.h>
+#include <utils/guc.h>
+#include <utils/memutils.h>
+#include <utils/timestamp.h>
 
 #include "settings.h"
 

@@ -8,9 +8,9 @@
  * is running when one of PostgreSQL is called.
  */
 
-#include "postgres.h"
+#include <postgres.h>
 
-#include "fmgr.h"
+#include <fmgr.h>
 
 #include "algebra3d/c.h"
 

@@ -1,11 +1,11 @@
 /* Values of the library as data of PostgreSQL: the binary form in a varlena, base64 or a value list as text. */
 #include "module.h"
 
-#include "common/base64.h"
-#include "libpq/pqformat.h"
-#include "mb/pg_wchar.h"
-#include "utils/builtins.h"
-#include "utils/memutils.h"
+#include <common/base64.h>
+#include <libpq/pqformat.h>
+#include <mb/pg_wchar.h>
+#include <utils/builtins.h>
+#include <utils/memutils.h>
 
 #include "settings.h"
 
@@ -202,4 +202,28 @@ Datum hash_value(FunctionCallInfo fcinfo, const char* type) {
   uint64_t hash;
   check_status(a3d_hash(backend_session(), value_of_datum(PG_GETARG_DATUM(0), type), &hash));
   PG_RETURN_INT32((int32)(hash ^ (hash >> 32)));
+}
+
+/* ---- Boxes ---- */
+
+static a3d_header header_of_datum(Datum datum) {
+  a3d_header result;
+  const a3d_value* value = expanded_value(datum);
+  if (value != NULL) {
+    check_status(a3d_header_of(backend_session(), value, &result));
+  } else {
+    /* The beginning alone is read. */
+    struct varlena* bytes = PG_DETOAST_DATUM_SLICE(datum, 0, A3D_HEADER_BYTES);
+    check_status(a3d_header_of_bytes(backend_session(), VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes), &result));
+  }
+  return result;
+}
+
+PG_FUNCTION_INFO_V1(algebra3d_boxes_meet);
+Datum algebra3d_boxes_meet(PG_FUNCTION_ARGS);
+Datum algebra3d_boxes_meet(PG_FUNCTION_ARGS) {
+  a3d_header a = header_of_datum(PG_GETARG_DATUM(0)), b = header_of_datum(PG_GETARG_DATUM(1));
+  bool meet = true;
+  for (int axis = 0; axis < 3; ++axis) meet = meet && a.min[axis] <= b.max[axis] && b.min[axis] <= a.max[axis];
+  PG_RETURN_BOOL(meet);
 }

@@ -1,4 +1,4 @@
-// + - * / div mod on int and real, and those of them that exist for texts and times.
+// + - * / div mod on int and real, and those of them that exist for texts, times and vectors.
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -7,6 +7,7 @@
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/types/scalars.h"
+#include "algebra3d/values/types/spatial.h"
 #include "algebra3d/values/types/time.h"
 
 namespace algebra3d {
@@ -75,6 +76,13 @@ Maybe<Duration> multiply_duration(const Duration& duration, double factor) {
   return Duration::rounded(Rational(duration.milliseconds) * Rational(factor));
 }
 
+Maybe<Vector3d> add_vectors(const Vector3d& v, const Vector3d& w) {
+  return vector_of(v.components.rational() + w.components.rational());
+}
+Maybe<Vector3d> subtract_vectors(const Vector3d& v, const Vector3d& w) {
+  return vector_of(v.components.rational() - w.components.rational());
+}
+
 Maybe<double> divide(double a, double b) {
   if (b == 0) return Undefined{"division by zero"};
   return a / b;
@@ -100,49 +108,54 @@ void register_arithmetic(Registry& registry) {
       .name = "+",
       .host_name = "plus",
       .syntax = "_ + _",
-      .doc =
-          "The sum of two numbers or durations, two strings or texts one after the other, or the instant after a time.",
+      .doc = "The sum of two numbers, durations or vectors, two strings or texts one after the other, or the instant "
+             "after "
+             "a time.",
       .detail = "Undefined if an int is beyond the range of ints, an instant outside of the years 1 to 9999, or if "
                 "the days of a duration do not fit 32 bits. An int with a real is converted to the nearest real.",
       .exactness = Exactness::rounded_once,
       .overloads = {symmetric(overload<&add_ints>("a", "b")), symmetric(overload<&add>("a", "b")),
                     overload<&concatenate>("a", "b"), overload<&concatenate_texts>("a", "b"),
-                    overload<&instant_later>("instant", "duration"), symmetric(overload<&add_durations>("a", "b"))},
+                    overload<&instant_later>("instant", "duration"), symmetric(overload<&add_durations>("a", "b")),
+                    symmetric(overload<&add_vectors>("v", "w"))},
       .examples = {{{"1", "2"}, "3"},
                    {{"1", "0.5"}, "1.5"},
                    {{R"("ab")", R"("c")"}, R"("abc")"},
                    {{"'ab'", "'c'"}, "'abc'"},
                    {{"(theInstant 2012 2 28)", "(create_duration 1.5)"}, R"("2012-02-29-12:00")"},
                    {{"(create_duration 1.5)", "(create_duration 0.75)"}, "(2 21600000)"},
+                   {{"(vector3d (1/3 0 1))", "(vector3d (1/3 2 0))"}, "(2/3 2.0 1.0)"},
                    {{"9223372036854775807", "1"}, "undefined"},
                    {{"1", "(int undefined)"}, "undefined"}},
       .errors = {{{"1", "TRUE"},
-                  "+: expected (int int), (real real), (string string), (text text), (instant duration) or (duration "
-                  "duration), got (int bool)"}},
+                  "+: expected (int int), (real real), (string string), (text text), (instant duration), (duration "
+                  "duration) or (vector3d vector3d), got (int bool)"}},
   });
   registry.add({
       .name = "-",
       .host_name = "minus",
       .syntax = "_ - _",
-      .doc = "The difference of two numbers or durations, the time between two instants, or the instant a time before; "
+      .doc = "The difference of two numbers, durations or vectors, the time between two instants, or the instant a "
+             "time before; "
              "`-x` is a number or duration with the other sign.",
       .detail = "Undefined where a sum is. `-x` binds looser than postfix operators and tighter than all others.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&negate_int>("a"), overload<&negate>("a"), overload<&negate_duration>("a"),
                     overload<&subtract_ints>("a", "b"), overload<&subtract>("a", "b"),
                     overload<&time_between>("end", "start"), overload<&instant_earlier>("instant", "duration"),
-                    overload<&subtract_durations>("a", "b")},
+                    overload<&subtract_durations>("a", "b"), overload<&subtract_vectors>("v", "w")},
       .examples = {{{"(- 10 4)", "3"}, "3"},
                    {{"1.5", "1"}, "0.5"},
                    {{"(theInstant 2013)", "(theInstant 2012)"}, "(366 0)"},
                    {{"(theInstant 2012)", "(create_duration 0.25)"}, R"("2011-12-31-18:00")"},
                    {{"(create_duration 1)", "(create_duration 1.5)"}, "(-1 43200000)"},
                    {{"(+ 2 3)"}, "-5"},
+                   {{"(vector3d (1/3 0 1))", "(vector3d (1/3 2 0))"}, "(0.0 -2.0 1.0)"},
                    {{"(create_duration 1.5)"}, "(-2 43200000)"},
                    {{"1", "(real undefined)"}, "undefined"}},
       .errors = {{{"1", R"("a")"},
                   "-: expected (int), (real), (duration), (int int), (real real), (instant instant), (instant "
-                  "duration) or (duration duration), got (int string)"}},
+                  "duration), (duration duration) or (vector3d vector3d), got (int string)"}},
   });
   registry.add({
       .name = "*",

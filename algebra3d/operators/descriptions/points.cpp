@@ -19,14 +19,8 @@ Vector3d make_vector(double x, double y, double z) {
   return {ExactPoint(Vec3{x, y, z})};
 }
 
-Maybe<Vector3d> as_vector(const RationalVec3& exact) {
-  const Vec3 rounded{exact.x.nearest_double(), exact.y.nearest_double(), exact.z.nearest_double()};
-  if (!is_finite(rounded)) return Undefined{"a component of the result is beyond the range of doubles"};
-  return Vector3d{ExactPoint(exact)};
-}
-
 Maybe<Vector3d> vector_between(const Point3d& from, const Point3d& to) {
-  return as_vector(to.position.rational() - from.position.rational());
+  return vector_of(to.position.rational() - from.position.rational());
 }
 
 template <std::size_t kAxis>
@@ -48,7 +42,7 @@ double scalar_product(const Vector3d& v, const Vector3d& w) {
 }
 
 Maybe<Vector3d> vector_product(const Vector3d& v, const Vector3d& w) {
-  return as_vector(cross(v.components.rational(), w.components.rational()));
+  return vector_of(cross(v.components.rational(), w.components.rational()));
 }
 
 const std::string kThird = "(vector3d (1/3 0 0))";

@@ -27,6 +27,8 @@ struct Point3d {
 struct Vector3d {
   ExactPoint components;
 };
+/// Undefined if a component is beyond the range of doubles.
+Maybe<Vector3d> vector_of(const RationalVec3& components);
 
 /// plane3d: the points x with x.n = c, exactly, oriented by n. Keeps the quadruple of doubles that it was given as, if
 /// any. Two planes are equal if they have the same points and orientation.

@@ -17,6 +17,12 @@ class Vector3dType final : public ExactTripleType<Vector3d, &Vector3d::component
 
 }  // namespace
 
+Maybe<Vector3d> vector_of(const RationalVec3& components) {
+  const Vec3 rounded{components.x.nearest_double(), components.y.nearest_double(), components.z.nearest_double()};
+  if (!is_finite(rounded)) return Undefined{"a component of the result is beyond the range of doubles"};
+  return Vector3d{ExactPoint(components)};
+}
+
 const Type& TypeOf<Vector3d>::type() {
   static const Vector3dType the_type;
   return the_type;
