@@ -107,10 +107,10 @@ class HalfedgeStructure : public Layout {
         nonmanifold_(std::move(nonmanifold)) {}
 
   typename Arrays::Points points_;
-  typename Arrays::Numbers origins_;     // per half-edge
-  typename Arrays::Numbers opposites_;   // per half-edge
-  typename Arrays::Handles outgoing_;    // per vertex; handles, so that `fans` can show one in place
-  typename Arrays::Tables nonmanifold_;  // a pointer; null while everything is manifold
+  typename Arrays::Numbers origins_;               // per half-edge
+  typename Arrays::Numbers opposites_;             // per half-edge
+  typename Arrays::Handles outgoing_;              // per vertex; handles, so that `fans` can show one in place
+  typename Arrays::Tables nonmanifold_ = nullptr;  // a pointer; null while everything is manifold
 
  private:
   static std::span<const HalfedgeId> list(const std::vector<std::uint32_t>& starts,

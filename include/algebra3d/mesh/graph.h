@@ -81,6 +81,9 @@ namespace detail {
 template <typename Iterator>
 class IteratorPair : public std::pair<Iterator, Iterator> {
  public:
+  using iterator = Iterator;
+  using const_iterator = Iterator;
+
   using std::pair<Iterator, Iterator>::pair;
   template <typename Range>
   static IteratorPair of(const Range& range) {

@@ -83,7 +83,9 @@ TEST(MeshEnumerators, halfedges_have_the_ends_faces_and_edges_of_brute_force) {
       ASSERT_EQ(mesh.edge(h).index(), brute.edge_of_halfedge[h.index()]);
       ASSERT_EQ(mesh.is_boundary(h), brute.is_boundary(h.index()));
       ASSERT_EQ(mesh.opposite(h).is_valid(), brute.is_manifold(h.index()));
-      if (mesh.opposite(h).is_valid()) ASSERT_EQ(mesh.opposite(mesh.opposite(h)), h);
+      if (mesh.opposite(h).is_valid()) {
+        ASSERT_EQ(mesh.opposite(mesh.opposite(h)), h);
+      }
     }
     for (const EdgeId e : edges(mesh)) {
       const std::uint32_t first = brute.edges[e.index()].front();
@@ -121,15 +123,21 @@ TEST(MeshEnumerators, neighbourhoods_of_vertices_are_those_of_brute_force) {
       ASSERT_EQ(sorted_numbers(faces_around(mesh, v)), around);
       const std::vector<std::uint32_t> found = numbers(adjacent_vertices(mesh, v));
       ASSERT_EQ(std::set(found.begin(), found.end()), neighbours);
-      if (mesh.is_manifold()) ASSERT_EQ(found.size(), neighbours.size());
+      if (mesh.is_manifold()) {
+        ASSERT_EQ(found.size(), neighbours.size());
+      }
       ASSERT_EQ(mesh.is_isolated(v), neighbours.empty());
-      if (mesh.is_manifold()) ASSERT_EQ(mesh.is_boundary(v), is_boundary);
+      if (mesh.is_manifold()) {
+        ASSERT_EQ(mesh.is_boundary(v), is_boundary);
+      }
       for (const VertexId to : vertices(mesh)) {
         const HalfedgeId h = mesh.find_halfedge(v, to);
         const bool is_there =
             std::ranges::any_of(leaving, [&](std::uint32_t out) { return brute.halfedges[out].to == to.index(); });
         ASSERT_EQ(h.is_valid(), is_there);
-        if (is_there) ASSERT_TRUE(mesh.origin(h) == v && mesh.target(h) == to);
+        if (is_there) {
+          ASSERT_TRUE(mesh.origin(h) == v && mesh.target(h) == to);
+        }
       }
     }
   });
@@ -169,9 +177,9 @@ TEST(MeshEnumerators, neighbourhoods_of_faces_are_those_of_brute_force) {
 TEST(MeshEnumerators, ranges_compose_with_views) {
   const PolygonMesh cube = lists::polygons_of(lists::cube(), lists::cube_points());
   const VertexId corner(0);
-  const auto heights = adjacent_vertices(cube, corner) |
-                       std::views::filter([&](VertexId v) { return cube.point(v).z == 0; }) |
-                       std::views::transform([&](VertexId v) { return cube.point(v).x; });
+  auto heights = adjacent_vertices(cube, corner) |
+                 std::views::filter([&](VertexId v) { return cube.point(v).z == 0; }) |
+                 std::views::transform([&](VertexId v) { return cube.point(v).x; });
   EXPECT_EQ(std::accumulate(heights.begin(), heights.end(), 0.0), 1);
   auto all = faces(cube) | std::views::transform([&](FaceId f) { return adjacent_faces(cube, f); }) | std::views::join |
              std::views::common;
@@ -200,7 +208,9 @@ TEST(MeshEnumerators, boundary_loops_have_each_boundary_halfedge_once) {
     for (const BoundaryLoop& loop : boundary_loops(mesh)) {
       for (std::size_t i = 0; i + 1 < loop.halfedges.size(); ++i)
         ASSERT_EQ(mesh.origin(loop.halfedges[i + 1]), mesh.target(loop.halfedges[i]));
-      if (loop.is_closed) ASSERT_EQ(mesh.origin(loop.halfedges.front()), mesh.target(loop.halfedges.back()));
+      if (loop.is_closed) {
+        ASSERT_EQ(mesh.origin(loop.halfedges.front()), mesh.target(loop.halfedges.back()));
+      }
       for (const HalfedgeId h : loop.halfedges) found.push_back(h.index());
     }
     for (std::uint32_t h = 0; h < brute.halfedges.size(); ++h)

@@ -85,7 +85,9 @@ void check_graph(const M& mesh) {
     ASSERT_EQ(out, in);
     ASSERT_EQ(out, beside);
     ASSERT_EQ(degree(v, g), out.size());
-    if (!mesh.is_isolated(v)) ASSERT_EQ(target(halfedge(v, g), g), v);
+    if (!mesh.is_isolated(v)) {
+      ASSERT_EQ(target(halfedge(v, g), g), v);
+    }
   }
   for (const FaceId f : faces(g)) ASSERT_EQ(face(halfedge(f, g), g), f);
 }

@@ -103,16 +103,18 @@ TEST(MeshAttributesOfUsers, values_are_those_given_element_by_element) {
   for (const HalfedgeId h : halfedges(cube)) textures[h.index()] = {1.0 * h.index(), 2.0};
   const std::vector<std::string> names{"a", "b", "a", "c", "a", "b"};
   const PolygonMesh named = *cube.with_attribute<FaceId>("Group", names);
-  const PolygonMesh all = **named.with_attribute<EdgeId>("Length", lengths)
-                                ->with_attribute<HalfedgeId>("TextureCoordinate", textures)
-                                .value()
-                                .with_attribute<VertexId>("Normal", std::vector<Vec3>(8, Vec3{1, 2, 3}));
+  const PolygonMesh all = *named.with_attribute<EdgeId>("Length", lengths)
+                               ->with_attribute<HalfedgeId>("TextureCoordinate", textures)
+                               .value()
+                               .with_attribute<VertexId>("Normal", std::vector<Vec3>(8, Vec3{1, 2, 3}));
   ASSERT_EQ(all.attributes().size(), 4U);
   EXPECT_EQ(all.points().data(), cube.points().data());  // the mesh is shared
   const auto length = *all.attribute<EdgeId, double>("Length");
   for (const EdgeId e : edges(all)) {
     EXPECT_EQ(length.is_defined(e), e.index() != 3);
-    if (length.is_defined(e)) EXPECT_EQ(length[e], 0.5 * e.index());
+    if (length.is_defined(e)) {
+      EXPECT_EQ(length[e], 0.5 * e.index());
+    }
   }
   EXPECT_EQ(length.numbers().size(), all.edge_count());
   const auto texture = *all.attribute<HalfedgeId, Vec2>("TextureCoordinate");
