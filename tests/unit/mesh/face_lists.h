@@ -105,6 +105,20 @@ inline Faces random_holes(std::mt19937& random, Faces faces) {
   return faces;
 }
 
+/// The faces with their vertices numbered anew by first use, so that none is isolated.
+inline Faces renumbered(Faces faces) {
+  std::map<std::uint32_t, std::uint32_t> numbers;
+  for (auto& face : faces)
+    for (std::uint32_t& v : face) v = numbers.try_emplace(v, static_cast<std::uint32_t>(numbers.size())).first->second;
+  return faces;
+}
+inline bool has_repeated_corners(const Faces& faces) {
+  return std::ranges::any_of(faces, [](std::vector<std::uint32_t> face) {
+    std::ranges::sort(face);
+    return std::ranges::adjacent_find(face) != face.end();
+  });
+}
+
 /// Half-edges, edges and neighbours of a list of faces, found by looking at all of them.
 struct BruteForce {
   struct Halfedge {

@@ -139,7 +139,11 @@ TEST(MeshFiles, meshes_are_read_as_they_were_written) {
     const ReadMesh read = *read_mesh(folder / name);
     EXPECT_TRUE(std::ranges::equal(read.mesh.points(), cube.points()));
     EXPECT_TRUE(std::ranges::equal(read.mesh.corners(), cube.corners()));
-    EXPECT_EQ(read.mesh.attributes().size(), std::string(name) == "cube.obj" ? 1U : 0U);
+    const auto material = read.mesh.attribute<FaceId, std::string>("Material");
+    ASSERT_EQ(material.ok(), std::string(name) == "cube.obj");
+    if (material.ok()) {
+      for (const FaceId f : faces(cube)) EXPECT_EQ((*material)[f], "steel");
+    }
   }
   EXPECT_EQ(write_mesh(cube, folder / "cube.off")->size(), 1U);  // the material was left out
   for (const char* const form : {"stl", "stl-ascii"}) {
