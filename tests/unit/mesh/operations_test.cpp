@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -121,6 +122,15 @@ TEST(MeshSimplification, a_grid_becomes_two_triangles_and_keeps_its_groups) {
   EXPECT_EQ(simple.face_count(), 2U);
   EXPECT_EQ((*simple.attribute<FaceId, std::string>("Group"))[FaceId(0)], "ground");
   EXPECT_EQ(simplified(grid, {.deviation = -1}).error().code, ErrorCode::invalid_value);
+}
+
+TEST(MeshOperations, cancelled_work_ends_with_an_error) {
+  const std::atomic<bool> cancel = true;
+  const PolygonMesh torus = lists::polygons_of(lists::torus(40, 40, false), lists::torus_points(40, 40));
+  EXPECT_EQ(subdivided(torus, "catmull-clark", 2, &cancel).error().code, ErrorCode::interrupted);
+  EXPECT_EQ(dual(torus, &cancel).error().code, ErrorCode::interrupted);
+  EXPECT_EQ(simplified(*triangulated(torus), {.triangles = 10}, &cancel).error().code, ErrorCode::interrupted);
+  EXPECT_EQ(solid_of(torus, &cancel).error().code, ErrorCode::interrupted);
 }
 
 TEST(MeshDual, that_of_a_cube_is_an_octahedron) {
