@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/strong_id.h"
+#include "algebra3d/base/strong_id.h"
 
 namespace algebra3d {
 

@@ -1,5 +1,5 @@
-# What other programs link: the targets algebra3d::geometry and algebra3d::database, in this build, in an installation,
-# and by pkg-config.
+# What other programs link: the targets algebra3d::geometry, algebra3d::mesh and algebra3d::database, in this build, in an
+# installation, and by pkg-config.
 #
 # A public library is one archive of its layers. Its headers are the only ones that a user sees; libraries that are
 # named in none of them are linked all the same.
@@ -102,8 +102,10 @@ function(write_pkg_config_file name libraries modules)
 endfunction()
 
 add_public_library(geometry FOLDERS base geometry)
-add_public_library(database USES geometry FOLDERS database)
-add_public_library(c FOLDERS c.h)
+add_public_library(mesh USES geometry FOLDERS halfedge mesh)
+# It has operators over meshes, whose layers are in the archive of algebra3d::mesh.
+add_public_library(database USES mesh FOLDERS database)
+add_public_library(c USES mesh FOLDERS c.h)
 
 # What find_package(algebra3d) and `pkg-config algebra3d` read.
 if(ALGEBRA3D_INSTALL)

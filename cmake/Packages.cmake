@@ -81,6 +81,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "exact solids and a database of them, for C++ programs
  The libraries of algebra3d: solids and surfaces as values, with exact set
  operations, motions and measures, mesh files with repair, and an R-tree
- (algebra3d::geometry); databases of them with a query language
- (algebra3d::database). For CMake and pkg-config; C++20, static.")
+ (algebra3d::geometry); half-edge meshes (algebra3d::mesh); databases of
+ solids with a query language (algebra3d::database). For CMake and
+ pkg-config; C++20, static.")
 include(CPack)

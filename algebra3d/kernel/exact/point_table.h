@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/int128.h"
 #include "algebra3d/kernel/exact/point.h"
 #include "base/indices.h"
-#include "base/int128.h"
 
 namespace algebra3d {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "algebra3d/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
-#include "algebra3d/kernel/halfedge/edge_numbers.h"
 
 namespace algebra3d {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/kernel/halfedge/detail/nonmanifold_tables.h"
+#include "algebra3d/halfedge/nonmanifold_tables.h"
 
 namespace algebra3d {
 namespace {
@@ -96,7 +96,8 @@ template <typename Layout>
 bool MeshAuditor<Layout>::check_sizes() {
   const std::size_t before = violations.size();
   const std::size_t halfedge_count = mesh.origins_.size();
-  for (std::string& violation : mesh.layout_violations(halfedge_count)) violations.push_back(std::move(violation));
+  for (std::string& violation : layout_violations(static_cast<const Layout&>(mesh), halfedge_count))
+    violations.push_back(std::move(violation));
   if (halfedge_count > Mesh::kMaxHalfedges)
     report("{} half-edges, expected {} at most", halfedge_count, Mesh::kMaxHalfedges);
   if (mesh.opposites_.size() != halfedge_count)

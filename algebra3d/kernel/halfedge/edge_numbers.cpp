@@ -1,7 +1,9 @@
-#include "algebra3d/kernel/halfedge/edge_numbers.h"
+#include "algebra3d/halfedge/edge_numbers.h"
 
 #include <algorithm>
 #include <cassert>
+
+#include "algebra3d/kernel/halfedge/halfedge_mesh.h"
 
 namespace algebra3d {
 
@@ -20,12 +22,16 @@ EdgeNumbers::EdgeNumbers(const HalfedgeMesh<Layout>& mesh) {
     }
     is_first_[word] = bits;
     count_ += static_cast<std::size_t>(std::popcount(bits));
+    while (samples_.size() * kBits < count_) samples_.push_back(static_cast<std::uint32_t>(word));
   }
+  if (word_count > 0) samples_.push_back(static_cast<std::uint32_t>(word_count - 1));
 }
 
 HalfedgeId EdgeNumbers::first_halfedge(EdgeId edge) const {
   assert(edge.index() < count_);
-  const auto after = std::ranges::upper_bound(counts_, edge.index());
+  const std::size_t sample = edge.index() / kBits;
+  const auto first = counts_.begin() + samples_[sample] + 1, last = counts_.begin() + samples_[sample + 1] + 1;
+  const auto after = std::upper_bound(first, last, edge.index());
   const auto word = static_cast<std::size_t>(after - counts_.begin()) - 1;
   std::uint64_t bits = is_first_[word];
   for (std::uint32_t skipped = counts_[word]; skipped < edge.index(); ++skipped) bits &= bits - 1;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -9,7 +10,8 @@
 
 namespace algebra3d {
 
-PolygonLayout::PolygonLayout(LargeVector<std::uint32_t> starts) : starts_(std::move(starts)) {
+PolygonLayout::PolygonLayout(LargeVector<std::uint32_t> starts) {
+  starts_ = std::move(starts);
   assert(!starts_.empty() && starts_.front() == 0);
   assert(std::ranges::adjacent_find(starts_, std::greater_equal<>()) == starts_.end());
   const std::size_t face_count = starts_.size() - 1;
@@ -30,26 +32,27 @@ PolygonLayout::PolygonLayout(LargeVector<std::uint32_t> starts) : starts_(std::m
   for (std::size_t f = 0; f < face_count; ++f) faces_.resize(starts_[f + 1], static_cast<std::uint32_t>(f));
 }
 
-std::vector<std::string> PolygonLayout::layout_violations(std::size_t halfedge_count) const {
-  if (degree_ != 0) {
-    if (halfedge_count % degree_ == 0) return {};
-    return {fmt::format("{} half-edges, expected a multiple of {}", halfedge_count, degree_)};
+std::vector<std::string> layout_violations(const PolygonLayout& layout, std::size_t halfedge_count) {
+  if (const std::uint32_t degree = layout.common_degree(); degree != 0) {
+    if (halfedge_count % degree == 0) return {};
+    return {fmt::format("{} half-edges, expected a multiple of {}", halfedge_count, degree)};
   }
-  if (starts_.empty() && faces_.empty() && halfedge_count == 0) return {};
+  const LargeVector<std::uint32_t>&starts = layout.face_starts(), &faces = layout.faces_of_halfedges();
+  if (starts.empty() && faces.empty() && halfedge_count == 0) return {};
   std::vector<std::string> violations;
-  if (starts_.empty() || starts_.front() != 0 || starts_.back() != halfedge_count ||
-      std::ranges::adjacent_find(starts_, std::greater_equal<>()) != starts_.end())
+  if (starts.empty() || starts.front() != 0 || starts.back() != halfedge_count ||
+      std::ranges::adjacent_find(starts, std::greater_equal<>()) != starts.end())
     return {fmt::format("the starts of the faces do not divide {} half-edges", halfedge_count)};
-  if (faces_.size() != halfedge_count)
-    return {fmt::format("{} faces of half-edges, expected one per half-edge ({})", faces_.size(), halfedge_count)};
-  for (std::size_t f = 0; f + 1 < starts_.size(); ++f)
-    for (std::uint32_t h = starts_[f]; h < starts_[f + 1]; ++h)
-      if (faces_[h] != f)
-        violations.push_back(fmt::format("half-edge {}: belongs to face {}, face {} is stored", h, f, faces_[h]));
+  if (faces.size() != halfedge_count)
+    return {fmt::format("{} faces of half-edges, expected one per half-edge ({})", faces.size(), halfedge_count)};
+  for (std::size_t f = 0; f + 1 < starts.size(); ++f)
+    for (std::uint32_t h = starts[f]; h < starts[f + 1]; ++h)
+      if (faces[h] != f)
+        violations.push_back(fmt::format("half-edge {}: belongs to face {}, face {} is stored", h, f, faces[h]));
   return violations;
 }
 
-std::vector<std::string> TriangleLayout::layout_violations(std::size_t halfedge_count) {
+std::vector<std::string> layout_violations(const TriangleLayout& /*layout*/, std::size_t halfedge_count) {
   if (halfedge_count % 3 == 0) return {};
   return {fmt::format("{} half-edges, expected a multiple of 3", halfedge_count)};
 }

@@ -4,35 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "algebra3d/kernel/halfedge/handle.h"
-#include "base/int128.h"
+#include "algebra3d/halfedge/face_layout.h"
 #include "base/large_allocator.h"
 
 namespace algebra3d {
 
-/// The half-edges of triangles: those of face f are 3f, 3f + 1 and 3f + 2, so everything is computed.
-struct TriangleLayout {
-  static HalfedgeId next(HalfedgeId h) { return HalfedgeId(h.index() % 3 == 2 ? h.index() - 2 : h.index() + 1); }
-  static HalfedgeId prev(HalfedgeId h) { return HalfedgeId(h.index() % 3 == 0 ? h.index() + 2 : h.index() - 1); }
-  static FaceId face(HalfedgeId h) { return FaceId(h.index() / 3); }
-  /// The half-edge that leaves a corner of a face.
-  static HalfedgeId halfedge(FaceId f, std::uint32_t corner = 0) { return HalfedgeId(3 * f.index() + corner); }
-  /// The number of corners of a face.
-  static std::uint32_t degree(FaceId /*f*/) { return 3; }
-  /// The violated invariants of a mesh with so many half-edges, a sentence each (see `audit`).
-  static std::vector<std::string> layout_violations(std::size_t halfedge_count);
-
- protected:
-  static std::size_t count_faces(std::size_t halfedges) { return halfedges / 3; }
-  static std::size_t layout_bytes() { return 0; }
-};
-
-/// The half-edges of polygons: those of a face are numbered consecutively, faces in ascending order. Faces of one
-/// degree need no memory; others need four bytes per face and four per half-edge.
-class PolygonLayout {
+/// The half-edges of polygons, with arrays of its own.
+class PolygonLayout : public PolygonLayoutIn<LargeVector<std::uint32_t>> {
  public:
   /// No faces.
   PolygonLayout() = default;
@@ -46,61 +26,18 @@ class PolygonLayout {
   /// Faces of any degrees: `starts` has the first half-edge of each face, and at the end the number of half-edges;
   /// strictly ascending from 0 (asserted). Cost: linear.
   explicit PolygonLayout(LargeVector<std::uint32_t> starts);
-
-  HalfedgeId next(HalfedgeId h) const {
-    const std::uint32_t after = h.index() + 1;
-    if (degree_ != 0) return HalfedgeId(after - degree_if_first(after));
-    const auto [first, end] = bounds(face(h));
-    return HalfedgeId(after == end ? first : after);
-  }
-  HalfedgeId prev(HalfedgeId h) const {
-    if (degree_ != 0) return HalfedgeId(h.index() - 1 + degree_if_first(h.index()));
-    const auto [first, end] = bounds(face(h));
-    return HalfedgeId(h.index() == first ? end - 1 : h.index() - 1);
-  }
-  FaceId face(HalfedgeId h) const { return FaceId(degree_ != 0 ? divided_by_degree(h.index()) : faces_[h.index()]); }
-  /// The half-edge that leaves a corner of a face.
-  HalfedgeId halfedge(FaceId f, std::uint32_t corner = 0) const { return HalfedgeId(bounds(f).first + corner); }
-  /// The number of corners of a face.
-  std::uint32_t degree(FaceId f) const { return degree_ != 0 ? degree_ : starts_[f.index() + 1] - starts_[f.index()]; }
-  /// The degree of all faces; 0 if it differs.
-  std::uint32_t common_degree() const { return degree_; }
-  /// The violated invariants of a mesh with so many half-edges, a sentence each (see `audit`).
-  std::vector<std::string> layout_violations(std::size_t halfedge_count) const;
-
- protected:
-  std::size_t count_faces(std::size_t halfedges) const {
-    if (degree_ != 0) return halfedges / degree_;
-    return starts_.empty() ? 0 : starts_.size() - 1;
-  }
-  std::size_t layout_bytes() const { return (starts_.capacity() + faces_.capacity()) * sizeof(std::uint32_t); }
-
- private:
-  std::pair<std::uint32_t, std::uint32_t> bounds(FaceId f) const {
-    if (degree_ != 0) return {f.index() * degree_, (f.index() + 1) * degree_};
-    return {starts_[f.index()], starts_[f.index() + 1]};
-  }
-
-  void set_degree(std::uint32_t degree) {
-    degree_ = degree;
-    reciprocal_ = (std::uint64_t{1} << 63) / degree + 1;
-    divisor_ = ~std::uint64_t{0} / degree + 1;
-  }
-  /// Exact, since the reciprocal is too large by at most 1. A product takes a fraction of the time of a division.
-  std::uint32_t divided_by_degree(std::uint32_t halfedge) const {
-    return static_cast<std::uint32_t>(UInt128{reciprocal_} * (std::uint64_t{halfedge} << 1) >> 64);
-  }
-  /// The degree at the first half-edge of a face and at the end of all, else 0: without a branch, which would often be
-  /// predicted wrongly. Source: [lemire2019].
-  std::uint32_t degree_if_first(std::uint32_t halfedge) const {
-    return degree_ * static_cast<std::uint32_t>(divisor_ * halfedge <= divisor_ - 1);
-  }
-
-  std::uint32_t degree_ = 0;           // 0: in the arrays
-  std::uint64_t reciprocal_ = 0;       // 2^63 / degree, rounded down, plus 1
-  std::uint64_t divisor_ = 0;          // 2^64 / degree, rounded up, modulo 2^64
-  LargeVector<std::uint32_t> starts_;  // per face, and the end
-  LargeVector<std::uint32_t> faces_;   // per half-edge
 };
+
+/// The violated invariants of a mesh with so many half-edges, a sentence each (see `audit`).
+std::vector<std::string> layout_violations(const TriangleLayout& layout, std::size_t halfedge_count);
+std::vector<std::string> layout_violations(const PolygonLayout& layout, std::size_t halfedge_count);
+
+/// Bytes on the heap by the capacities of the containers.
+inline std::size_t layout_bytes(const TriangleLayout& /*layout*/) {
+  return 0;
+}
+inline std::size_t layout_bytes(const PolygonLayout& layout) {
+  return (layout.face_starts().capacity() + layout.faces_of_halfedges().capacity()) * sizeof(std::uint32_t);
+}
 
 }  // namespace algebra3d

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -11,22 +10,16 @@
 #include <string_view>
 #include <vector>
 
+#include "algebra3d/halfedge/mesh_element.h"
 #include "algebra3d/kernel/halfedge/polygon_mesh.h"
 
 namespace algebra3d {
 
-/// The kinds of elements of a mesh. A half-edge keeps what belongs to the corner that it leaves.
-enum class MeshElement : std::uint8_t { vertex, edge, halfedge, face };
-inline constexpr std::array kMeshElements{MeshElement::vertex, MeshElement::edge, MeshElement::halfedge,
-                                          MeshElement::face};
 std::string_view name_of(MeshElement element);
 /// "vertex", "edge", "halfedge" or "face"; nothing for other names.
 std::optional<MeshElement> mesh_element_named(std::string_view name);
 std::size_t element_count(const PolygonMesh& mesh, MeshElement element);
 
-enum class AttributeKind : std::uint8_t { real, pair, vector, text };
-inline constexpr std::array kAttributeKinds{AttributeKind::real, AttributeKind::pair, AttributeKind::vector,
-                                            AttributeKind::text};
 std::string_view name_of(AttributeKind kind);
 /// How many numbers a value has; 0 for texts.
 std::size_t width_of(AttributeKind kind);
@@ -78,18 +71,6 @@ class AttributeValues {
   std::vector<std::string> texts_;
   std::vector<std::uint32_t> numbers_of_texts_;  // kNone: undefined
 };
-
-// Names of attributes that mesh files have: texture coordinates and normals of half-edges, that is, of corners, or of
-// vertices; groups, objects, materials and their files of faces; colours of vertices and faces, as red, green and blue from 0 to 1,
-// with their opacities. Vectors of any elements with the name of normals turn with the mesh.
-inline constexpr const char* kTextureAttribute = "TextureCoordinate";
-inline constexpr const char* kNormalAttribute = "Normal";
-inline constexpr const char* kColourAttribute = "Colour";
-inline constexpr const char* kOpacityAttribute = "Opacity";
-inline constexpr const char* kGroupAttribute = "Group";
-inline constexpr const char* kObjectAttribute = "Object";
-inline constexpr const char* kMaterialAttribute = "Material";
-inline constexpr const char* kMaterialLibraryAttribute = "MaterialLibrary";
 
 struct MeshAttribute {
   MeshElement element;

@@ -5,30 +5,16 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/halfedge/boundary_loop.h"
+#include "algebra3d/halfedge/face_components.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 namespace algebra3d {
-
-/// Connected components of the faces, numbered in order of their first face.
-struct FaceComponents {
-  std::vector<std::uint32_t> of_face;  ///< component of each face
-  std::size_t count = 0;
-
-  /// The faces of each component, ascending.
-  std::vector<std::vector<FaceId>> faces() const;
-};
 
 /// Finds connected components: faces are connected across common edges, manifold or not, but not by common
 /// vertices. Cost: linear.
 template <typename Layout>
 FaceComponents connected_components(const HalfedgeMesh<Layout>& mesh);
-
-/// A maximal chain of boundary half-edges with their faces to the left.
-struct BoundaryLoop {
-  std::vector<HalfedgeId> halfedges;
-  /// False for a chain that ends at non-manifold edges.
-  bool is_closed = true;
-};
 
 /// All boundary loops; each boundary half-edge is in one. At a non-manifold vertex a loop stays on its fan, so
 /// faces that touch in a point have separate loops. Closed loops start at their lowest half-edge; loops are ordered

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "algebra3d/base/vec3.h"
-#include "algebra3d/kernel/halfedge/handle.h"
+#include "algebra3d/halfedge/handle.h"
 
 namespace algebra3d {
 

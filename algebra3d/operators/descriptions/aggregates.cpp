@@ -1,6 +1,6 @@
 // sum, avg, min, max: one value of many.
+#include "algebra3d/base/int128.h"
 #include "algebra3d/operators/registry/aggregate.h"
-#include "base/int128.h"
 
 #include <optional>
 

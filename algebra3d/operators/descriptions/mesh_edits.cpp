@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/kernel/halfedge/edge_numbers.h"
+#include "algebra3d/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/mesh_editor.h"
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/operators/descriptions/all.h"

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "algebra3d/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
-#include "algebra3d/kernel/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/mesh_triangles.h"
 #include "algebra3d/kernel/halfedge/polygon_mesh.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"

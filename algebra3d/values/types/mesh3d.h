@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "algebra3d/base/box3.h"
-#include "algebra3d/kernel/halfedge/edge_numbers.h"
+#include "algebra3d/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/mesh_attributes.h"
 #include "algebra3d/kernel/halfedge/polygon_mesh.h"
 #include "algebra3d/kernel/halfedge/vertex_facts.h"

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/exact/plane.h"
 #include "algebra3d/kernel/exact/point.h"
 #include "algebra3d/kernel/halfedge/edge_components.h"
-#include "algebra3d/kernel/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "algebra3d/kernel/halfedge/vertex_facts.h"
 #include "algebra3d/kernel/search/box_hierarchy.h"

@@ -5,8 +5,8 @@
 
 #include <type_traits>
 
+#include "algebra3d/halfedge/handle.h"
 #include "algebra3d/kernel/arrangement/detail/front_winding_ids.h"
-#include "algebra3d/kernel/halfedge/handle.h"
 #include "support/separate_ids.h"
 
 namespace algebra3d::arrangement {

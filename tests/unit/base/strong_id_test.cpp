@@ -1,4 +1,4 @@
-#include "base/strong_id.h"
+#include "algebra3d/base/strong_id.h"
 
 #include <gtest/gtest.h>
 

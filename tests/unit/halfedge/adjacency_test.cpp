@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
-#include "algebra3d/kernel/halfedge/edge_numbers.h"
 #include "polygon_lists.h"
 
 namespace algebra3d {

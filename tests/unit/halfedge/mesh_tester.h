@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "algebra3d/kernel/halfedge/detail/nonmanifold_tables.h"
+#include "algebra3d/halfedge/nonmanifold_tables.h"
 #include "algebra3d/kernel/halfedge/halfedge_mesh.h"
 
 namespace algebra3d {

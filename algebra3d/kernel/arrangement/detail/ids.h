@@ -4,7 +4,7 @@
 #include <concepts>
 #include <cstdint>
 
-#include "base/strong_id.h"
+#include "algebra3d/base/strong_id.h"
 
 /// Identifiers of an arrangement. A mesh has handles of its own (VertexId, HalfedgeId, FaceId in halfedge/handle.h),
 /// which mean something within one operand; the `Input` ids count the elements of all operands consecutively, those of

@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "algebra3d/halfedge/handle.h"
 #include "algebra3d/kernel/exact/point.h"
-#include "algebra3d/kernel/halfedge/handle.h"
 
 namespace algebra3d::detail {
 

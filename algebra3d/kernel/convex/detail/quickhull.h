@@ -5,8 +5,8 @@
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/halfedge/handle.h"
 #include "algebra3d/kernel/exact/point.h"
-#include "algebra3d/kernel/halfedge/handle.h"
 
 namespace algebra3d::detail {
 

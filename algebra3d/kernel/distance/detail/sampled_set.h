@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/strong_id.h"
 #include "algebra3d/kernel/distance/detail/rounded_closest.h"
 #include "algebra3d/kernel/distance/distance.h"
 #include "algebra3d/kernel/search/oriented_boxes.h"
-#include "base/strong_id.h"
 
 namespace algebra3d::distances {
 

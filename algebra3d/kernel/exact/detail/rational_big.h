@@ -4,8 +4,8 @@
 
 #include <gmp.h>
 
+#include "algebra3d/base/int128.h"
 #include "algebra3d/kernel/exact/rational.h"
-#include "base/int128.h"
 
 namespace algebra3d {
 

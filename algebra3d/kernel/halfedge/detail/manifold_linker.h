@@ -10,6 +10,7 @@
 
 #include "algebra3d/kernel/halfedge/detail/mesh_linker.h"
 #include "algebra3d/kernel/halfedge/halfedge_mesh.h"
+#include "base/indices.h"
 #include "base/interruption_scope.h"
 #include "base/scheduler.h"
 

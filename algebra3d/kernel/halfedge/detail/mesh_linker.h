@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/kernel/halfedge/detail/nonmanifold_tables.h"
+#include "algebra3d/halfedge/nonmanifold_tables.h"
 #include "algebra3d/kernel/halfedge/halfedge_mesh.h"
 #include "base/interruption_scope.h"
 #include "base/radix_sort.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/strong_id.h"
+#include "algebra3d/base/strong_id.h"
 
 /// Identifiers within a triangulation of the plane. A mesh in space has handles of its own (halfedge/handle.h).
 namespace algebra3d::planar {

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/strong_id.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/repair/scaled_triangles.h"
 #include "algebra3d/kernel/search/boxes.h"
 #include "base/id_vector.h"
 #include "base/propagate.h"
-#include "base/strong_id.h"
 #include "rtree/rtree.h"
 
 namespace algebra3d {

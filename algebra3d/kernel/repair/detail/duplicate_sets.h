@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "algebra3d/base/strong_id.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "base/id_vector.h"
-#include "base/strong_id.h"
 
 namespace algebra3d {
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/strong_id.h"
 #include "algebra3d/kernel/exact/predicates.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/topology.h"
@@ -23,7 +24,6 @@
 #include "algebra3d/kernel/soup/rounding_noise.h"
 #include "base/id_vector.h"
 #include "base/propagate.h"
-#include "base/strong_id.h"
 #include "rtree/rtree.h"
 
 namespace algebra3d {

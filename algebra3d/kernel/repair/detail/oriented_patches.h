@@ -2,9 +2,9 @@
 
 #include <memory>
 
+#include "algebra3d/base/strong_id.h"
 #include "algebra3d/kernel/repair/detail/indexed_soup.h"
 #include "base/id_vector.h"
-#include "base/strong_id.h"
 
 namespace algebra3d {
 

@@ -6,11 +6,11 @@
 #include "algebra3d/base/box3.h"
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/base/strong_id.h"
 #include "algebra3d/kernel/exact/rational.h"
 #include "algebra3d/kernel/repair/detail/indexed_soup.h"
 #include "base/disjoint_ids.h"
 #include "base/id_vector.h"
-#include "base/strong_id.h"
 
 namespace algebra3d {
 

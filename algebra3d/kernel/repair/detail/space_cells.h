@@ -5,9 +5,9 @@
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/base/strong_id.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "base/disjoint_ids.h"
-#include "base/strong_id.h"
 
 namespace algebra3d {
 

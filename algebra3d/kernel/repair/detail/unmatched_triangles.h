@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "algebra3d/base/strong_id.h"
 #include "algebra3d/kernel/repair/detail/known_triangles.h"
 #include "algebra3d/kernel/repair/detail/measure_frame.h"
 #include "algebra3d/kernel/repair/detail/triangle_parts.h"
 #include "base/id_vector.h"
-#include "base/strong_id.h"
 #include "rtree/rtree.h"
 
 namespace algebra3d {

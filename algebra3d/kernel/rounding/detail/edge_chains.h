@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/strong_id.h"
 #include "algebra3d/base/vec3.h"
 #include "algebra3d/kernel/rounding/detail/moved_points.h"
 #include "base/id_vector.h"
-#include "base/strong_id.h"
 
 namespace algebra3d {
 

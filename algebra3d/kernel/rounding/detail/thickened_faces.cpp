@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/int128.h"
 #include "algebra3d/kernel/exact/point_table.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
-#include "base/int128.h"
 
 namespace algebra3d {
 namespace {

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "algebra3d/kernel/halfedge/polygon_mesh.h"
+#include "base/indices.h"
 
 namespace algebra3d::subdivision {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/adjacency.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
-#include "algebra3d/kernel/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/normals.h"
 #include "algebra3d/kernel/halfedge/vertex_facts.h"
 #include "algebra3d/operators/registry/rows.h"

@@ -7,9 +7,9 @@
 #include <span>
 #include <utility>
 
+#include "algebra3d/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/exact/predicates.h"
 #include "algebra3d/kernel/halfedge/circulators.h"
-#include "algebra3d/kernel/halfedge/edge_numbers.h"
 #include "algebra3d/kernel/halfedge/normals.h"
 #include "algebra3d/kernel/soup/mesh_triangulation.h"
 #include "algebra3d/values/display/detail/shape_parts.h"

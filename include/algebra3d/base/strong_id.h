@@ -8,8 +8,6 @@
 #include <iterator>
 #include <ranges>
 
-#include "base/indices.h"
-
 namespace algebra3d {
 
 /// The index of an object of one kind; invalid by default. Ids of different kinds are different types without
@@ -28,14 +26,18 @@ class StrongId {
   static constexpr StrongId none() { return {}; }
 
   constexpr std::uint32_t index() const { return index_; }
-  constexpr bool is_none() const { return index_ == kNone; }
-  constexpr bool is_valid() const { return index_ != kNone; }
+  constexpr bool is_none() const { return index_ == kInvalid; }
+  constexpr bool is_valid() const { return index_ != kInvalid; }
 
   /// Order by index; the invalid id is last.
   friend constexpr auto operator<=>(StrongId, StrongId) = default;  // NOLINT(modernize-use-nullptr)
+  /// For boost::hash.
+  friend constexpr std::size_t hash_value(StrongId id) { return id.index_; }
 
  private:
-  std::uint32_t index_ = kNone;
+  static constexpr std::uint32_t kInvalid = 0xFFFFFFFF;
+
+  std::uint32_t index_ = kInvalid;
 };
 
 /// The range of ids from `first` to `last`, exclusive.

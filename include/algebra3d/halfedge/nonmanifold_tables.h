@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "algebra3d/kernel/halfedge/handle.h"
+#include "algebra3d/halfedge/handle.h"
 
 namespace algebra3d {
 

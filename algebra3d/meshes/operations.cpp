@@ -1,0 +1,100 @@
+#include "algebra3d/mesh/operations.h"
+
+#include <utility>
+#include <vector>
+
+#include "algebra3d/kernel/halfedge/attribute_transfer.h"
+#include "algebra3d/kernel/halfedge/dual.h"
+#include "algebra3d/kernel/simplification/simplification.h"
+#include "algebra3d/kernel/subdivision/subdivided.h"
+#include "algebra3d/meshes/mesh_access.h"
+#include "algebra3d/values/constructions/mesh_conversions.h"
+#include "base/interruption_scope.h"
+#include "base/propagate.h"
+#include "base/without_exceptions.h"
+
+namespace algebra3d::mesh {
+namespace {
+
+using detail::MeshAccess;
+
+/// The attributes of what a simplification has left.
+MeshAttributes attributes_after(const TriangleMesh& before, const algebra3d::PolygonMesh& after,
+                                Simplification& simplification) {
+  const MeshAttributes attributes = MeshAccess::attributes(before);
+  if (attributes.is_empty()) return {};
+  const algebra3d::PolygonMesh source = detail::polygons_of(before);
+  ElementSources sources;
+  sources.halfedges.reserve(after.halfedge_count());
+  for (const std::uint32_t f : simplification.faces)
+    for (std::uint32_t corner = 0; corner < 3; ++corner)
+      sources.halfedges.push_back(source.halfedge(FaceId(f), corner).index());
+  sources.edges = edge_sources(after, source, sources.halfedges);
+  sources.vertices = std::move(simplification.vertices);
+  sources.faces = std::move(simplification.faces);
+  return taken_over_merged(attributes, source, after, std::move(sources), ElementBlends(source));
+}
+
+}  // namespace
+
+template <AnyMesh M>
+Result<PolygonMesh> subdivided(const M& mesh, std::string_view scheme, std::size_t steps, const Monitor& monitor) {
+  return without_exceptions([&]() -> Result<PolygonMesh> {
+    const InterruptionScope interruption(monitor.cancel());
+    const std::optional<SubdivisionScheme> known = subdivision_scheme(scheme);
+    if (!known)
+      return Error{ErrorCode::unknown_name, "subdivided: expected one of {}, found '{}'", subdivision_scheme_names(),
+                   scheme};
+    A3D_ASSIGN(SubdividedMesh result, algebra3d::subdivided(detail::polygons_of(mesh), MeshAccess::attributes(mesh),
+                                                            *known, steps, {}, monitor));
+    return MeshAccess::outer(std::move(result.mesh), result.attributes);
+  });
+}
+
+Result<TriangleMesh> simplified(const TriangleMesh& mesh, const SimplificationGoal& goal, const Monitor& monitor) {
+  return without_exceptions([&]() -> Result<TriangleMesh> {
+    if (!(goal.deviation >= 0) || !(goal.crease_degrees >= 0))
+      return Error{ErrorCode::invalid_value,
+                   "simplified: expected a deviation and an angle that are not negative, found {} and {} degrees",
+                   goal.deviation, goal.crease_degrees};
+    const InterruptionScope interruption(monitor.cancel());
+    const algebra3d::TriangleMesh& given = MeshAccess::content(mesh);
+    const SimplificationTarget target{
+        .triangles = goal.triangles, .deviation = goal.deviation, .crease_degrees = goal.crease_degrees};
+    const auto of_doubles = [&] { return algebra3d::TriangleMesh(given, PointArray(given.points().approx())); };
+    A3D_ASSIGN(Simplification result, given.points().exact_count() == 0
+                                          ? algebra3d::simplified(given, target, monitor)
+                                          : algebra3d::simplified(of_doubles(), target, monitor));
+    const algebra3d::PolygonMesh after = detail::polygons_of(MeshAccess::outer(result.mesh));
+    const MeshAttributes attributes = attributes_after(mesh, after, result);
+    return MeshAccess::outer(std::move(result.mesh), attributes);
+  });
+}
+
+template <AnyMesh M>
+Result<PolygonMesh> dual(const M& mesh, const Monitor& monitor) {
+  return without_exceptions([&]() -> Result<PolygonMesh> {
+    const InterruptionScope interruption(monitor.cancel());
+    A3D_ASSIGN(algebra3d::PolygonMesh result, dual_mesh(MeshAccess::content(mesh), monitor));
+    return MeshAccess::outer(std::move(result));
+  });
+}
+
+Result<TriangleMesh> triangulated(const PolygonMesh& mesh, const Monitor& monitor) {
+  return without_exceptions([&]() -> Result<TriangleMesh> {
+    const InterruptionScope interruption(monitor.cancel());
+    A3D_ASSIGN(const Mesh3d result,
+               algebra3d::triangulated(Mesh3d(MeshAccess::content(mesh), MeshAccess::attributes(mesh)), monitor));
+    if (result.mesh().face_count() > algebra3d::TriangleMesh::kMaxFaces)
+      return Error{ErrorCode::limit_exceeded, "{} triangles; expected at most {}", result.mesh().face_count(),
+                   algebra3d::TriangleMesh::kMaxFaces};
+    return detail::triangle_mesh_of(result.mesh(), result.attributes());
+  });
+}
+
+template Result<PolygonMesh> subdivided(const TriangleMesh&, std::string_view, std::size_t, const Monitor&);
+template Result<PolygonMesh> subdivided(const PolygonMesh&, std::string_view, std::size_t, const Monitor&);
+template Result<PolygonMesh> dual(const TriangleMesh&, const Monitor&);
+template Result<PolygonMesh> dual(const PolygonMesh&, const Monitor&);
+
+}  // namespace algebra3d::mesh
