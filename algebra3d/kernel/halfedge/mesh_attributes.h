@@ -81,7 +81,8 @@ class AttributeValues {
 
 // Names of attributes that mesh files have: texture coordinates and normals of half-edges, that is, of corners, or of
 // vertices; groups, objects and materials of faces; colours of vertices and faces, as red, green and blue from 0 to 1,
-// with their opacities. Vectors of any elements with the name of normals turn with the mesh.
+// with their opacities. Vectors of any elements with the name of normals turn with the mesh. And those that subdivision
+// reads: the sharpness of edges and of vertices (subdivision/subdivided.h).
 inline constexpr const char* kTextureAttribute = "TextureCoordinate";
 inline constexpr const char* kNormalAttribute = "Normal";
 inline constexpr const char* kColourAttribute = "Colour";
@@ -89,6 +90,8 @@ inline constexpr const char* kOpacityAttribute = "Opacity";
 inline constexpr const char* kGroupAttribute = "Group";
 inline constexpr const char* kObjectAttribute = "Object";
 inline constexpr const char* kMaterialAttribute = "Material";
+inline constexpr const char* kCreaseAttribute = "Crease";
+inline constexpr const char* kCornerAttribute = "Corner";
 
 struct MeshAttribute {
   MeshElement element;

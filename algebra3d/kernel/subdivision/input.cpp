@@ -4,9 +4,12 @@
 #include <atomic>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/subdivision/detail/blocks.h"
 #include "algebra3d/kernel/subdivision/detail/mesh_view.h"
+#include "base/memory_limit.h"
 #include "base/propagate.h"
 
 namespace algebra3d::subdivision {
@@ -47,18 +50,18 @@ Status check_manifold(const PolygonMesh& mesh) {
       vertices.front().index(), mesh.fans(vertices.front()).size()};
 }
 
-Status check_triangles(const PolygonMesh& mesh, SubdivisionScheme scheme) {
+Status check_triangles(const PolygonMesh& mesh, const SchemeDescription& scheme) {
   if (mesh.is_empty() || mesh.common_degree() == 3) return {};
   for (const FaceId f : faces(mesh))
     if (mesh.degree(f) != 3)
       return Error{ErrorCode::invalid_value, "face {} has {} corners, but {} takes triangles only; see triangulate",
-                   f.index(), mesh.degree(f), name_of(scheme)};
+                   f.index(), mesh.degree(f), scheme.name};
   return {};
 }
 
 /// With two edges at an interior vertex, two edges of the result would join the same vertices: those that cut off its
 /// two triangles, or for Doo-Sabin the sides of a face with two corners.
-Status check_valences(const PolygonMesh& mesh, SubdivisionScheme scheme) {
+Status check_valences(const PolygonMesh& mesh, const SchemeDescription& scheme) {
   const auto valence = [&](const auto& view, std::uint32_t v) {
     std::size_t count = 0;
     view.for_each_outgoing(view.outgoing(v), [&](std::uint32_t) { ++count; });
@@ -71,7 +74,7 @@ Status check_valences(const PolygonMesh& mesh, SubdivisionScheme scheme) {
   });
   if (v == kNone) return {};
   return Error{ErrorCode::invalid_value, "vertex {} has {} edges and is on no boundary, but {} needs three edges", v,
-               valence(MeshView<0>(mesh), v), name_of(scheme)};
+               valence(MeshView<0>(mesh), v), scheme.name};
 }
 
 /// Where a face meets itself in an edge, two edges of the result would join the middles of both.
@@ -97,31 +100,45 @@ Status check_coordinates(const PolygonMesh& mesh) {
   return Error{ErrorCode::limit_exceeded, "vertex {} has a coordinate beyond 2^960", v};
 }
 
-/// Each step makes four half-edges of one; Doo-Sabin makes less where there is a boundary.
-Status check_size(const PolygonMesh& mesh, std::size_t steps) {
-  std::size_t halfedges = mesh.halfedge_count();
-  for (std::size_t i = 0; i < steps && halfedges > 0; ++i) {
-    halfedges *= 4;
-    if (halfedges > PolygonMesh::kMaxHalfedges)
+std::size_t boundary_halfedge_count(const PolygonMesh& mesh) {
+  std::atomic<std::size_t> count = 0;
+  for_each_block(mesh.halfedge_count(), Stage({}, {}, 0), [&](std::size_t, std::uint32_t begin, std::uint32_t end) {
+    std::size_t own = 0;
+    for (std::uint32_t h = begin; h < end; ++h) own += mesh.is_boundary(HalfedgeId(h)) ? 1 : 0;
+    count += own;
+  });
+  return count;
+}
+
+/// Whether numbers and memory suffice for the result, and for those of the steps before it.
+Status check_size(const PolygonMesh& mesh, const SchemeDescription& scheme, std::size_t steps, std::size_t variant) {
+  constexpr std::uint64_t kLeastBytes = 16;  // of a half-edge of the result: its arrays and its part of a vertex
+  if (mesh.is_empty()) return {};
+  MeshSize size{mesh.halfedge_count(), scheme.grows_at_boundary ? boundary_halfedge_count(mesh) : 0};
+  for (std::size_t i = 0; i < steps; ++i) {
+    size = scheme.after_step(size, variant);
+    if (size.halfedges > PolygonMesh::kMaxHalfedges)
       return Error{ErrorCode::limit_exceeded,
-                   "{} steps make more than {} half-edges of {}, each step four times as many; at most {} steps are "
-                   "possible",
+                   "{} steps make more than {} half-edges of {}; at most {} steps are possible",
                    steps,
                    PolygonMesh::kMaxHalfedges,
                    mesh.halfedge_count(),
                    i};
   }
-  return {};
+  if (!size.is_exact) return {};
+  return require_memory(size.halfedges * kLeastBytes,
+                        fmt::format("{} half-edges after {} steps", size.halfedges, steps));
 }
 
 }  // namespace
 
-Status check_input(const PolygonMesh& mesh, SubdivisionScheme scheme, std::size_t steps) {
-  if (takes_triangles_only(scheme)) A3D_TRY(check_triangles(mesh, scheme));
+Status check_input(const PolygonMesh& mesh, const SchemeDescription& scheme, std::size_t steps, std::size_t variant) {
+  if (scheme.takes_triangles_only) A3D_TRY(check_triangles(mesh, scheme));
   A3D_TRY(check_manifold(mesh));
-  A3D_TRY(scheme == SubdivisionScheme::catmull_clark ? check_sides(mesh) : check_valences(mesh, scheme));
+  if (scheme.needs_distinct_sides) A3D_TRY(check_sides(mesh));
+  if (scheme.needs_three_edges) A3D_TRY(check_valences(mesh, scheme));
   A3D_TRY(check_coordinates(mesh));
-  return check_size(mesh, steps);
+  return check_size(mesh, scheme, steps, variant);
 }
 
 }  // namespace algebra3d::subdivision

@@ -3,7 +3,6 @@
 
 #include "algebra3d/kernel/subdivision/detail/butterfly_rules.h"
 #include "algebra3d/kernel/subdivision/detail/ring_masks.h"
-#include "algebra3d/kernel/subdivision/detail/steps.h"
 #include "base/propagate.h"
 
 namespace algebra3d::subdivision {
@@ -85,19 +84,25 @@ class EdgePoints {
   LargeVector<std::uint8_t> is_extraordinary_;  // per vertex
 };
 
-}  // namespace
-
-Result<PolygonMesh> modified_butterfly_step(const PolygonMesh& mesh, const Monitor& monitor, const std::string& what) {
-  const TriangleView view(mesh);
-  const Stage stage(monitor, what + ", edges",
+Result<PolygonMesh> modified_butterfly_step(const StepInput& input) {
+  const TriangleView view(input.mesh);
+  const Stage stage(input.monitor, input.what + ", edges",
                     2 * block_count(view.halfedge_count()) + 3 * block_count(view.vertex_count()));
   const EdgeEnumeration edges(view, Edges::all, stage);
-  A3D_TRY(monitor.check());
+  A3D_TRY(input.monitor.check());
   const LargeVector<Vec3> points = EdgePoints(view, stage, edges).take();
-  A3D_TRY(monitor.check());
+  A3D_TRY(input.monitor.check());
   return split_triangles(
-      mesh, monitor, what, [&](std::uint32_t, std::uint32_t e) { return points[e]; },
-      [&](std::uint32_t v) { return view.point(v); });
+      input, [&](std::uint32_t, std::uint32_t e) { return points[e]; }, [&](std::uint32_t v) { return view.point(v); });
 }
+
+}  // namespace
+
+constinit const SchemeDescription kModifiedButterfly = {.name = "modified-butterfly",
+                                                        .takes_triangles_only = true,
+                                                        .needs_three_edges = true,
+                                                        .after_step = four_times,
+                                                        .step = modified_butterfly_step,
+                                                        .provenance = triangle_split_provenance};
 
 }  // namespace algebra3d::subdivision

@@ -10,7 +10,7 @@
 namespace algebra3d::subdivision {
 
 /// Which edges have numbers.
-enum class Edges : std::uint8_t { all, interior };
+enum class Edges : std::uint8_t { all, interior, boundary };
 
 /// Numbers of edges, in the order of their first half-edges.
 template <typename View>
@@ -42,7 +42,7 @@ class EdgeEnumeration {
 
  private:
   bool is_numbered(std::uint32_t h) const {
-    return view_.is_first_of_edge(h) && (edges_ == Edges::all || !view_.is_boundary(h));
+    return view_.is_first_of_edge(h) && (edges_ == Edges::all || view_.is_boundary(h) == (edges_ == Edges::boundary));
   }
 
   View view_;

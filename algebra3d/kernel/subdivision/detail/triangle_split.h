@@ -7,6 +7,7 @@
 
 #include "algebra3d/kernel/subdivision/detail/edge_enumeration.h"
 #include "algebra3d/kernel/subdivision/detail/refined_mesh.h"
+#include "algebra3d/kernel/subdivision/detail/scheme_description.h"
 #include "base/propagate.h"
 
 namespace algebra3d::subdivision {
@@ -58,11 +59,12 @@ class TriangleSplit {
 /// The mesh with each triangle divided into four. edge_point(h, e) is the new vertex on edge number e, whose first
 /// half-edge is h; vertex_point(v) is the new place of a vertex that is not isolated. Error: interrupted.
 template <typename EdgePoint, typename VertexPoint>
-Result<PolygonMesh> split_triangles(const PolygonMesh& mesh, const Monitor& monitor, const std::string& what,
-                                    const EdgePoint& edge_point, const VertexPoint& vertex_point) {
-  const TriangleView view(mesh);
+Result<PolygonMesh> split_triangles(const StepInput& input, const EdgePoint& edge_point,
+                                    const VertexPoint& vertex_point) {
+  const Monitor& monitor = input.monitor;
+  const TriangleView view(input.mesh);
   const std::uint32_t vertex_count = view.vertex_count(), halfedge_count = view.halfedge_count();
-  const Stage stage(monitor, what,
+  const Stage stage(monitor, input.what,
                     2 * block_count(halfedge_count) + block_count(view.face_count()) + block_count(vertex_count));
   const EdgeEnumeration edges(view, Edges::all, stage);
   A3D_TRY(monitor.check());
@@ -86,5 +88,8 @@ Result<PolygonMesh> split_triangles(const PolygonMesh& mesh, const Monitor& moni
   });
   return std::move(refined).finish(PolygonLayout::of_degree(3), monitor);
 }
+
+/// The provenance of attributes after a step with split_triangles.
+Provenance triangle_split_provenance(const StepInput& input, const PolygonMesh& after, const MeshAttributes& given);
 
 }  // namespace algebra3d::subdivision
