@@ -27,8 +27,8 @@ Result<AttributeValues> by_step(const MeshAttribute& attribute, const StepInput&
 AttributeValues sharpness_values(const MeshAttribute& attribute, const Provenance& provenance) {
   const AttributeValues& values = *attribute.values;
   const ElementSources& sources = provenance.sources;
-  std::vector<std::uint32_t> kept = attribute.element == MeshElement::edge ? sources.edges : sources.vertices;
-  for (std::uint32_t& source : kept)
+  ValueSources kept = attribute.element == MeshElement::edge ? sources.edges : sources.vertices;
+  for (auto& source : kept)
     if (source >= values.size()) source = kNone;
   AttributeValues result = values.selected(kept);
   for (std::size_t i = 0; i < result.size(); ++i)

@@ -6,8 +6,8 @@ namespace {
 Result<PolygonMesh> butterfly_step(const StepInput& input) {
   const TriangleView view(input.mesh);
   return split_triangles(
-      input, [&](std::uint32_t h, std::uint32_t) { return butterfly_edge_point(view, h); },
-      [&](std::uint32_t v) { return view.point(v); });
+      input, [&](HalfedgeId h, EdgeNumber) { return butterfly_edge_point(view, h); },
+      [&](VertexId v) { return view.point(v); });
 }
 
 }  // namespace

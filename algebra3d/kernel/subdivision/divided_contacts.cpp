@@ -33,8 +33,7 @@ class ContactDivision {
   }
 
  private:
-  std::uint32_t next(std::uint32_t h) const { return mesh_.next(HalfedgeId(h)).index(); }
-  std::uint32_t prev(std::uint32_t h) const { return mesh_.prev(HalfedgeId(h)).index(); }
+  HalfedgeId opposite(HalfedgeId h) const { return HalfedgeId(opposites_[h.index()]); }
   PointRef third(HalfedgeId h) const { return mesh_.point(mesh_.origin(mesh_.prev(h))); }
 
   /// Material lies counter-clockwise of the faces that run against the edge, up to the next one that runs along it.
@@ -49,7 +48,7 @@ class ContactDivision {
         if (!nearest.is_valid() || compare_around_edge(e0, e1, third(against), third(h), third(nearest)) < 0)
           nearest = h;
       }
-      if (!nearest.is_valid() || opposites_[nearest.index()] != kNone) continue;
+      if (!nearest.is_valid() || opposite(nearest).is_valid()) continue;
       opposites_[nearest.index()] = against.index();
       opposites_[against.index()] = nearest.index();
     }
@@ -67,37 +66,37 @@ class ContactDivision {
   }
 
   void divide(VertexId v, std::vector<bool>& is_seen) {
-    std::vector<std::uint32_t> corners;
-    for (const HalfedgeId h : outgoing_halfedges(mesh_, v)) corners.push_back(h.index());
+    std::vector<HalfedgeId> corners;
+    for (const HalfedgeId h : outgoing_halfedges(mesh_, v)) corners.push_back(h);
     std::ranges::sort(corners);
     std::size_t fan_count = 0;
-    for (const std::uint32_t corner : corners) {
-      poll_interruption_at(corner);
-      if (is_seen[corner]) continue;
-      const std::uint32_t vertex = fan_count++ == 0 ? v.index() : static_cast<std::uint32_t>(points_.size());
-      if (vertex != v.index()) {
+    for (const HalfedgeId corner : corners) {
+      poll_interruption_at(corner.index());
+      if (is_seen[corner.index()]) continue;
+      const VertexId vertex = fan_count++ == 0 ? v : VertexId(points_.size());
+      if (vertex != v) {
         points_.push_back(mesh_.point(v));
         outgoing_.push_back(HalfedgeId());
       }
-      outgoing_[vertex] = HalfedgeId(take_fan(corner, vertex, is_seen));
+      outgoing_[vertex.index()] = take_fan(corner, vertex, is_seen);
     }
     if (fan_count > 1) ++divided_vertex_count_;
   }
 
   /// Gives the corners of a fan a vertex. Returns its outgoing half-edge: at the boundary the first one
   /// counter-clockwise, else the lowest, which `corner` is.
-  std::uint32_t take_fan(std::uint32_t corner, std::uint32_t vertex, std::vector<bool>& is_seen) {
-    std::uint32_t first = corner;
-    while (opposites_[first] != kNone) {
-      first = next(opposites_[first]);
+  HalfedgeId take_fan(HalfedgeId corner, VertexId vertex, std::vector<bool>& is_seen) {
+    HalfedgeId first = corner;
+    while (opposite(first).is_valid()) {
+      first = mesh_.next(opposite(first));
       if (first == corner) break;
     }
-    const bool is_open = opposites_[first] == kNone;
-    for (std::uint32_t h = first;;) {
-      is_seen[h] = true;
-      corners_[h] = vertex;
-      h = opposites_[prev(h)];
-      if (h == kNone || h == first) break;
+    const bool is_open = opposite(first).is_none();
+    for (HalfedgeId h = first;;) {
+      is_seen[h.index()] = true;
+      corners_[h.index()] = vertex.index();
+      h = opposite(mesh_.prev(h));
+      if (h.is_none() || h == first) break;
     }
     return is_open ? first : corner;
   }

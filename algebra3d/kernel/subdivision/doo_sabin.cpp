@@ -73,8 +73,8 @@ class DooSabin {
     const Place end = vertex_faces_.back();
     const std::size_t on_boundary = is_open() ? 0 : std::size_t{2} * boundary_.count();
     RefinedMesh refined(view_.halfedge_count() + on_boundary, end.halfedge);
-    starts_.resize(std::size_t{end.face} + 1);
-    starts_.back() = end.halfedge;
+    starts_.resize(end.face + 1);
+    starts_.back() = HalfedgeId(end.halfedge).index();
     edge_numbers_.resize(view_.halfedge_count());
     write_faces(refined);
     if (!is_open()) write_boundary_vertices(refined);
@@ -88,25 +88,39 @@ class DooSabin {
  private:
   /// A face of the result and its first half-edge.
   struct Place {
-    std::uint32_t face = 0, halfedge = 0;
+    std::size_t face = 0, halfedge = 0;
   };
 
   bool is_open() const { return rules_ == DooSabinRules::open; }
-  bool has_face(std::uint32_t v) const {
-    return view_.outgoing(v) != kNone && !(is_open() && view_.is_boundary_vertex(v));
+  bool has_face(VertexId v) const {
+    return view_.outgoing(v).is_valid() && !(is_open() && view_.is_boundary_vertex(v));
   }
-  /// The first half-edge of the face of edge e.
-  std::uint32_t edge_face(std::uint32_t e) const { return view_.halfedge_count() + 4 * e; }
+  /// The new vertex of the corner that h leaves, and those on a boundary edge.
+  static VertexId corner(HalfedgeId h) { return VertexId(h.index()); }
+  VertexId at_origin(HalfedgeId h) const { return boundary_vertices_[h.index()]; }
+  VertexId at_target(HalfedgeId h) const { return VertexId(at_origin(h).index() + 1); }
+  /// The sides of the face of edge e: 0 in the face of its first half-edge h, 1 across at the origin of h, 2 on the
+  /// other side, 3 across at the target.
+  HalfedgeId edge_side(EdgeNumber e, unsigned place) const {
+    return HalfedgeId(view_.halfedge_count() + std::size_t{4} * e.index() + place);
+  }
+  /// That across at the origin of h, which need not be the first half-edge of its edge; and at its target.
+  HalfedgeId across_origin(HalfedgeId h) const {
+    return edge_side(edge_numbers_[h.index()], view_.is_first_of_edge(h) ? 1 : 3);
+  }
+  HalfedgeId across_target(HalfedgeId h) const {
+    return edge_side(edge_numbers_[h.index()], view_.is_first_of_edge(h) ? 3 : 1);
+  }
 
   /// Where the faces of each block of vertices begin.
   void count_vertex_faces() {
     vertex_faces_.resize(block_count(view_.vertex_count()) + 1);
-    for_each_block(view_.vertex_count(), stage_, [&](std::size_t block, std::uint32_t begin, std::uint32_t end) {
+    for_each_block<VertexId>(view_.vertex_count(), stage_, [&](std::size_t block, IdRange<VertexId> vertices) {
       Place size;
-      for (std::uint32_t v = begin; v < end; ++v) {
+      for (const VertexId v : vertices) {
         if (!has_face(v)) continue;
         ++size.face;
-        view_.for_each_outgoing(view_.outgoing(v), [&](std::uint32_t) { ++size.halfedge; });
+        view_.for_each_outgoing(view_.outgoing(v), [&](HalfedgeId) { ++size.halfedge; });
         if (view_.is_boundary_vertex(v)) size.halfedge += 2;
       }
       vertex_faces_[block + 1] = size;
@@ -119,20 +133,18 @@ class DooSabin {
   }
 
   void write_faces(RefinedMesh& refined) {
-    for_each_block(view_.face_count(), stage_, [&](std::size_t, std::uint32_t begin, std::uint32_t end) {
+    for_each_block<FaceId>(view_.face_count(), stage_, [&](std::size_t, IdRange<FaceId> faces) {
       std::vector<Vec3> ring, corners;
-      for (std::uint32_t f = begin; f < end; ++f) {
-        const std::uint32_t first = view_.first(f);
-        starts_[f] = first;
+      for (const FaceId f : faces) {
+        starts_[f.index()] = view_.first(f).index();
         ring.clear();
-        for (std::uint32_t h = first; h < first + view_.degree(f); ++h) ring.push_back(view_.origin_point(h));
+        for (const HalfedgeId h : view_.halfedges_of(f)) ring.push_back(view_.origin_point(h));
         new_corners(rules_, ring, corners);
-        for (std::uint32_t i = 0; i < ring.size(); ++i) {
-          const std::uint32_t h = first + i;
-          refined.points[h] = corners[i];
-          refined.corners[h] = h;
-          refined.outgoing[h] = HalfedgeId(h);
-          if (view_.is_boundary(h)) refined.opposites[h] = kNone;
+        std::size_t place = 0;
+        for (const HalfedgeId h : view_.halfedges_of(f)) {
+          refined.set_vertex(corner(h), corners[place++], h);
+          refined.set_corner(h, corner(h));
+          if (view_.is_boundary(h)) refined.set_opposite(h, HalfedgeId::none());
         }
       }
     });
@@ -140,87 +152,75 @@ class DooSabin {
 
   void write_boundary_vertices(RefinedMesh& refined) {
     boundary_vertices_.resize(view_.halfedge_count());
-    boundary_.for_each(stage_, [&](std::uint32_t h, std::uint32_t b) {
-      const std::uint32_t v = view_.halfedge_count() + 2 * b;
-      boundary_vertices_[h] = v;
-      refined.points[v] = boundary_point(view_.origin_point(h), view_.target_point(h));
-      refined.points[v + 1] = boundary_point(view_.target_point(h), view_.origin_point(h));
+    boundary_.for_each(stage_, [&](HalfedgeId h, EdgeNumber b) {
+      boundary_vertices_[h.index()] = VertexId(view_.halfedge_count() + std::size_t{2} * b.index());
+      refined.points[at_origin(h).index()] = boundary_point(view_.origin_point(h), view_.target_point(h));
+      refined.points[at_target(h).index()] = boundary_point(view_.target_point(h), view_.origin_point(h));
     });
   }
 
   /// The face of an edge runs against the faces beside it: in the face of h from its target to its origin, then across
   /// to the other side, back there, and across again. Half-edges that run across are linked to the faces of vertices.
   void write_edge_faces(RefinedMesh& refined) {
-    edges_.for_each(stage_, [&](std::uint32_t h, std::uint32_t e) {
-      const std::uint32_t o = view_.opposite(h), start = edge_face(e);
-      starts_[view_.face_count() + e] = start;
-      edge_numbers_[h] = e;
-      refined.corners[start] = view_.next(h);
-      refined.corners[start + 1] = h;
-      refined.opposites[start] = h;
-      refined.opposites[h] = start;
-      if (o == kNone) {
-        const std::uint32_t v = boundary_vertices_[h];
-        refined.corners[start + 2] = v;
-        refined.corners[start + 3] = v + 1;
-        refined.opposites[start + 2] = kNone;
-        refined.outgoing[v] = HalfedgeId(start + 2);
+    edges_.for_each(stage_, [&](HalfedgeId h, EdgeNumber e) {
+      const HalfedgeId o = view_.opposite(h);
+      starts_[view_.face_count() + e.index()] = edge_side(e, 0).index();
+      edge_numbers_[h.index()] = e;
+      refined.set_corner(edge_side(e, 0), corner(view_.next(h)));
+      refined.set_corner(edge_side(e, 1), corner(h));
+      refined.link(edge_side(e, 0), h);
+      if (o.is_none()) {
+        refined.set_corner(edge_side(e, 2), at_origin(h));
+        refined.set_corner(edge_side(e, 3), at_target(h));
+        refined.set_opposite(edge_side(e, 2), HalfedgeId::none());
+        refined.outgoing[at_origin(h).index()] = edge_side(e, 2);
         return;
       }
-      edge_numbers_[o] = e;
-      refined.corners[start + 2] = view_.next(o);
-      refined.corners[start + 3] = o;
-      refined.opposites[start + 2] = o;
-      refined.opposites[o] = start + 2;
+      edge_numbers_[o.index()] = e;
+      refined.set_corner(edge_side(e, 2), corner(view_.next(o)));
+      refined.set_corner(edge_side(e, 3), corner(o));
+      refined.link(edge_side(e, 2), o);
       if (!is_open()) return;
-      end_at_boundary(h, start + 1, refined);
-      end_at_boundary(o, start + 3, refined);
+      end_at_boundary(h, edge_side(e, 1), refined);
+      end_at_boundary(o, edge_side(e, 3), refined);
     });
   }
 
   /// If the origin of h is at the boundary, then so is `across`, the side of the edge's face there.
-  void end_at_boundary(std::uint32_t h, std::uint32_t across, RefinedMesh& refined) const {
+  void end_at_boundary(HalfedgeId h, HalfedgeId across, RefinedMesh& refined) const {
     if (!view_.is_boundary_vertex(view_.origin(h))) return;
-    refined.opposites[across] = kNone;
-    refined.outgoing[h] = HalfedgeId(across);
+    refined.set_opposite(across, HalfedgeId::none());
+    refined.outgoing[corner(h).index()] = across;
   }
 
   void write_vertex_faces(RefinedMesh& refined) {
-    for_each_block(view_.vertex_count(), stage_, [&](std::size_t block, std::uint32_t begin, std::uint32_t end) {
+    for_each_block<VertexId>(view_.vertex_count(), stage_, [&](std::size_t block, IdRange<VertexId> vertices) {
       Place place = vertex_faces_[block];
-      for (std::uint32_t v = begin; v < end; ++v) {
+      for (const VertexId v : vertices) {
         if (!has_face(v)) continue;
-        starts_[place.face++] = place.halfedge;
-        const std::uint32_t first = view_.outgoing(v);
-        const std::uint32_t last =
-            view_.for_each_outgoing(first, [&](std::uint32_t h) { write_vertex_side(h, place.halfedge++, refined); });
+        starts_[place.face++] = HalfedgeId(place.halfedge).index();
+        const HalfedgeId first = view_.outgoing(v);
+        // A side from corner h to the next one counter-clockwise, across the edge before h.
+        const HalfedgeId last = view_.for_each_outgoing(first, [&](HalfedgeId h) {
+          const HalfedgeId side(place.halfedge++);
+          refined.set_corner(side, corner(h));
+          refined.link(side, across_target(view_.prev(h)));
+        });
         if (!view_.is_boundary(first)) continue;
-        write_boundary_side(view_.prev(last), first, place.halfedge, refined);
-        place.halfedge += 2;
+        write_boundary_sides(view_.prev(last), first, place, refined);
       }
     });
   }
 
-  /// The side of a vertex's face from corner h to the next one counter-clockwise, across the edge before h.
-  void write_vertex_side(std::uint32_t h, std::uint32_t side, RefinedMesh& refined) const {
-    const std::uint32_t before = view_.prev(h);
-    const std::uint32_t start = edge_face(edge_numbers_[before]);
-    const std::uint32_t across = view_.is_first_of_edge(before) ? start + 3 : start + 1;
-    refined.corners[side] = h;
-    refined.opposites[side] = across;
-    refined.opposites[across] = side;
-  }
-
   /// The sides of a boundary vertex's face along the boundary, from half-edge `before` to `after`, and from there to
   /// its first corner.
-  void write_boundary_side(std::uint32_t before, std::uint32_t after, std::uint32_t side, RefinedMesh& refined) const {
-    const std::uint32_t v = boundary_vertices_[before] + 1, across = edge_face(edge_numbers_[after]) + 1;
-    refined.corners[side] = v;
-    refined.opposites[side] = kNone;
-    refined.outgoing[v] = HalfedgeId(side);
-    refined.corners[side + 1] = boundary_vertices_[after];
-    refined.opposites[side + 1] = across;
-    refined.opposites[across] = side + 1;
+  void write_boundary_sides(HalfedgeId before, HalfedgeId after, Place& place, RefinedMesh& refined) const {
+    const HalfedgeId along(place.halfedge++), back(place.halfedge++);
+    refined.set_corner(along, at_target(before));
+    refined.set_opposite(along, HalfedgeId::none());
+    refined.outgoing[at_target(before).index()] = along;
+    refined.set_corner(back, at_origin(after));
+    refined.link(back, across_origin(after));
   }
 
   View view_;
@@ -228,11 +228,11 @@ class DooSabin {
   DooSabinRules rules_;
   Stage stage_;
   EdgeEnumeration<View> edges_, boundary_;
-  std::uint32_t first_of_vertices_;
-  std::vector<Place> vertex_faces_;               // per block of vertices, and the end
-  LargeVector<std::uint32_t> starts_;             // per face of the result, and the end
-  LargeVector<std::uint32_t> edge_numbers_;       // per half-edge whose edge has a face
-  LargeVector<std::uint32_t> boundary_vertices_;  // per boundary half-edge its vertex at the origin
+  std::size_t first_of_vertices_;
+  std::vector<Place> vertex_faces_;          // per block of vertices, and the end
+  LargeVector<std::uint32_t> starts_;        // per face of the result, and the end
+  LargeVector<EdgeNumber> edge_numbers_;     // per half-edge whose edge has a face
+  LargeVector<VertexId> boundary_vertices_;  // per boundary half-edge its vertex at the origin
 };
 
 /// As many corners as half-edges, twice; four half-edges per edge; and two more per vertex of the boundary.
@@ -247,24 +247,24 @@ Result<PolygonMesh> doo_sabin_step(const StepInput& input) {
 
 /// Per new vertex the half-edge at whose corner it is. Those on a boundary edge have that edge's half-edge and the
 /// next.
-std::vector<std::uint32_t> corners_of_vertices(const PolygonMesh& mesh, const PolygonMesh& after) {
-  std::vector<std::uint32_t> corners;
-  for (const HalfedgeId h : halfedges(mesh)) corners.push_back(h.index());
+std::vector<HalfedgeId> corners_of_vertices(const PolygonMesh& mesh, const PolygonMesh& after) {
+  std::vector<HalfedgeId> corners;
+  for (const HalfedgeId h : halfedges(mesh)) corners.push_back(h);
   if (after.vertex_count() == corners.size()) return corners;
   for (const HalfedgeId h : halfedges(mesh)) {
     poll_interruption_at(h.index());
-    if (mesh.is_boundary(h)) corners.insert(corners.end(), {h.index(), mesh.next(h).index()});
+    if (mesh.is_boundary(h)) corners.insert(corners.end(), {h, mesh.next(h)});
   }
   return corners;
 }
 
 /// Texts of vertices and corners are those that all corners of the face have, or both ends of the boundary edge.
 void add_ring_sources(const PolygonMesh& mesh, const PolygonMesh& after, bool of_corners, ValueBlends& blends,
-                      std::vector<std::uint32_t>& sources) {
+                      ValueSources& sources) {
   const auto value = [&](HalfedgeId h) { return of_corners ? h.index() : mesh.origin(h).index(); };
   for (const FaceId f : faces(mesh)) {
     poll_interruption_at(f.index());
-    const std::uint32_t mean = of_corners ? mean_of_corners(mesh, f, blends) : mean_of_vertices(mesh, f, blends);
+    const auto mean = of_corners ? mean_of_corners(mesh, f, blends) : mean_of_vertices(mesh, f, blends);
     sources.insert(sources.end(), mesh.degree(f), mean);
   }
   if (after.vertex_count() == mesh.halfedge_count()) return;
@@ -279,13 +279,13 @@ Provenance doo_sabin_provenance(const StepInput& input, const PolygonMesh& after
   auto& [sources, blends] = provenance;
   if (given.has(MeshElement::vertex)) add_ring_sources(mesh, after, false, blends.vertices, sources.vertices);
   if (given.has(MeshElement::halfedge)) {
-    std::vector<std::uint32_t> at_vertices;
+    ValueSources at_vertices;
     add_ring_sources(mesh, after, true, blends.halfedges, at_vertices);
-    for (const std::uint32_t vertex : after.origins()) sources.halfedges.push_back(at_vertices[vertex]);
+    for (const auto vertex : after.origins()) sources.halfedges.push_back(at_vertices[vertex]);
   }
   if (given.has(MeshElement::edge)) sources.edges.assign(element_count(after, MeshElement::edge), kNone);
   if (!given.has(MeshElement::face)) return provenance;
-  const std::vector<std::uint32_t> corners = corners_of_vertices(mesh, after);
+  const std::vector<HalfedgeId> corners = corners_of_vertices(mesh, after);
   std::vector<ValueBlends::Term> terms;
   for (const FaceId f : faces(after)) {
     poll_interruption_at(f.index());
@@ -296,7 +296,7 @@ Provenance doo_sabin_provenance(const StepInput& input, const PolygonMesh& after
     // Each face around counts once for each of its corners; vertices on the boundary are no corners.
     terms.clear();
     for (const VertexId v : vertices_of(after, f))
-      if (v.index() < mesh.halfedge_count()) terms.push_back({mesh.face(HalfedgeId(corners[v.index()])).index(), 1});
+      if (v.index() < mesh.halfedge_count()) terms.push_back({mesh.face(corners[v.index()]).index(), 1});
     sources.faces.push_back(blends.faces.add(terms));
   }
   return provenance;
@@ -323,7 +323,7 @@ std::vector<Vec3> doo_sabin_corner_values(const StepInput& input, const PolygonM
     }
   std::vector<Vec3> result;
   result.reserve(after.halfedge_count());
-  for (const std::uint32_t vertex : after.origins()) result.push_back(at_vertices[vertex]);
+  for (const auto vertex : after.origins()) result.push_back(at_vertices[vertex]);
   return result;
 }
 
@@ -336,31 +336,30 @@ Result<std::vector<Vec3>> doo_sabin_limits(const LimitInput& input) {
   return with_view(mesh, [&](const auto& view) -> Result<std::vector<Vec3>> {
     if (is_open)
       for (const VertexId v : vertices(mesh))
-        if (!mesh.is_isolated(v) && view.is_boundary_vertex(v.index()))
+        if (!mesh.is_isolated(v) && view.is_boundary_vertex(v))
           return Error{ErrorCode::invalid_value,
                        "vertex {} is on the boundary, where the rule open makes no faces, so it has no limit",
                        v.index()};
     const Stage stage(input.monitor, "finding limits", block_count(view.face_count()));
     std::vector<Vec3> corners(view.halfedge_count());
-    for_each_block(view.face_count(), stage, [&](std::size_t, std::uint32_t begin, std::uint32_t end) {
+    for_each_block<FaceId>(view.face_count(), stage, [&](std::size_t, IdRange<FaceId> block) {
       std::vector<Vec3> ring, made;
-      for (std::uint32_t f = begin; f < end; ++f) {
-        const std::uint32_t first = view.first(f);
+      for (const FaceId f : block) {
         ring.clear();
-        for (std::uint32_t h = first; h < first + view.degree(f); ++h) ring.push_back(view.origin_point(h));
+        for (const HalfedgeId h : view.halfedges_of(f)) ring.push_back(view.origin_point(h));
         new_corners(rules_of(input.variant), ring, made);
-        std::ranges::copy(made, corners.begin() + first);
+        std::ranges::copy(made, corners.begin() + view.first(f).index());
       }
     });
     A3D_TRY(input.monitor.check());
-    return limits_of_vertices(input, view, [&](std::uint32_t v) {
-      const std::uint32_t start = view.outgoing(v);
+    return limits_of_vertices(input, view, [&](VertexId v) {
+      const HalfedgeId start = view.outgoing(v);
       if (view.is_boundary(start))
         return 0.75 * view.point(v) + 0.125 * (view.target_point(start) + view.point(view.boundary_predecessor(v)));
       Vec3 sum;
       double n = 0;
-      view.for_each_outgoing(start, [&](std::uint32_t h) {
-        sum = sum + corners[h];
+      view.for_each_outgoing(start, [&](HalfedgeId h) {
+        sum = sum + corners[h.index()];
         n += 1;
       });
       return Vec3{sum.x / n, sum.y / n, sum.z / n};

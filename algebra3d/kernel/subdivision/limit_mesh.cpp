@@ -56,10 +56,11 @@ Result<PolygonMesh> moved_vertices(const PolygonMesh& mesh, const std::vector<Ve
   subdivision::RefinedMesh moved(mesh.vertex_count(), 0);
   moved.corners = mesh.origins();
   moved.opposites.resize(mesh.halfedge_count());
-  for_each_element(mesh.halfedge_count(), stage, [&](std::uint32_t h) { moved.opposites[h] = view.opposite(h); });
-  for_each_element(mesh.vertex_count(), stage, [&](std::uint32_t v) {
-    moved.outgoing[v] = mesh.outgoing(VertexId(v));
-    moved.points[v] = moved.outgoing[v].is_valid() ? limits[v] : view.point(v);
+  for_each_element<HalfedgeId>(mesh.halfedge_count(), stage,
+                               [&](HalfedgeId h) { moved.set_opposite(h, view.opposite(h)); });
+  for_each_element<VertexId>(mesh.vertex_count(), stage, [&](VertexId v) {
+    const HalfedgeId leaving = view.outgoing(v);
+    moved.set_vertex(v, leaving.is_valid() ? limits[v.index()] : view.point(v), leaving);
   });
   return std::move(moved).finish(mesh.layout(), monitor);
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 #include "algebra3d/kernel/exact/trigonometry.h"
@@ -45,9 +46,9 @@ struct NeighbourSum {
   Vec3 sum;
   std::size_t count = 0;
 };
-NeighbourSum neighbours_of(const TriangleView& view, std::uint32_t v) {
+NeighbourSum neighbours_of(const TriangleView& view, VertexId v) {
   NeighbourSum result;
-  view.for_each_outgoing(view.outgoing(v), [&](std::uint32_t h) {
+  view.for_each_outgoing(view.outgoing(v), [&](HalfedgeId h) {
     result.sum = result.sum + view.target_point(h);
     ++result.count;
   });
@@ -55,20 +56,20 @@ NeighbourSum neighbours_of(const TriangleView& view, std::uint32_t v) {
 }
 
 /// The sum of the two neighbours of a boundary vertex along the boundary.
-Vec3 boundary_neighbours_of(const TriangleView& view, std::uint32_t v) {
+Vec3 boundary_neighbours_of(const TriangleView& view, VertexId v) {
   return view.target_point(view.outgoing(v)) + view.point(view.boundary_predecessor(v));
 }
 
 Result<PolygonMesh> loop_step(const StepInput& input) {
   const TriangleView view(input.mesh);
   const LoopWeightTable table(input.variant);
-  const auto edge_point = [&](std::uint32_t h, std::uint32_t) {
+  const auto edge_point = [&](HalfedgeId h, EdgeNumber) {
     const Vec3 ends = view.origin_point(h) + view.target_point(h);
-    const std::uint32_t o = view.opposite(h);
-    if (o == kNone) return 0.5 * ends;
+    const HalfedgeId o = view.opposite(h);
+    if (o.is_none()) return 0.5 * ends;
     return 0.375 * ends + 0.125 * (view.origin_point(view.prev(h)) + view.origin_point(view.prev(o)));
   };
-  const auto vertex_point = [&](std::uint32_t v) {
+  const auto vertex_point = [&](VertexId v) {
     if (view.is_boundary_vertex(v)) return 0.75 * view.point(v) + 0.125 * boundary_neighbours_of(view, v);
     const NeighbourSum neighbours = neighbours_of(view, v);
     const double weight = table(neighbours.count);
@@ -78,17 +79,18 @@ Result<PolygonMesh> loop_step(const StepInput& input) {
   const Sharpness& sharpness = *input.sharpness;
   return split_triangles(
       input,
-      [&](std::uint32_t h, std::uint32_t e) {
+      [&](HalfedgeId h, EdgeNumber e) {
         const Vec3 smooth = edge_point(h, e);
-        if (sharpness.edges[h] <= 0) return smooth;
-        return creased_edge_point(sharpness.edges[h], smooth, 0.5 * (view.origin_point(h) + view.target_point(h)));
+        if (sharpness.edges[h.index()] <= 0) return smooth;
+        return creased_edge_point(sharpness.edges[h.index()], smooth,
+                                  0.5 * (view.origin_point(h) + view.target_point(h)));
       },
-      [&](std::uint32_t v) { return creased_vertex_point(view, sharpness, v, [&] { return vertex_point(v); }); });
+      [&](VertexId v) { return creased_vertex_point(view, sharpness, v, [&] { return vertex_point(v); }); });
 }
 
 /// By the left eigenvector of the step: with weight w for each of n neighbours in the step, (a v + sum) / (a + n) with
 /// a = 3 / (8 w).
-Vec3 interior_limit(const TriangleView& view, std::uint32_t v, const LoopWeightTable& table) {
+Vec3 interior_limit(const TriangleView& view, VertexId v, const LoopWeightTable& table) {
   const NeighbourSum neighbours = neighbours_of(view, v);
   const double own = 3 / (8 * table(neighbours.count)), all = own + static_cast<double>(neighbours.count);
   const Vec3 sum = own * view.point(v) + neighbours.sum;
@@ -96,9 +98,9 @@ Vec3 interior_limit(const TriangleView& view, std::uint32_t v, const LoopWeightT
 }
 
 /// The limit of an interior vertex with one sharp edge, to `end`, on which the new point is the middle.
-Vec3 triangle_dart_limit(const TriangleView& view, std::uint32_t v, std::uint32_t end, const LoopWeightTable& table) {
-  std::vector<std::uint32_t> neighbours;
-  view.for_each_outgoing(view.outgoing(v), [&](std::uint32_t h) { neighbours.push_back(view.target(h)); });
+Vec3 triangle_dart_limit(const TriangleView& view, VertexId v, VertexId end, const LoopWeightTable& table) {
+  std::vector<VertexId> neighbours;
+  view.for_each_outgoing(view.outgoing(v), [&](HalfedgeId h) { neighbours.push_back(view.target(h)); });
   std::ranges::rotate(neighbours, std::ranges::find(neighbours, end));
   const std::vector<double> weights = dart_weights(neighbours.size(), 5, 8 * table(neighbours.size()));
   Vec3 sum = view.point(v);
@@ -113,7 +115,7 @@ Vec3 triangle_dart_limit(const TriangleView& view, std::uint32_t v, std::uint32_
 Result<std::vector<Vec3>> loop_limits(const LimitInput& input) {
   const TriangleView view(input.mesh);
   const LoopWeightTable table(input.variant);
-  return limits_of_vertices(input, view, [&](std::uint32_t v) {
+  return limits_of_vertices(input, view, [&](VertexId v) {
     if (input.sharpness == nullptr)
       return view.is_boundary_vertex(v) ? curve_limit(view.point(v), boundary_neighbours_of(view, v))
                                         : interior_limit(view, v, table);

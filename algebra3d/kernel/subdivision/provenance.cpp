@@ -4,8 +4,8 @@
 
 namespace algebra3d::subdivision {
 
-std::vector<std::uint32_t> vertices_and_middles(const PolygonMesh& mesh, ValueBlends& blends) {
-  std::vector<std::uint32_t> sources;
+ValueSources vertices_and_middles(const PolygonMesh& mesh, ValueBlends& blends) {
+  ValueSources sources;
   for (const VertexId v : vertices(mesh)) sources.push_back(v.index());
   for (const HalfedgeId h : edges(mesh)) {
     poll_interruption_at(h.index());
@@ -14,8 +14,8 @@ std::vector<std::uint32_t> vertices_and_middles(const PolygonMesh& mesh, ValueBl
   return sources;
 }
 
-std::vector<std::uint32_t> corner_middles(const PolygonMesh& mesh, ValueBlends& blends) {
-  std::vector<std::uint32_t> middles;
+ValueSources corner_middles(const PolygonMesh& mesh, ValueBlends& blends) {
+  ValueSources middles;
   for (const HalfedgeId h : halfedges(mesh)) {
     poll_interruption_at(h.index());
     middles.push_back(blends.add_between(h.index(), mesh.next(h).index(), 0.5));

@@ -22,63 +22,67 @@ bool divides_boundary(std::size_t number) {
   return number % 2 == 1;
 }
 
-/// The new vertices of a step, and the numbers of the half-edges of the result. Of an edge inside, half-edge h and its
-/// opposite make a triangle each: triangle h has the origin of h, the apex of h across, and that in the triangle of h,
-/// where the apex is the new vertex in the middle. At a boundary edge that stays, triangle h has origin, target, and
-/// apex. A triangle with a boundary edge h that is divided has no vertex in the middle but two on the edge; that at the
-/// origin is the apex of the half-edge before h, that at the target the apex of the one after h, and triangle h has
-/// both and the corner opposite.
+/// The new vertices of a step, and the half-edges of the result. Of an edge inside, half-edge h and its opposite make a
+/// triangle each: triangle h has the origin of h, the apex of h across, and that in the triangle of h, where the apex
+/// is the new vertex in the middle. At a boundary edge that stays, triangle h has origin, target, and apex. A triangle
+/// with a boundary edge h that is divided has no vertex in the middle but two on the edge; that at the origin is the
+/// apex of the half-edge before h, that at the target the apex of the one after h, and triangle h has both and the
+/// corner opposite.
 class TurnedTriangles {
  public:
   TurnedTriangles(const TriangleView& view, bool is_divided) : view_(view), is_divided_(is_divided) {}
 
-  /// The boundary edge of a triangle, which is divided; kNone if it has none or is not divided.
-  std::uint32_t divided_edge(std::uint32_t f) const {
-    if (!is_divided_) return kNone;
-    for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h)
-      if (view_.is_boundary(h)) return h;
-    return kNone;
+  /// The boundary edge of a triangle, which is divided; none if it has none or is not divided.
+  HalfedgeId divided_edge(FaceId f) const {
+    if (is_divided_)
+      for (const HalfedgeId h : view_.halfedges_of(f))
+        if (view_.is_boundary(h)) return h;
+    return HalfedgeId::none();
   }
-  std::uint32_t vertices_of_face(std::uint32_t f) const { return divided_edge(f) == kNone ? 1 : 2; }
+  std::size_t vertices_of_face(FaceId f) const { return divided_edge(f).is_none() ? 1 : 2; }
 
-  /// The apex of h in its triangle, whose new vertices begin with number `first`. Not for divided edges.
-  std::uint32_t apex(std::uint32_t h, std::uint32_t first) const {
-    const std::uint32_t divided = divided_edge(view_.face(h));
-    return divided != kNone && view_.prev(h) == divided ? first + 1 : first;
+  /// The half-edges of triangle h.
+  static HalfedgeId side(HalfedgeId h, unsigned place) { return HalfedgeId(3 * h.index() + place); }
+
+  /// Which of the new vertices of its triangle is the apex of h, 0 or 1. Not for divided edges.
+  std::size_t apex(HalfedgeId h) const {
+    const HalfedgeId divided = divided_edge(view_.face(h));
+    return divided.is_valid() && view_.prev(h) == divided ? 1 : 0;
   }
 
   /// The three corners of triangle h; `firsts` has the first new vertex of each face.
-  std::array<std::uint32_t, 3> corners(std::uint32_t h, const LargeVector<std::uint32_t>& firsts) const {
-    const std::uint32_t o = view_.opposite(h), first = firsts[view_.face(h)];
-    if (o != kNone) return {view_.origin(h), apex(o, firsts[view_.face(o)]), apex(h, first)};
-    if (is_divided_) return {first, first + 1, view_.origin(view_.prev(h))};
-    return {view_.origin(h), view_.target(h), first};
+  std::array<VertexId, 3> corners(HalfedgeId h, const LargeVector<VertexId>& firsts) const {
+    const auto made = [&](HalfedgeId of, std::size_t place) {
+      return VertexId(firsts[view_.face(of).index()].index() + place);
+    };
+    const HalfedgeId o = view_.opposite(h);
+    if (o.is_valid()) return {view_.origin(h), made(o, apex(o)), made(h, apex(h))};
+    if (is_divided_) return {made(h, 0), made(h, 1), view_.origin(view_.prev(h))};
+    return {view_.origin(h), view_.target(h), made(h, 0)};
   }
 
-  std::array<std::uint32_t, 3> opposites(std::uint32_t h) const {
-    const std::uint32_t o = view_.opposite(h), prev = view_.prev(h), next = view_.next(h);
-    if (o == kNone) {
-      if (is_divided_) return {kNone, 3 * view_.opposite(next), 3 * prev + 2};
-      return {kNone, 3 * next + 2, from_apex(h)};
-    }
-    return {to_apex_across(o), 3 * o + 1, from_apex(h)};
+  std::array<HalfedgeId, 3> opposites(HalfedgeId h) const {
+    const HalfedgeId o = view_.opposite(h), prev = view_.prev(h), next = view_.next(h);
+    if (o.is_valid()) return {to_apex_across(o), side(o, 1), from_apex(h)};
+    if (is_divided_) return {HalfedgeId::none(), side(view_.opposite(next), 0), side(prev, 2)};
+    return {HalfedgeId::none(), side(next, 2), from_apex(h)};
   }
 
  private:
   /// The opposite of the third half-edge of triangle h, from the apex to the origin of h.
-  std::uint32_t from_apex(std::uint32_t h) const {
-    const std::uint32_t prev = view_.prev(h), divided = divided_edge(view_.face(h));
-    if (divided == view_.next(h) && divided != kNone) return 3 * divided + 2;  // from the corner opposite the edge
-    if (divided == prev && divided != kNone) return kNone;                     // on the boundary
-    if (const std::uint32_t across = view_.opposite(prev); across != kNone) return 3 * across;
-    return 3 * prev + 1;
+  HalfedgeId from_apex(HalfedgeId h) const {
+    const HalfedgeId prev = view_.prev(h), divided = divided_edge(view_.face(h));
+    if (divided.is_valid() && divided == view_.next(h)) return side(divided, 2);  // from the corner opposite the edge
+    if (divided.is_valid() && divided == prev) return HalfedgeId::none();         // on the boundary
+    if (const HalfedgeId across = view_.opposite(prev); across.is_valid()) return side(across, 0);
+    return side(prev, 1);
   }
   /// The opposite of the first half-edge of the triangle of an edge inside, from its origin to the apex of o, its
   /// half-edge on the other side.
-  std::uint32_t to_apex_across(std::uint32_t o) const {
-    const std::uint32_t divided = divided_edge(view_.face(o));
-    if (divided == kNone || divided == view_.next(o)) return divided == kNone ? 3 * view_.next(o) + 2 : kNone;
-    return 3 * divided + 1;
+  HalfedgeId to_apex_across(HalfedgeId o) const {
+    const HalfedgeId divided = divided_edge(view_.face(o));
+    if (divided.is_none()) return side(view_.next(o), 2);
+    return divided == view_.next(o) ? HalfedgeId::none() : side(divided, 1);
   }
 
   TriangleView view_;
@@ -90,14 +94,15 @@ class Sqrt3Points {
  public:
   explicit Sqrt3Points(const TriangleView& view) : view_(view) {}
 
-  Vec3 middle(std::uint32_t f) const {
-    const Vec3 sum = (view_.origin_point(3 * f) + view_.origin_point(3 * f + 1)) + view_.origin_point(3 * f + 2);
+  Vec3 middle(FaceId f) const {
+    Vec3 sum;
+    for (const HalfedgeId h : view_.halfedges_of(f)) sum = sum + view_.origin_point(h);
     return {sum.x / 3, sum.y / 3, sum.z / 3};
   }
 
   /// Both new points on a boundary edge: (a + 16 b + 10 c) / 27 near b and (10 b + 16 c + d) / 27 near c, of four
   /// consecutive vertices of the boundary.
-  std::array<Vec3, 2> on_boundary(std::uint32_t h) const {
+  std::array<Vec3, 2> on_boundary(HalfedgeId h) const {
     const Vec3 &b = view_.origin_point(h), &c = view_.target_point(h);
     const Vec3& a = view_.point(view_.boundary_predecessor(view_.origin(h)));
     const Vec3& d = view_.target_point(view_.outgoing(view_.target(h)));
@@ -106,21 +111,24 @@ class Sqrt3Points {
 
   /// Inside, with a = (4 - 2 cos(2 pi / n)) / 9, a vertex keeps 1 - a of itself beside a of the mean of its n
   /// neighbours. At a boundary that is divided (4 a + 19 b + 4 c) / 27 with its neighbours there; otherwise it stays.
-  Vec3 of_vertex(std::uint32_t v, bool is_divided) const {
-    const std::uint32_t start = view_.outgoing(v);
+  Vec3 of_vertex(VertexId v, bool is_divided) const {
+    const HalfedgeId start = view_.outgoing(v);
     if (view_.is_boundary(start)) {
       if (!is_divided) return view_.point(v);
       const Vec3 beside = view_.target_point(start) + view_.point(view_.boundary_predecessor(v));
       return divided_by_27(19 * view_.point(v) + 4 * beside);
     }
     Vec3 sum;
-    std::uint32_t count = 0;
-    view_.for_each_outgoing(start, [&](std::uint32_t h) {
+    unsigned count = 0;
+    view_.for_each_outgoing(start, [&](HalfedgeId h) {
       sum = sum + view_.target_point(h);
       ++count;
     });
-    const double share = (4 - 2 * circle_point(1, count).cosine) / 9;
-    return (1 - share) * view_.point(v) + (share / count) * sum;
+    // Nine times the share, which is often a whole number.
+    const double ninths = 4 - 2 * circle_point(1, count).cosine, n = count;
+    const Vec3 mean{sum.x / n, sum.y / n, sum.z / n};
+    const Vec3 all = (9 - ninths) * view_.point(v) + ninths * mean;
+    return {all.x / 9, all.y / 9, all.z / 9};
   }
 
  private:
@@ -129,91 +137,138 @@ class Sqrt3Points {
   TriangleView view_;
 };
 
-/// Per face the number of its first new vertex, and the end. Steps of the stage: 2 block_count(faces).
-LargeVector<std::uint32_t> first_vertices(const TriangleView& view, const TurnedTriangles& turned, const Stage& stage) {
-  std::vector<std::uint32_t> starts(block_count(view.face_count()) + 1, 0);
-  for_each_block(view.face_count(), stage, [&](std::size_t block, std::uint32_t begin, std::uint32_t end) {
-    std::uint32_t count = 0;
-    for (std::uint32_t f = begin; f < end; ++f) count += turned.vertices_of_face(f);
-    starts[block + 1] = count;
+/// Per face its first new vertex, and the end. Steps of the stage: 2 block_count(faces).
+LargeVector<VertexId> first_vertices(const TriangleView& view, const TurnedTriangles& turned, const Stage& stage) {
+  std::vector<std::size_t> starts(block_count(view.face_count()) + 1, 0);
+  for_each_block<FaceId>(view.face_count(), stage, [&](std::size_t block, IdRange<FaceId> faces) {
+    for (const FaceId f : faces) starts[block + 1] += turned.vertices_of_face(f);
   });
   starts.front() = view.vertex_count();
   for (std::size_t block = 1; block < starts.size(); ++block) starts[block] += starts[block - 1];
-  LargeVector<std::uint32_t> firsts;
-  firsts.resize(std::size_t{view.face_count()} + 1);
-  firsts.back() = starts.back();
-  for_each_block(view.face_count(), stage, [&](std::size_t block, std::uint32_t begin, std::uint32_t end) {
-    std::uint32_t first = starts[block];
-    for (std::uint32_t f = begin; f < end; ++f) {
-      firsts[f] = first;
+  LargeVector<VertexId> firsts;
+  firsts.resize(view.face_count() + 1);
+  firsts.back() = VertexId(starts.back());
+  for_each_block<FaceId>(view.face_count(), stage, [&](std::size_t block, IdRange<FaceId> faces) {
+    std::size_t first = starts[block];
+    for (const FaceId f : faces) {
+      firsts[f.index()] = VertexId(first);
       first += turned.vertices_of_face(f);
     }
   });
   return firsts;
 }
 
-/// The lowest half-edge that leaves a vertex inside: a triangle's first one, or that from the corner opposite a divided
-/// edge.
-std::uint32_t lowest_outgoing(const TriangleView& view, bool is_divided, std::uint32_t v) {
-  std::uint32_t lowest = kNone;
-  view.for_each_outgoing(view.outgoing(v), [&](std::uint32_t h) {
-    lowest = std::min(lowest, 3 * h);
-    if (const std::uint32_t next = view.next(h); is_divided && view.is_boundary(next))
-      lowest = std::min(lowest, 3 * next + 2);
-  });
-  return lowest;
-}
+/// A step over a mesh of triangles.
+class Sqrt3Step {
+ public:
+  explicit Sqrt3Step(const StepInput& input)
+      : view_(input.mesh),
+        monitor_(input.monitor),
+        is_divided_(divides_boundary(input.number)),
+        turned_(view_, is_divided_),
+        points_(view_),
+        stage_(input.monitor, input.what,
+               3 * block_count(view_.face_count()) + block_count(view_.halfedge_count()) +
+                   block_count(view_.vertex_count())) {}
+
+  Result<PolygonMesh> step() {
+    const LargeVector<VertexId> firsts = first_vertices(view_, turned_, stage_);
+    A3D_TRY(monitor_.check());
+    RefinedMesh refined(firsts.back().index(), 3 * view_.halfedge_count());
+    for_each_element<FaceId>(view_.face_count(), stage_,
+                             [&](FaceId f) { make_vertices(f, firsts[f.index()], refined); });
+    for_each_element<HalfedgeId>(view_.halfedge_count(), stage_, [&](HalfedgeId h) {
+      const auto corners = turned_.corners(h, firsts);
+      const auto opposites = turned_.opposites(h);
+      for (unsigned place = 0; place < 3; ++place) {
+        refined.set_corner(TurnedTriangles::side(h, place), corners[place]);
+        refined.set_opposite(TurnedTriangles::side(h, place), opposites[place]);
+      }
+    });
+    for_each_element<VertexId>(view_.vertex_count(), stage_, [&](VertexId v) { move_vertex(v, refined); });
+    return std::move(refined).finish(PolygonLayout::of_degree(3), monitor_);
+  }
+
+ private:
+  void make_vertices(FaceId f, VertexId first, RefinedMesh& refined) const {
+    if (const HalfedgeId h = turned_.divided_edge(f); h.is_valid()) {
+      const auto [at_origin, at_target] = points_.on_boundary(h);
+      refined.set_vertex(first, at_origin, TurnedTriangles::side(h, 0));
+      refined.set_vertex(VertexId(first.index() + 1), at_target, TurnedTriangles::side(view_.next(h), 2));
+      return;
+    }
+    HalfedgeId lowest;
+    for (const HalfedgeId h : view_.halfedges_of(f)) {
+      lowest = std::min(lowest, TurnedTriangles::side(h, 2));
+      if (const HalfedgeId o = view_.opposite(h); o.is_valid()) lowest = std::min(lowest, TurnedTriangles::side(o, 1));
+    }
+    refined.set_vertex(first, points_.middle(f), lowest);
+  }
+
+  void move_vertex(VertexId v, RefinedMesh& refined) const {
+    const HalfedgeId h = view_.outgoing(v);
+    if (h.is_none())
+      refined.set_vertex(v, view_.point(v), h);
+    else
+      refined.set_vertex(v, points_.of_vertex(v, is_divided_), outgoing_after(h));
+  }
+
+  /// The half-edge that leaves the origin of h, its outgoing one. At the boundary that along the first edge, which if
+  /// it is divided is in the triangle of the edge inside that comes next. Inside the lowest: the first one of a
+  /// triangle, or that from the corner opposite a divided edge.
+  HalfedgeId outgoing_after(HalfedgeId h) const {
+    if (view_.is_boundary(h)) return TurnedTriangles::side(is_divided_ ? view_.opposite(view_.prev(h)) : h, 0);
+    HalfedgeId lowest;
+    view_.for_each_outgoing(h, [&](HalfedgeId leaving) {
+      lowest = std::min(lowest, TurnedTriangles::side(leaving, 0));
+      const HalfedgeId next = view_.next(leaving);
+      if (is_divided_ && view_.is_boundary(next)) lowest = std::min(lowest, TurnedTriangles::side(next, 2));
+    });
+    return lowest;
+  }
+
+  TriangleView view_;
+  const Monitor& monitor_;
+  bool is_divided_;
+  TurnedTriangles turned_;
+  Sqrt3Points points_;
+  Stage stage_;
+};
 
 Result<PolygonMesh> sqrt3_step(const StepInput& input) {
-  const TriangleView view(input.mesh);
-  const bool is_divided = divides_boundary(input.number);
-  const TurnedTriangles turned(view, is_divided);
-  const Sqrt3Points points(view);
-  const Stage stage(
-      input.monitor, input.what,
-      3 * block_count(view.face_count()) + block_count(view.halfedge_count()) + block_count(view.vertex_count()));
-  const LargeVector<std::uint32_t> firsts = first_vertices(view, turned, stage);
-  A3D_TRY(input.monitor.check());
-  RefinedMesh refined(firsts.back(), std::size_t{3} * view.halfedge_count());
-  for_each_element(view.face_count(), stage, [&](std::uint32_t f) {
-    const std::uint32_t v = firsts[f];
-    if (const std::uint32_t h = turned.divided_edge(f); h != kNone) {
-      const auto [at_origin, at_target] = points.on_boundary(h);
-      refined.points[v] = at_origin;
-      refined.points[v + 1] = at_target;
-      refined.outgoing[v] = HalfedgeId(3 * h);
-      refined.outgoing[v + 1] = HalfedgeId(3 * view.next(h) + 2);
-      return;
-    }
-    refined.points[v] = points.middle(f);
-    std::uint32_t lowest = kNone;
-    for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
-      lowest = std::min(lowest, 3 * h + 2);
-      if (const std::uint32_t o = view.opposite(h); o != kNone) lowest = std::min(lowest, 3 * o + 1);
-    }
-    refined.outgoing[v] = HalfedgeId(lowest);
-  });
-  for_each_element(view.halfedge_count(), stage, [&](std::uint32_t h) {
-    const auto corners = turned.corners(h, firsts), opposites = turned.opposites(h);
-    std::ranges::copy(corners, refined.corners.begin() + std::ptrdiff_t{3} * h);
-    std::ranges::copy(opposites, refined.opposites.begin() + std::ptrdiff_t{3} * h);
-  });
-  for_each_element(view.vertex_count(), stage, [&](std::uint32_t v) {
-    const std::uint32_t h = view.outgoing(v);
-    if (h == kNone) {
-      refined.points[v] = view.point(v);
-      refined.outgoing[v] = HalfedgeId();
-      return;
-    }
-    refined.points[v] = points.of_vertex(v, is_divided);
-    if (!view.is_boundary(h)) {
-      refined.outgoing[v] = HalfedgeId(lowest_outgoing(view, is_divided, v));
+  return Sqrt3Step(input).step();
+}
+
+/// A corner at a vertex of the mesh has the mean of both faces; one at a new vertex that of the face, or a third of the
+/// way along the boundary.
+void add_corner_sources(const PolygonMesh& mesh, const TurnedTriangles& turned, ValueBlends& blends,
+                        ValueSources& sources) {
+  // Per face the values of its new vertices, numbered from 0.
+  std::vector<std::size_t> firsts;
+  ValueSources made;
+  for (const FaceId f : faces(mesh)) {
+    poll_interruption_at(f.index());
+    firsts.push_back(made.size());
+    if (const HalfedgeId h = turned.divided_edge(f); h.is_valid()) {
+      for (const double share : {1.0 / 3, 2.0 / 3})
+        made.push_back(blends.add_between(h.index(), mesh.next(h).index(), share));
     } else {
-      // To the first new vertex on the boundary, if there is one: in the triangle of the edge inside that comes next.
-      refined.outgoing[v] = HalfedgeId(3 * (is_divided ? view.opposite(view.prev(h)) : h));
+      made.push_back(mean_of_corners(mesh, f, blends));
     }
-  });
-  return std::move(refined).finish(PolygonLayout::of_degree(3), input.monitor);
+  }
+  const auto value = [&](HalfedgeId h, std::size_t place) { return made[firsts[mesh.face(h).index()] + place]; };
+  for (const HalfedgeId h : halfedges(mesh)) {
+    poll_interruption_at(h.index());
+    const HalfedgeId o = mesh.opposite(h);
+    if (o.is_valid()) {
+      const auto at_origin = blends.add_between(h.index(), mesh.next(o).index(), 0.5);
+      sources.insert(sources.end(), {at_origin, value(o, turned.apex(o)), value(h, turned.apex(h))});
+    } else if (turned.divided_edge(mesh.face(h)) == h) {
+      sources.insert(sources.end(), {value(h, 0), value(h, 1), mesh.prev(h).index()});
+    } else {
+      sources.insert(sources.end(), {h.index(), mesh.next(h).index(), value(h, 0)});
+    }
+  }
 }
 
 /// New triangles and their corners lie in two triangles of the mesh, and have the means of both; boundary edges keep
@@ -227,54 +282,31 @@ Provenance sqrt3_provenance(const StepInput& input, const PolygonMesh& after, co
   if (given.has(MeshElement::vertex)) {
     for (const VertexId v : vertices(mesh)) sources.vertices.push_back(v.index());
     for (const FaceId f : faces(mesh)) {
-      if (const std::uint32_t h = turned.divided_edge(f.index()); h != kNone)
+      if (const HalfedgeId h = turned.divided_edge(f); h.is_valid())
         sources.vertices.insert(sources.vertices.end(), 2,
-                                blends.vertices.add_between(view.origin(h), view.target(h), 0.5));
+                                blends.vertices.add_between(view.origin(h).index(), view.target(h).index(), 0.5));
       else
         sources.vertices.push_back(mean_of_vertices(mesh, f, blends.vertices));
     }
   }
-  if (given.has(MeshElement::halfedge)) {
-    // Per face the values of its new vertices, numbered from 0.
-    std::vector<std::uint32_t> firsts, made;
-    for (const FaceId f : faces(mesh)) {
-      poll_interruption_at(f.index());
-      firsts.push_back(static_cast<std::uint32_t>(made.size()));
-      if (const std::uint32_t h = turned.divided_edge(f.index()); h != kNone) {
-        made.push_back(blends.halfedges.add_between(h, view.next(h), 1.0 / 3));
-        made.push_back(blends.halfedges.add_between(h, view.next(h), 2.0 / 3));
-      } else {
-        made.push_back(mean_of_corners(mesh, f, blends.halfedges));
-      }
-    }
-    for (std::uint32_t h = 0; h < view.halfedge_count(); ++h) {
-      poll_interruption_at(h);
-      const std::uint32_t o = view.opposite(h), first = firsts[view.face(h)];
-      if (o != kNone) {
-        sources.halfedges.insert(sources.halfedges.end(),
-                                 {blends.halfedges.add_between(h, view.next(o), 0.5),
-                                  made[turned.apex(o, firsts[view.face(o)])], made[turned.apex(h, first)]});
-      } else if (turned.divided_edge(view.face(h)) == h) {
-        sources.halfedges.insert(sources.halfedges.end(), {made[first], made[first + 1], view.prev(h)});
-      } else {
-        sources.halfedges.insert(sources.halfedges.end(), {h, view.next(h), made[first]});
-      }
-    }
-  }
+  if (given.has(MeshElement::halfedge)) add_corner_sources(mesh, turned, blends.halfedges, sources.halfedges);
   if (given.has(MeshElement::edge)) {
-    std::vector<std::uint32_t> along(after.halfedge_count(), kNone);
-    for (std::uint32_t h = 0; h < view.halfedge_count(); ++h) {
-      if (!view.is_boundary(h)) continue;
-      along[std::size_t{3} * h] = h;
+    ValueSources along(after.halfedge_count(), kNone);
+    const auto add = [&](HalfedgeId side, HalfedgeId h) { along[side.index()] = h.index(); };
+    for (const HalfedgeId h : halfedges(mesh)) {
+      if (!mesh.is_boundary(h)) continue;
+      add(TurnedTriangles::side(h, 0), h);
       if (turned.divided_edge(view.face(h)) != h) continue;
-      along[std::size_t{3} * view.opposite(view.prev(h))] = along[std::size_t{3} * view.next(h) + 2] = h;
+      add(TurnedTriangles::side(view.opposite(view.prev(h)), 0), h);
+      add(TurnedTriangles::side(view.next(h), 2), h);
     }
     sources.edges = edge_sources(after, mesh, along);
   }
   if (given.has(MeshElement::face))
-    for (std::uint32_t h = 0; h < view.halfedge_count(); ++h) {
-      const std::uint32_t o = view.opposite(h);
-      sources.faces.push_back(o == kNone ? view.face(h) : blends.faces.add_between(view.face(h), view.face(o), 0.5));
+    for (const HalfedgeId h : halfedges(mesh)) {
+      const HalfedgeId o = mesh.opposite(h);
+      const auto own = mesh.face(h).index();
+      sources.faces.push_back(o.is_none() ? own : blends.faces.add_between(own, mesh.face(o).index(), 0.5));
     }
   return provenance;
 }

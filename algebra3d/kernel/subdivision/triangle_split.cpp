@@ -11,22 +11,23 @@ Provenance triangle_split_provenance(const StepInput& input, const PolygonMesh& 
   auto& [sources, blends] = provenance;
   if (given.has(MeshElement::vertex)) sources.vertices = vertices_and_middles(mesh, blends.vertices);
   if (given.has(MeshElement::halfedge)) {
-    const std::vector<std::uint32_t> middles = corner_middles(mesh, blends.halfedges);
+    const ValueSources middles = corner_middles(mesh, blends.halfedges);
     sources.halfedges.resize(after.halfedge_count());
-    for (const HalfedgeId id : halfedges(mesh)) {
-      poll_interruption_at(id.index());
-      const std::uint32_t h = id.index(), start = TriangleSplit::first_half(h);
-      sources.halfedges[start] = h;
-      sources.halfedges[start + 1] = sources.halfedges[TriangleSplit::middle(h)] = middles[h];
-      sources.halfedges[start + 2] = middles[mesh.prev(id).index()];
+    for (const HalfedgeId h : halfedges(mesh)) {
+      poll_interruption_at(h.index());
+      const std::size_t start = TriangleSplit::first_half(h).index();
+      sources.halfedges[start] = h.index();
+      sources.halfedges[start + 1] = sources.halfedges[TriangleSplit::middle(h).index()] = middles[h.index()];
+      sources.halfedges[start + 2] = middles[mesh.prev(h).index()];
     }
   }
   if (given.has(MeshElement::edge)) {
     // Per half-edge of the result the one that it is a half of.
-    std::vector<std::uint32_t> along(after.halfedge_count(), kNone);
-    for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
-      poll_interruption_at(h);
-      along[TriangleSplit::first_half(h)] = along[TriangleSplit::second_half(h)] = h;
+    ValueSources along(after.halfedge_count(), kNone);
+    for (const HalfedgeId h : halfedges(mesh)) {
+      poll_interruption_at(h.index());
+      for (const HalfedgeId half : {TriangleSplit::first_half(h), TriangleSplit::second_half(h)})
+        along[half.index()] = h.index();
     }
     sources.edges = edge_sources(after, mesh, along);
   }

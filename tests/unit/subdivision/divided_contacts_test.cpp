@@ -3,6 +3,7 @@
 #include "algebra3d/kernel/subdivision/divided_contacts.h"
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <random>
 
@@ -112,7 +113,10 @@ TEST(DividedContacts, bodies_are_subdivided_alone) {
     for (const Vec3& p : subdivided(boundary_of({cell}).mesh, Scheme::loop, 2)->points().approx())
       expected.push_back(p);
   std::vector<Vec3> points = result.points().approx();
-  const auto key = [](const Vec3& p) { return std::array{p.x, p.y, p.z}; };
+  // Rounded, so that roundings do not change the order.
+  const auto key = [](const Vec3& p) {
+    return std::array{std::nearbyint(p.x * 0x1p20), std::nearbyint(p.y * 0x1p20), std::nearbyint(p.z * 0x1p20)};
+  };
   std::ranges::sort(points, {}, key);
   std::ranges::sort(expected, {}, key);
   ASSERT_EQ(points.size(), expected.size());
@@ -135,7 +139,7 @@ TEST(DividedContacts, edge_between_vertices_that_are_not_divided) {
 TEST(DividedContacts, random_cells) {
   std::mt19937 random(5);
   std::size_t edge_count = 0, vertex_count = 0;
-  for (int round = 0; round < rounds(60); ++round) {
+  for (int round = 0; round < rounds(25); ++round) {
     std::vector<Cell> cells;
     const auto size = static_cast<int>(2 + random() % 3);
     for (int x = 0; x < size; ++x)
@@ -148,8 +152,8 @@ TEST(DividedContacts, random_cells) {
     edge_count += divided.edge_count;
     vertex_count += divided.vertex_count;
   }
-  EXPECT_GT(edge_count, 50U);
-  EXPECT_GT(vertex_count, 50U);
+  EXPECT_GT(edge_count, 25U);
+  EXPECT_GT(vertex_count, 25U);
 }
 
 /// Random triangles: edges of more than two are cut, and each fan gets its vertex.

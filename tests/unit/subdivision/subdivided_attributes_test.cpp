@@ -173,7 +173,7 @@ TEST(SubdivisionAttributes, what_equals_the_coordinates_stays_equal) {
       SCOPED_TRACE(meshes[i].name + ", " + std::string(name_of(scheme)));
       const auto given = MeshAttributes().with(MeshElement::vertex, "p", all_coordinates(mesh));
       for (std::size_t variant = 0; variant < std::max<std::size_t>(1, variants_of(scheme).size()); ++variant)
-        for (std::size_t steps = 1; steps <= 3; ++steps) {
+        for (std::size_t steps = 1; steps <= 2; ++steps) {
           const SubdividedMesh result = *subdivided(mesh, given, scheme, steps, {variant});
           const AttributeValues& values = *result.attributes.find(MeshElement::vertex, "p")->values;
           ASSERT_EQ(values, all_coordinates(result.mesh).canonical());

@@ -56,7 +56,7 @@ bool same_bits(const PolygonMesh& a, const PolygonMesh& b) {
 TEST(Subdivided, links_are_those_of_the_faces) {
   for_each_sample([](const PolygonMesh& mesh, Scheme scheme) {
     for_each_variant(scheme, [&](const SubdivisionOptions& options) {
-      for (std::size_t steps = 1; steps <= 3; ++steps) {
+      for (std::size_t steps = 1; steps <= 2; ++steps) {
         const auto result = subdivided(mesh, scheme, steps, options);
         ASSERT_TRUE(result.ok()) << result.error().message;
         ASSERT_EQ(audit(*result), std::vector<std::string>());

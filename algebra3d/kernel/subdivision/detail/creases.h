@@ -54,30 +54,29 @@ enum class CreaseKind : std::uint8_t {
 /// The rule of a vertex.
 struct CreaseRule {
   CreaseKind kind = CreaseKind::smooth;
-  std::array<std::uint32_t, 2> ends = {};  ///< of a crease: the other ends of its edges; of a dart the first
+  std::array<VertexId, 2> ends = {};  ///< of a crease: the other ends of its edges; of a dart the first
   std::size_t sharp_edges = 0;
 };
 
 /// Calls visit(end, sharpness) for the edges of a vertex that is not isolated.
 template <typename View, typename Visit>
-void for_each_sharpness(const View& view, const Sharpness& sharpness, std::uint32_t v, const Visit& visit) {
-  const std::uint32_t last = view.for_each_outgoing(view.outgoing(v), [&](std::uint32_t h) {
-    visit(view.target(h), view.is_boundary(h) ? kInfinitelySharp : sharpness.edges[h]);
+void for_each_sharpness(const View& view, const Sharpness& sharpness, VertexId v, const Visit& visit) {
+  const HalfedgeId last = view.for_each_outgoing(view.outgoing(v), [&](HalfedgeId h) {
+    visit(view.target(h), view.is_boundary(h) ? kInfinitelySharp : sharpness.edges[h.index()]);
   });
-  if (const std::uint32_t before = view.prev(last); view.is_boundary(before))
-    visit(view.origin(before), kInfinitelySharp);
+  if (const HalfedgeId before = view.prev(last); view.is_boundary(before)) visit(view.origin(before), kInfinitelySharp);
 }
 
 /// The rule of a vertex where edges and vertices of at most sharpness `smooth` count as smooth.
 template <typename View>
-CreaseRule crease_rule(const View& view, const Sharpness& sharpness, std::uint32_t v, double smooth) {
+CreaseRule crease_rule(const View& view, const Sharpness& sharpness, VertexId v, double smooth) {
   CreaseRule rule;
-  for_each_sharpness(view, sharpness, v, [&](std::uint32_t end, double of_edge) {
+  for_each_sharpness(view, sharpness, v, [&](VertexId end, double of_edge) {
     if (of_edge <= smooth) return;
     if (rule.sharp_edges < 2) rule.ends[rule.sharp_edges] = end;
     ++rule.sharp_edges;
   });
-  const bool is_corner = rule.sharp_edges > 2 || sharpness.vertices[v] > smooth;
+  const bool is_corner = rule.sharp_edges > 2 || sharpness.vertices[v.index()] > smooth;
   rule.kind = is_corner ? CreaseKind::corner : rule.sharp_edges == 2 ? CreaseKind::crease : CreaseKind::smooth;
   return rule;
 }
@@ -85,7 +84,7 @@ CreaseRule crease_rule(const View& view, const Sharpness& sharpness, std::uint32
 /// The mean of the sharpnesses at a vertex that end with this step: how much the rule before it counts beside the rule
 /// after it.
 template <typename View>
-double share_of_ending_rule(const View& view, const Sharpness& sharpness, std::uint32_t v) {
+double share_of_ending_rule(const View& view, const Sharpness& sharpness, VertexId v) {
   double sum = 0;
   int count = 0;
   const auto add = [&](double value) {
@@ -93,15 +92,15 @@ double share_of_ending_rule(const View& view, const Sharpness& sharpness, std::u
     sum += value;
     ++count;
   };
-  add(sharpness.vertices[v]);
-  for_each_sharpness(view, sharpness, v, [&](std::uint32_t, double of_edge) { add(of_edge); });
+  add(sharpness.vertices[v.index()]);
+  for_each_sharpness(view, sharpness, v, [&](VertexId, double of_edge) { add(of_edge); });
   return count == 0 ? 1 : sum / count;
 }
 
 /// The new point of a vertex, whose smooth rule gives `smooth()`. If edges or the vertex become smooth in this step,
 /// and that changes the rule, it is between both rules.
 template <typename View, typename Smooth>
-Vec3 creased_vertex_point(const View& view, const Sharpness& sharpness, std::uint32_t v, const Smooth& smooth) {
+Vec3 creased_vertex_point(const View& view, const Sharpness& sharpness, VertexId v, const Smooth& smooth) {
   const auto by = [&](const CreaseRule& rule) {
     switch (rule.kind) {
       case CreaseKind::smooth:

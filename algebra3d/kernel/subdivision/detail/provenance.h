@@ -16,9 +16,9 @@ namespace algebra3d::subdivision {
 // Parts of the provenance of attributes that several schemes have in common. Cost: linear.
 
 /// The vertices of the mesh, then the middles of the edges.
-std::vector<std::uint32_t> vertices_and_middles(const PolygonMesh& mesh, ValueBlends& blends);
+ValueSources vertices_and_middles(const PolygonMesh& mesh, ValueBlends& blends);
 /// Per half-edge the middle of its corner and the next one.
-std::vector<std::uint32_t> corner_middles(const PolygonMesh& mesh, ValueBlends& blends);
+ValueSources corner_middles(const PolygonMesh& mesh, ValueBlends& blends);
 /// The mean of the vertices of a face, or of its corners.
 std::uint32_t mean_of_vertices(const PolygonMesh& mesh, FaceId f, ValueBlends& blends);
 std::uint32_t mean_of_corners(const PolygonMesh& mesh, FaceId f, ValueBlends& blends);
@@ -28,8 +28,8 @@ template <typename View, typename Limit>
 Result<std::vector<Vec3>> limits_of_vertices(const LimitInput& input, const View& view, const Limit& limit) {
   const Stage stage(input.monitor, "finding limits", block_count(input.count));
   std::vector<Vec3> limits(input.count);
-  for_each_element(input.count, stage, [&](std::uint32_t v) {
-    if (view.outgoing(v) != kNone) limits[v] = limit(v);
+  for_each_element<VertexId>(input.count, stage, [&](VertexId v) {
+    if (view.outgoing(v).is_valid()) limits[v.index()] = limit(v);
   });
   A3D_TRY(input.monitor.check());
   return limits;

@@ -41,6 +41,9 @@ struct MeshSize {
   bool is_exact = true;  ///< false: no more than that
 };
 
+/// Per element of the mesh after a step the value that it has, or kNone.
+using ValueSources = std::vector<std::uint32_t>;
+
 /// Where the elements of the mesh after a step have their values from; blends are numbered after the values of the mesh
 /// before. Vertices: for texts only, since numbers follow the points.
 struct Provenance {
