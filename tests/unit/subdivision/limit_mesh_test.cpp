@@ -100,8 +100,9 @@ TEST(LimitMesh, regular_values) {
 TEST(LimitMesh, doo_sabin_faces_of_vertices_shrink_to_it) {
   std::vector<samples::NamedMesh> meshes = samples::manifold_polygon_meshes();
   for (auto& mesh : samples::manifold_triangle_meshes()) meshes.push_back(std::move(mesh));
+  std::erase_if(meshes, [](const auto& named) { return named.mesh.halfedge_count() > 50; });
+  meshes.resize(std::min<std::size_t>(meshes.size(), 20));
   for (const auto& [name, mesh] : meshes) {
-    if (mesh.halfedge_count() > 200) continue;
     for (const char* rules : {"mean", "doo"}) {
       SCOPED_TRACE(name + ", " + rules);
       const SubdivisionOptions options = samples::variant(Scheme::doo_sabin, rules);
