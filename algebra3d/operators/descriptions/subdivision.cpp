@@ -193,11 +193,10 @@ const std::string kCreasedSquare =
     R"((mesh3d (((0 0 0) (8 0 0) (8 8 0) (0 8 0)) ((0 1 2 3)) ((vertex "Corner" real (10 0 0 0.5))))))";
 std::string refused_text() {
   return fmt::format(
-      "Solids and surfaces are divided where their faces touch in edges or vertices, with a note: the bodies of a "
-      "solid "
-      "there, and along an edge of more than two faces of a surface all of them. Errors: non-manifold edges and "
-      "vertices of a mesh3d; faces that are not triangles, except for {}; interior vertices with "
-      "fewer than three edges, except for {}.",
+      "Solids and surfaces are divided where their faces touch in edges or vertices, with a note: of a solid the "
+      "bodies, of a surface all faces along an edge of more than two. Errors: non-manifold edges and vertices of a "
+      "mesh3d; faces that are not triangles, except for {}; interior vertices with fewer than three edges, except for "
+      "{}.",
       subdivision_scheme_names(takes_any_faces), subdivision_scheme_names(takes_two_edges));
 }
 std::string creases_text() {
@@ -220,8 +219,8 @@ void register_subdivision(Registry& registry) {
               "Schemes: {} for faces of any degree; {} for triangles. A fourth argument chooses the variant: {}. ",
               subdivision_scheme_names(takes_any_faces), subdivision_scheme_names(takes_triangles_only),
               variants_text([](const SubdivisionScheme&) { return true; })) +
-          "Coordinates are rounded to doubles first, and the result has "
-          "doubles; in each step the error is below (n + 16) 2^-52 times the largest coordinate, with n the largest "
+          "Coordinates are rounded to doubles first, and the result has doubles; in each step the error is below "
+          "(n + 16) 2^-52 times the largest coordinate, with n the largest "
           "number of edges at a vertex or of corners of a face. Without steps the mesh itself. Surfaces and solids "
           "are taken with the triangles that they have. Boundaries of open meshes become curves of their own: cubic "
           "B-splines, with doo-sabin quadratic ones, with the butterfly schemes curves through the vertices; with the "
@@ -258,7 +257,7 @@ void register_subdivision(Registry& registry) {
                    {{kCreasedSquare, R"("catmull-clark")", "1"},
                     "(((0.0 0.0 0.0) (7.0 1.0 0.0) (7.0 7.0 0.0) (0.5 7.5 0.0) (4.0 0.0 0.0) (8.0 4.0 0.0) "
                     "(4.0 8.0 0.0) (0.0 4.0 0.0) (4.0 4.0 0.0)) ((0 4 8 7) (1 5 8 4) (2 6 8 5) (3 7 8 6)) ((vertex "
-                    R"("Corner" real (10.0 0.0 0.0 0.0 undefined undefined undefined undefined undefined))))"},
+                    R"("Corner" real (10.0 0.0 0.0 0.0 undefined undefined undefined undefined undefined)))))"},
                    {{kTriangleMesh, R"("loop")", "1"}, kLoopTriangle},
                    {{kTriangleMesh, R"("butterfly")", "1"}, kButterflyTriangle},
                    {{kTriangleMesh, R"("modified-butterfly")", "1"}, kButterflyTriangle},
