@@ -110,7 +110,15 @@ class ContactDivision {
 
 }  // namespace
 
-DividedContacts divided_contacts(const PolygonMesh& mesh, ContactsOf kind) {
+Result<DividedContacts> divided_contacts(const PolygonMesh& mesh, ContactsOf kind) {
+  if (kind == ContactsOf::surfaces)
+    for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n) {
+      const auto along = mesh.nonmanifold_edge(n);
+      if (along.size() == 2)
+        return Error{ErrorCode::invalid_value,
+                     "both faces at the edge between vertices {} and {} run along it in the same direction",
+                     mesh.origin(along.front()).index(), mesh.target(along.front()).index()};
+    }
   return ContactDivision(mesh, kind).result();
 }
 

@@ -20,14 +20,18 @@
 namespace algebra3d {
 namespace {
 
+Error named(const char* name, Error error) {
+  return std::move(error).about(name);
+}
+
 /// The faces to subdivide, and whether they were divided where they touch.
 struct SubdivisionInput {
   PolygonMesh mesh;
   bool is_divided = false;
 };
 
-SubdivisionInput input_of(Context& /*context*/, const char* /*name*/, const Mesh3d& mesh) {
-  return {mesh.mesh()};
+Result<SubdivisionInput> input_of(Context& /*context*/, const char* /*name*/, const Mesh3d& mesh) {
+  return SubdivisionInput{mesh.mesh()};
 }
 
 std::string counted(std::size_t count, const char* one, const char* more) {
@@ -41,16 +45,17 @@ PolygonMesh linked_triangles(const T& geometry) {
 
 /// The triangles as they are; where they touch in edges or vertices they are divided, with a note.
 template <typename T>
-SubdivisionInput input_of(Context& context, const char* name, const T& geometry) {
+Result<SubdivisionInput> input_of(Context& context, const char* name, const T& geometry) {
   PolygonMesh mesh = linked_triangles(geometry);
-  if (is_manifold(mesh)) return {std::move(mesh)};
+  if (is_manifold(mesh)) return SubdivisionInput{std::move(mesh)};
   constexpr bool kIsSolid = std::is_same_v<T, Volume3d>;
-  DividedContacts divided = divided_contacts(mesh, kIsSolid ? ContactsOf::solids : ContactsOf::surfaces);
+  auto divided = divided_contacts(mesh, kIsSolid ? ContactsOf::solids : ContactsOf::surfaces);
+  if (!divided.ok()) return named(name, divided.error());
   context.diagnostics.report(fmt::format("{}: divided the {} at {} and {}, where {}", name,
-                                         kIsSolid ? "solid" : "surface", counted(divided.edge_count, "edge", "edges"),
-                                         counted(divided.vertex_count, "vertex", "vertices"),
+                                         kIsSolid ? "solid" : "surface", counted(divided->edge_count, "edge", "edges"),
+                                         counted(divided->vertex_count, "vertex", "vertices"),
                                          kIsSolid ? "bodies touch" : "it is not manifold"));
-  return {std::move(divided.mesh), true};
+  return SubdivisionInput{std::move(divided->mesh), true};
 }
 
 Mesh3d unchanged(const Mesh3d& mesh) {
@@ -67,10 +72,6 @@ const MeshAttributes& attributes_of_input(const Mesh3d& mesh) {
 template <typename T>
 MeshAttributes attributes_of_input(const T& /*geometry*/) {
   return {};
-}
-
-Error named(const char* name, Error error) {
-  return std::move(error).about(name);
 }
 
 Result<SubdivisionScheme> scheme_of(const char* name, const std::string& text) {
@@ -98,8 +99,9 @@ Result<Maybe<Mesh3d>> after_steps(Context& context, const T& geometry, const Sub
                                   std::int64_t steps, const SubdivisionOptions& options) {
   if (steps < 0) return Maybe<Mesh3d>(Undefined{"the number of steps is negative"});
   if (steps == 0) return Maybe<Mesh3d>(unchanged(geometry));
-  auto result = subdivided(input_of(context, "subdivide", geometry).mesh, attributes_of_input(geometry), scheme,
-                           static_cast<std::size_t>(steps), options, context.monitor());
+  A3D_ASSIGN(const SubdivisionInput input, input_of(context, "subdivide", geometry));
+  auto result = subdivided(input.mesh, attributes_of_input(geometry), scheme, static_cast<std::size_t>(steps), options,
+                           context.monitor());
   if (!result.ok()) return named("subdivide", result.error());
   return Maybe<Mesh3d>(Mesh3d(std::move(result->mesh), std::move(result->attributes)));
 }
@@ -129,7 +131,7 @@ Result<SubdivisionScheme> limit_scheme_of(const std::string& text) {
 template <typename T>
 Result<Mesh3d> at_limit(Context& context, const T& geometry, const SubdivisionScheme& scheme,
                         const SubdivisionOptions& options) {
-  const SubdivisionInput input = input_of(context, "limitPosition", geometry);
+  A3D_ASSIGN(const SubdivisionInput input, input_of(context, "limitPosition", geometry));
   auto result = limit_mesh(input.mesh, attributes_of_input(geometry), scheme, options, context.monitor());
   if (!result.ok()) return named("limitPosition", result.error());
   // Two edges of a divided mesh may join the same vertices; all are linked anew by their vertices.
@@ -195,7 +197,8 @@ std::string refused_text() {
   return fmt::format(
       "Solids and surfaces are divided where their faces touch in edges or vertices, with a note: of a solid the "
       "bodies, of a surface all faces along an edge of more than two. Errors: non-manifold edges and vertices of a "
-      "mesh3d; faces that are not triangles, except for {}; interior vertices with fewer than three edges, except for "
+      "mesh3d; faces of a surface that run along their edge in the same direction; faces that are not triangles, "
+      "except for {}; interior vertices with fewer than three edges, except for "
       "{}.",
       subdivision_scheme_names(takes_any_faces), subdivision_scheme_names(takes_two_edges));
 }
