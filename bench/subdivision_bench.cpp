@@ -143,7 +143,7 @@ void add(const char* name, SubdivisionScheme scheme, void (*run)(benchmark::Stat
 }  // namespace
 
 int main(int argc, char** argv) {
-  constexpr auto kLoop = SubdivisionScheme::loop, kCatmullClark = SubdivisionScheme::catmull_clark;
+  const auto kLoop = SubdivisionScheme::loop, kCatmullClark = SubdivisionScheme::catmull_clark;
   const auto all_threads = [](benchmark::State& state, SubdivisionScheme scheme) { ours(state, scheme, 0); };
   const auto one_thread = [](benchmark::State& state, SubdivisionScheme scheme) { ours(state, scheme, 1); };
   add("loop/ours", kLoop, all_threads);

@@ -12,4 +12,6 @@ PolygonMesh::PolygonMesh(PointArray points, PolygonLayout layout, LargeVector<st
     : HalfedgeMesh(std::move(points), std::move(layout), std::move(corners), std::move(opposites), std::move(outgoing),
                    Links::all) {}
 
+PolygonMesh::PolygonMesh(const PolygonMesh& linked, PointArray points) : HalfedgeMesh(linked, std::move(points)) {}
+
 }  // namespace algebra3d

@@ -24,6 +24,9 @@ class PolygonMesh : public HalfedgeMesh<PolygonLayout> {
   PolygonMesh(PointArray points, PolygonLayout layout, LargeVector<std::uint32_t> corners,
               LargeVector<std::uint32_t> opposites, LargeVector<HalfedgeId> outgoing);
 
+  /// The faces and links of another mesh over other points, one per vertex. Cost: that of a copy.
+  PolygonMesh(const PolygonMesh& linked, PointArray points);
+
   /// The layout of the faces; with `origins`, all that a mesh of other points with the same faces needs.
   const PolygonLayout& layout() const { return *this; }
 };

@@ -1,13 +1,22 @@
 #include "algebra3d/kernel/subdivision/detail/butterfly_rules.h"
-#include "algebra3d/kernel/subdivision/detail/steps.h"
 
 namespace algebra3d::subdivision {
+namespace {
 
-Result<PolygonMesh> butterfly_step(const PolygonMesh& mesh, const Monitor& monitor, const std::string& what) {
-  const TriangleView view(mesh);
+Result<PolygonMesh> butterfly_step(const StepInput& input) {
+  const TriangleView view(input.mesh);
   return split_triangles(
-      mesh, monitor, what, [&](std::uint32_t h, std::uint32_t) { return butterfly_edge_point(view, h); },
-      [&](std::uint32_t v) { return view.point(v); });
+      input, [&](HalfedgeId h, EdgeNumber) { return butterfly_edge_point(view, h); },
+      [&](VertexId v) { return view.point(v); });
 }
+
+}  // namespace
+
+constinit const SchemeDescription kButterfly = {.name = "butterfly",
+                                                .takes_triangles_only = true,
+                                                .needs_three_edges = true,
+                                                .after_step = four_times,
+                                                .step = butterfly_step,
+                                                .provenance = triangle_split_provenance};
 
 }  // namespace algebra3d::subdivision

@@ -1,84 +1,118 @@
+#include <algorithm>
 #include <cassert>
-#include <string>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "algebra3d/kernel/halfedge/circulators.h"
+#include "algebra3d/kernel/subdivision/detail/attributes.h"
+#include "algebra3d/kernel/subdivision/detail/blocks.h"
+#include "algebra3d/kernel/subdivision/detail/creases.h"
 #include "algebra3d/kernel/subdivision/detail/input.h"
-#include "algebra3d/kernel/subdivision/detail/loop_rules.h"
-#include "algebra3d/kernel/subdivision/detail/steps.h"
+#include "algebra3d/kernel/subdivision/detail/mesh_view.h"
+#include "algebra3d/kernel/subdivision/detail/refined_mesh.h"
+#include "algebra3d/kernel/subdivision/detail/scheme_description.h"
 #include "algebra3d/kernel/subdivision/subdivided.h"
 #include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
 
-using subdivision::MeshView;
+using subdivision::SchemeDescription;
 
-/// The point of a uniform cubic B-spline curve at a control point, with the sum of the two beside it.
-Vec3 curve_limit(const Vec3& point, const Vec3& neighbours) {
-  const Vec3 sum = 4 * point + neighbours;
-  return {sum.x / 6, sum.y / 6, sum.z / 6};
+/// What the limits of a mesh need to know besides its points.
+struct LimitRules {
+  const SchemeDescription& scheme;
+  std::size_t variant;
+  MeshAttributes creases;  ///< those that give the sharpness
+  std::size_t steps;       ///< to be made first
+};
+
+/// The limits of the vertices of a mesh. In the steps that are made first they keep their numbers.
+Result<std::vector<Vec3>> limits_of(const PolygonMesh& mesh, const LimitRules& rules, const Monitor& monitor) {
+  std::optional<PolygonMesh> refined;
+  MeshAttributes creases = rules.creases;
+  std::optional<subdivision::Sharpness> sharpness;
+  for (std::size_t step = 0;; ++step) {
+    const PolygonMesh& before = refined ? *refined : mesh;
+    if (!creases.is_empty()) {
+      A3D_ASSIGN(sharpness, subdivision::sharpness_of(before, creases));
+    }
+    const subdivision::Sharpness* of_step = sharpness ? &*sharpness : nullptr;
+    if (step == rules.steps) return rules.scheme.limits({before, mesh.vertex_count(), rules.variant, of_step, monitor});
+    const subdivision::StepInput input{before, step, rules.variant, of_step, monitor, "subdividing for limits"};
+    A3D_ASSIGN(PolygonMesh after, rules.scheme.step(input));
+    A3D_ASSIGN(creases, subdivision::attributes_after_step(creases, input, after, rules.scheme));
+    refined = std::move(after);
+  }
 }
 
-/// By the left eigenvector of the step: with weight w for each of n neighbours in the step, (a v + sum) / (a + n) with
-/// a = 3 / (8 w).
-Vec3 loop_limit(const MeshView<3>& view, std::uint32_t v, const subdivision::LoopWeightTable& table) {
-  if (view.is_boundary_vertex(v)) return curve_limit(view.point(v), boundary_neighbours_of(view, v));
-  const auto neighbours = neighbours_of(view, v);
-  const double own = 3 / (8 * table(neighbours.count)), all = own + static_cast<double>(neighbours.count);
-  const Vec3 sum = own * view.point(v) + neighbours.sum;
-  return {sum.x / all, sum.y / all, sum.z / all};
-}
-
-/// In a mesh of quadrilaterals: (n^2 v + 4 e + f) / (n (n + 5)), with e the sum of the neighbours along edges, f that
-/// of the corners opposite in the faces.
-Vec3 catmull_clark_limit(const MeshView<4>& view, std::uint32_t v) {
-  if (view.is_boundary_vertex(v)) return curve_limit(view.point(v), boundary_neighbours_of(view, v));
-  Vec3 sum;
-  double n = 0;
-  view.for_each_outgoing(view.outgoing(v), [&](std::uint32_t h) {
-    const std::uint32_t next = view.next(h);
-    sum = sum + (4 * view.origin_point(next) + view.target_point(next));
-    n += 1;
-  });
-  const Vec3 all = (n * n) * view.point(v) + sum;
-  const double scale = n * (n + 5);
-  return {all.x / scale, all.y / scale, all.z / scale};
-}
-
-/// The mesh with its vertices moved to `limit(v)`, except isolated ones.
-template <typename Limit>
-Result<PolygonMesh> moved_vertices(const PolygonMesh& mesh, const Monitor& monitor, const Limit& limit) {
+/// The mesh with its vertices moved, except isolated ones.
+Result<PolygonMesh> moved_vertices(const PolygonMesh& mesh, const std::vector<Vec3>& limits, const Monitor& monitor) {
   using subdivision::block_count;
   using subdivision::for_each_element;
-  const MeshView<0> view(mesh);
+  const subdivision::MeshView<0> view(mesh);
   const Stage stage(monitor, "finding limits", block_count(mesh.vertex_count()) + block_count(mesh.halfedge_count()));
   subdivision::RefinedMesh moved(mesh.vertex_count(), 0);
   moved.corners = mesh.origins();
   moved.opposites.resize(mesh.halfedge_count());
-  for_each_element(mesh.halfedge_count(), stage, [&](std::uint32_t h) { moved.opposites[h] = view.opposite(h); });
-  for_each_element(mesh.vertex_count(), stage, [&](std::uint32_t v) {
-    moved.outgoing[v] = mesh.outgoing(VertexId(v));
-    moved.points[v] = moved.outgoing[v].is_valid() ? limit(v) : view.point(v);
+  for_each_element<HalfedgeId>(mesh.halfedge_count(), stage,
+                               [&](HalfedgeId h) { moved.set_opposite(h, view.opposite(h)); });
+  for_each_element<VertexId>(mesh.vertex_count(), stage, [&](VertexId v) {
+    const HalfedgeId leaving = view.outgoing(v);
+    moved.set_vertex(v, leaving.is_valid() ? limits[v.index()] : view.point(v), leaving);
   });
   return std::move(moved).finish(mesh.layout(), monitor);
 }
 
+Result<LimitRules> limit_rules(const PolygonMesh& mesh, const MeshAttributes& attributes,
+                               const SchemeDescription& scheme, std::size_t variant) {
+  LimitRules rules{scheme, variant, {}, scheme.steps_before_limits};
+  if (!scheme.honours_creases) return rules;
+  A3D_ASSIGN(const auto sharpness, subdivision::sharpness_of(mesh, attributes));
+  if (!sharpness) return rules;
+  for (const MeshAttribute& attribute : attributes.all())
+    if (subdivision::is_sharpness(attribute))
+      rules.creases = rules.creases.with(attribute.element, attribute.name, *attribute.values);
+  rules.steps = std::max(rules.steps, subdivision::steps_to_settle(*sharpness));
+  return rules;
+}
+
+/// Numbers of vertices at the limit; isolated vertices keep theirs.
+Result<AttributeValues> limit_values(const PolygonMesh& mesh, const AttributeValues& values, const LimitRules& rules,
+                                     const Monitor& monitor) {
+  std::vector<Vec3> points = subdivision::as_points(values);
+  A3D_ASSIGN(std::vector<Vec3> limits, limits_of(PolygonMesh(mesh, PointArray(points)), rules, monitor));
+  for (const VertexId v : vertices(mesh))
+    if (mesh.is_isolated(v)) limits[v.index()] = points[v.index()];
+  return subdivision::from_points(values.kind(), limits);
+}
+
 }  // namespace
 
-Result<PolygonMesh> limit_mesh(const PolygonMesh& mesh, SubdivisionScheme scheme, const SubdivisionOptions& options,
-                               const Monitor& monitor) {
-  assert(scheme == SubdivisionScheme::loop || scheme == SubdivisionScheme::catmull_clark);
-  A3D_TRY(subdivision::check_input(mesh, scheme, 1));
-  if (scheme == SubdivisionScheme::loop) {
-    const MeshView<3> view(mesh);
-    const subdivision::LoopWeightTable table(options.loop_weights);
-    return moved_vertices(mesh, monitor, [&](std::uint32_t v) { return loop_limit(view, v, table); });
+Result<SubdividedMesh> limit_mesh(const PolygonMesh& mesh, const MeshAttributes& attributes,
+                                  const SubdivisionScheme& scheme, const SubdivisionOptions& options,
+                                  const Monitor& monitor) {
+  const SchemeDescription& description = scheme.description();
+  assert(description.limits != nullptr);
+  A3D_ASSIGN(const LimitRules rules, limit_rules(mesh, attributes, description, options.variant));
+  A3D_TRY(subdivision::check_input(mesh, description, std::max<std::size_t>(1, rules.steps), options.variant));
+  A3D_ASSIGN(const std::vector<Vec3> limits, limits_of(mesh, rules, monitor));
+  A3D_ASSIGN(PolygonMesh moved, moved_vertices(mesh, limits, monitor));
+  MeshAttributes result = attributes;
+  for (const MeshAttribute& attribute : attributes.all()) {
+    if (!subdivision::follows_points(attribute)) continue;
+    if (description.honours_creases && subdivision::is_sharpness(attribute)) continue;
+    A3D_ASSIGN(const AttributeValues values, limit_values(mesh, *attribute.values, rules, monitor));
+    result = result.with(attribute.element, attribute.name, values);
   }
-  // After a step all faces are quadrilaterals, and vertices have the limits and the numbers that they had before.
-  A3D_ASSIGN(const PolygonMesh refined, subdivision::catmull_clark_step(mesh, monitor, "subdividing for limits"));
-  const MeshView<4> view(refined);
-  return moved_vertices(mesh, monitor, [&](std::uint32_t v) { return catmull_clark_limit(view, v); });
+  return SubdividedMesh{std::move(moved), std::move(result)};
+}
+
+Result<PolygonMesh> limit_mesh(const PolygonMesh& mesh, const SubdivisionScheme& scheme,
+                               const SubdivisionOptions& options, const Monitor& monitor) {
+  A3D_ASSIGN(SubdividedMesh result, limit_mesh(mesh, {}, scheme, options, monitor));
+  return std::move(result.mesh);
 }
 
 }  // namespace algebra3d

@@ -16,8 +16,9 @@ inline constexpr std::array kAttributeKinds{AttributeKind::real, AttributeKind::
                                             AttributeKind::text};
 
 // Names of attributes that mesh files have: texture coordinates and normals of half-edges, that is, of corners, or of
-// vertices; groups, objects and materials of faces; colours of vertices and faces, as red, green and blue from 0 to 1,
-// with their opacities. Vectors of any elements with the name of normals turn with the mesh.
+// vertices; groups, objects, materials and the files of these of faces; colours of vertices and faces, as red, green and
+// blue from 0 to 1, with their opacities. Vectors of any elements with the name of normals turn with the mesh. And those
+// that subdivision reads: the sharpness of edges and of vertices (subdivision/subdivided.h).
 inline constexpr const char* kTextureAttribute = "TextureCoordinate";
 inline constexpr const char* kNormalAttribute = "Normal";
 inline constexpr const char* kColourAttribute = "Colour";
@@ -26,5 +27,7 @@ inline constexpr const char* kGroupAttribute = "Group";
 inline constexpr const char* kObjectAttribute = "Object";
 inline constexpr const char* kMaterialAttribute = "Material";
 inline constexpr const char* kMaterialLibraryAttribute = "MaterialLibrary";
+inline constexpr const char* kCreaseAttribute = "Crease";
+inline constexpr const char* kCornerAttribute = "Corner";
 
 }  // namespace algebra3d

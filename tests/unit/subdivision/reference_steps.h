@@ -42,7 +42,13 @@ struct Polygons {
 
 class Reference {
  public:
-  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;  // of creases: the lower vertex first
+
+  /// Sharpness above 0, infinite from 10 on.
+  struct Creases {
+    std::map<Edge, Rational> edges;
+    std::map<std::uint32_t, Rational> vertices;
+  };
 
   explicit Reference(const PolygonMesh& mesh) {
     for (const VertexId v : vertices(mesh)) in_.points.push_back(mesh.point(v).rational());
@@ -61,21 +67,19 @@ class Reference {
     }
   }
 
-  Polygons catmull_clark() const {
+  Polygons catmull_clark(const Creases& creases = {}) const {
     Polygons out;
-    for (std::uint32_t v = 0; v < in_.points.size(); ++v) out.points.push_back(catmull_clark_vertex(v));
-    for (const Edge& e : edges_) {
-      Mask mask;
-      if (is_boundary(e)) {
-        out.points.push_back(middle(e));
-      } else {
-        out.points.push_back(mask.add({1, 4}, point(e.first))
-                                 .add({1, 4}, point(e.second))
-                                 .add({1, 4}, centre(left_.at(e)))
-                                 .add({1, 4}, centre(left_.at(reversed(e))))
-                                 .sum());
-      }
-    }
+    for (std::uint32_t v = 0; v < in_.points.size(); ++v)
+      out.points.push_back(creased_vertex(v, creases, [&] { return catmull_clark_vertex(v); }));
+    for (const Edge& e : edges_)
+      out.points.push_back(creased_edge(e, creases, [&] {
+        return Mask()
+            .add({1, 4}, point(e.first))
+            .add({1, 4}, point(e.second))
+            .add({1, 4}, centre(left_.at(e)))
+            .add({1, 4}, centre(left_.at(reversed(e))))
+            .sum();
+      }));
     for (std::uint32_t f = 0; f < in_.faces.size(); ++f) out.points.push_back(centre(f));
     for (std::uint32_t f = 0; f < in_.faces.size(); ++f) {
       const auto& face = in_.faces[f];
@@ -89,31 +93,22 @@ class Reference {
 
   /// `weight(n)` is that of each of n neighbours.
   template <typename Weight>
-  Polygons loop(const Weight& weight) const {
+  Polygons loop(const Weight& weight, const Creases& creases = {}) const {
     Polygons out;
-    for (std::uint32_t v = 0; v < in_.points.size(); ++v) {
-      const auto around = neighbours(v);
-      Mask mask;
-      if (around.empty()) {
-        mask.add(1, point(v));
-      } else if (const auto ends = boundary_neighbours(v); !ends.empty()) {
-        mask.add({3, 4}, point(v)).add({1, 8}, point(ends[0])).add({1, 8}, point(ends[1]));
-      } else {
+    for (std::uint32_t v = 0; v < in_.points.size(); ++v)
+      out.points.push_back(creased_vertex(v, creases, [&] {
+        const auto around = neighbours(v);
+        if (around.empty()) return point(v);
         const Rational w = weight(static_cast<std::int64_t>(around.size()));
+        Mask mask;
         mask.add(Rational(1) - Rational(around.size()) * w, point(v));
         for (const std::uint32_t u : around) mask.add(w, point(u));
-      }
-      out.points.push_back(mask.sum());
-    }
-    for (const Edge& e : edges_) {
-      Mask mask;
-      if (is_boundary(e)) {
-        mask.add(1, middle(e));
-      } else {
-        mask.add({3, 4}, middle(e)).add({1, 8}, point(third(e))).add({1, 8}, point(third(reversed(e))));
-      }
-      out.points.push_back(mask.sum());
-    }
+        return mask.sum();
+      }));
+    for (const Edge& e : edges_)
+      out.points.push_back(creased_edge(e, creases, [&] {
+        return Mask().add({3, 4}, middle(e)).add({1, 8}, point(third(e))).add({1, 8}, point(third(reversed(e)))).sum();
+      }));
     split(out);
     return out;
   }
@@ -143,8 +138,18 @@ class Reference {
     return out;
   }
 
+  /// A new corner is the mean of the corner, the middles of the edges beside it and that of the face.
+  static Rational mean_weight(std::int64_t i, std::int64_t n) {
+    return Rational(1, 4 * n) + (i == 0 ? Rational(1, 2) : i == 1 || i == n - 1 ? Rational(1, 8) : Rational(0));
+  }
   /// Of faces with three, four or six corners, whose weights are rational.
-  Polygons doo_sabin() const {
+  static Rational doo_weight(std::int64_t i, std::int64_t n) {
+    return (i == 0 ? Rational(n + 5) : Rational(3) + Rational(2) * cosine(i, n)) / Rational(4 * n);
+  }
+
+  /// `weight(i, n)` is that of the corner i places on, of n.
+  template <typename Weight>
+  Polygons doo_sabin(const Weight& weight, bool has_boundary) const {
     Polygons out;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> corner_of;  // of face and vertex
     for (std::uint32_t f = 0; f < in_.faces.size(); ++f) {
@@ -154,24 +159,48 @@ class Reference {
       for (std::int64_t i = 0; i < n; ++i) {
         Mask mask;
         for (std::int64_t j = 0; j < n; ++j)
-          mask.add(
-              (i == j ? Rational(n + 5) : Rational(3) + Rational(2) * cosine((i - j + n) % n, n)) / Rational(4 * n),
-              point(face[static_cast<std::size_t>(j)]));
+          mask.add(weight((j - i + n) % n, n), point(face[static_cast<std::size_t>(j)]));
         corner_of[{f, face[static_cast<std::size_t>(i)]}] = static_cast<std::uint32_t>(out.points.size());
         corners.push_back(static_cast<std::uint32_t>(out.points.size()));
         out.points.push_back(mask.sum());
       }
     }
+    std::map<Edge, std::uint32_t> on_edge;  // of a boundary edge, the new vertex near its first end
+    if (has_boundary)
+      for (const auto& face : in_.faces)
+        for (std::size_t i = 0; i < face.size(); ++i) {
+          const Edge e{face[i], face[(i + 1) % face.size()]};
+          if (!is_boundary(e)) continue;
+          for (const Edge& from : {e, reversed(e)}) {
+            on_edge[from] = static_cast<std::uint32_t>(out.points.size());
+            out.points.push_back(Mask().add({3, 4}, point(from.first)).add({1, 4}, point(from.second)).sum());
+          }
+        }
     for (const Edge& e : edges_) {
-      if (is_boundary(e)) continue;
-      const std::uint32_t f = left_.at(e), g = left_.at(reversed(e));
-      out.faces.push_back({corner_of.at({f, e.second}), corner_of.at({f, e.first}), corner_of.at({g, e.first}),
-                           corner_of.at({g, e.second})});
+      const std::uint32_t f = left_.at(e);
+      if (!is_boundary(e)) {
+        const std::uint32_t g = left_.at(reversed(e));
+        out.faces.push_back({corner_of.at({f, e.second}), corner_of.at({f, e.first}), corner_of.at({g, e.first}),
+                             corner_of.at({g, e.second})});
+      } else if (has_boundary) {
+        out.faces.push_back(
+            {corner_of.at({f, e.second}), corner_of.at({f, e.first}), on_edge.at(e), on_edge.at(reversed(e))});
+      }
     }
     for (std::uint32_t v = 0; v < in_.points.size(); ++v) {
-      if (neighbours(v).empty() || !boundary_neighbours(v).empty()) continue;
+      const auto ends = boundary_neighbours(v);
+      if (neighbours(v).empty() || (!ends.empty() && !has_boundary)) continue;
       auto& face = out.faces.emplace_back();
-      for (const std::uint32_t u : ring(v, first_target(v))) face.push_back(corner_of.at({left_.at({v, u}), v}));
+      if (ends.empty()) {
+        for (const std::uint32_t u : ring(v, first_target(v))) face.push_back(corner_of.at({left_.at({v, u}), v}));
+        continue;
+      }
+      const bool is_first_right = left_.contains({v, ends[0]});
+      const std::uint32_t first = ends[is_first_right ? 0 : 1], last = ends[is_first_right ? 1 : 0];
+      for (const std::uint32_t u : ring(v, first))
+        if (left_.contains({v, u})) face.push_back(corner_of.at({left_.at({v, u}), v}));
+      face.push_back(on_edge.at({v, last}));
+      face.push_back(on_edge.at({v, first}));
     }
     return out;
   }
@@ -262,12 +291,52 @@ class Reference {
     }
   }
 
+  Rational sharpness(const Edge& e, const Creases& creases) const {
+    if (is_boundary(e)) return 10;
+    const auto found = creases.edges.find(std::minmax(e.first, e.second));
+    return found == creases.edges.end() ? Rational(0) : found->second;
+  }
+  template <typename Smooth>
+  RationalVec3 creased_edge(const Edge& e, const Creases& creases, const Smooth& smooth) const {
+    const Rational sharp = sharpness(e, creases);
+    if (sharp >= Rational(1)) return middle(e);
+    return plus(times(Rational(1) - sharp, smooth()), times(sharp, middle(e)));
+  }
+  /// By the rule for what is sharper than 0; if that for what is sharper than 1 is another one, between both, by the
+  /// mean of the sharpnesses from 0 to 1.
+  template <typename Smooth>
+  RationalVec3 creased_vertex(std::uint32_t v, const Creases& creases, const Smooth& smooth) const {
+    const Rational own = creases.vertices.contains(v) ? creases.vertices.at(v) : Rational(0);
+    const auto count = [&](const Rational& limit) {
+      std::vector<std::uint32_t> ends;
+      for (const std::uint32_t u : neighbours(v))
+        if (sharpness({v, u}, creases) > limit) ends.push_back(u);
+      return ends;
+    };
+    const auto rule = [&](const Rational& limit) -> std::size_t {
+      return own > limit ? 3 : std::min<std::size_t>(3, std::max<std::size_t>(1, count(limit).size()));
+    };
+    const auto by = [&](const Rational& limit) {
+      const auto ends = count(limit);
+      if (rule(limit) == 1) return smooth();
+      if (rule(limit) == 3) return point(v);
+      return Mask().add({3, 4}, point(v)).add({1, 8}, point(ends[0])).add({1, 8}, point(ends[1])).sum();
+    };
+    if (rule(0) == rule(1)) return by(0);
+    std::vector<Rational> ending;
+    for (const std::uint32_t u : neighbours(v)) ending.push_back(sharpness({v, u}, creases));
+    ending.push_back(own);
+    std::erase_if(ending, [](const Rational& s) { return s <= Rational(0) || s > Rational(1); });
+    Rational sum = 0;
+    for (const Rational& s : ending) sum = sum + s;
+    const Rational share = sum / Rational(ending.size());
+    return plus(times(share, by(0)), times(Rational(1) - share, by(1)));
+  }
+
   RationalVec3 catmull_clark_vertex(std::uint32_t v) const {
     const auto around = neighbours(v);
     if (around.empty()) return point(v);
     Mask mask;
-    if (const auto ends = boundary_neighbours(v); !ends.empty())
-      return mask.add({3, 4}, point(v)).add({1, 8}, point(ends[0])).add({1, 8}, point(ends[1])).sum();
     const auto n = static_cast<std::int64_t>(around.size());
     for (const std::uint32_t u : around) {
       mask.add({1, n * n}, centre(left_.at({v, u})));

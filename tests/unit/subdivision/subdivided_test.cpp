@@ -19,8 +19,15 @@ using samples::NamedMesh;
 using samples::polygon_mesh;
 using Scheme = SubdivisionScheme;
 
-constexpr std::array kSchemes = {Scheme::catmull_clark, Scheme::doo_sabin, Scheme::loop, Scheme::butterfly,
-                                 Scheme::modified_butterfly};
+const std::array kSchemes = {Scheme::catmull_clark, Scheme::doo_sabin,          Scheme::loop,
+                             Scheme::butterfly,     Scheme::modified_butterfly, Scheme::sqrt3};
+
+/// Calls test(options) for each variant of a scheme.
+template <typename Test>
+void for_each_variant(Scheme scheme, const Test& test) {
+  for (std::size_t variant = 0; variant < std::max<std::size_t>(1, variants_of(scheme).size()); ++variant)
+    ASSERT_NO_FATAL_FAILURE(test(SubdivisionOptions{variant}));
+}
 
 /// Calls test(mesh, scheme) for all manifold samples that the scheme takes.
 template <typename Test>
@@ -48,22 +55,26 @@ bool same_bits(const PolygonMesh& a, const PolygonMesh& b) {
 
 TEST(Subdivided, links_are_those_of_the_faces) {
   for_each_sample([](const PolygonMesh& mesh, Scheme scheme) {
-    for (std::size_t steps = 1; steps <= 2; ++steps) {
-      const auto result = subdivided(mesh, scheme, steps);
-      ASSERT_TRUE(result.ok()) << result.error().message;
-      ASSERT_EQ(audit(*result), std::vector<std::string>());
-      ASSERT_TRUE(same_bits(*result, PolygonMesh(result->points(), result->layout(), result->origins())));
-      ASSERT_TRUE(is_manifold(*result));
-    }
+    for_each_variant(scheme, [&](const SubdivisionOptions& options) {
+      for (std::size_t steps = 1; steps <= 2; ++steps) {
+        const auto result = subdivided(mesh, scheme, steps, options);
+        ASSERT_TRUE(result.ok()) << result.error().message;
+        ASSERT_EQ(audit(*result), std::vector<std::string>());
+        ASSERT_TRUE(same_bits(*result, PolygonMesh(result->points(), result->layout(), result->origins())));
+        ASSERT_TRUE(is_manifold(*result));
+      }
+    });
   });
 }
 
 TEST(Subdivided, topology_stays) {
   for_each_sample([](const PolygonMesh& mesh, Scheme scheme) {
-    const PolygonMesh result = *subdivided(mesh, scheme, 2);
-    ASSERT_EQ(euler_characteristic(result), euler_characteristic(mesh));
-    ASSERT_EQ(boundary_loops(result).size(), boundary_loops(mesh).size());
-    ASSERT_EQ(connected_components(result).count, connected_components(mesh).count);
+    for_each_variant(scheme, [&](const SubdivisionOptions& options) {
+      const PolygonMesh result = *subdivided(mesh, scheme, 2, options);
+      ASSERT_EQ(euler_characteristic(result), euler_characteristic(mesh));
+      ASSERT_EQ(boundary_loops(result).size(), boundary_loops(mesh).size());
+      ASSERT_EQ(connected_components(result).count, connected_components(mesh).count);
+    });
   });
 }
 
@@ -86,7 +97,7 @@ TEST(Subdivided, isolated_vertices_stay) {
 
 /// With more blocks than threads.
 PolygonMesh large_mesh(Scheme scheme) {
-  return takes_triangles_only(scheme) ? polygon_mesh(faces_of(samples::torus(40, 60)))
+  return takes_triangles_only(scheme) ? polygon_mesh(faces_of(samples::grid(60, 50, true, false)))
                                       : polygon_mesh(samples::quadrilateral_grid(70, 60));
 }
 
@@ -153,7 +164,8 @@ TEST(Subdivided, input_that_is_refused) {
   expect_error(polygon_mesh({{0, 1, 2}, {0, 3, 4}}), Scheme::loop, 1, ErrorCode::invalid_value,
                "vertex 0 is non-manifold: its faces form 2 fans, expected one; components divides solids and surfaces "
                "that touch in vertices");
-  for (const Scheme scheme : {Scheme::doo_sabin, Scheme::loop, Scheme::butterfly, Scheme::modified_butterfly})
+  for (const Scheme scheme :
+       {Scheme::doo_sabin, Scheme::loop, Scheme::butterfly, Scheme::modified_butterfly, Scheme::sqrt3})
     expect_error(
         polygon_mesh({{0, 1, 2}, {0, 2, 1}}), scheme, 1, ErrorCode::invalid_value,
         "vertex 0 has 2 edges and is on no boundary, but " + std::string(name_of(scheme)) + " needs three edges");
@@ -161,13 +173,15 @@ TEST(Subdivided, input_that_is_refused) {
                "face 0 is on both sides of the edge between vertices 0 and 1; see triangulate");
   expect_error(polygon_mesh({{0, 1, 2}}, {{0, 0, 0}, {1, 0, 0}, {0, 1e300, 0}}), Scheme::loop, 1,
                ErrorCode::limit_exceeded, "vertex 2 has a coordinate beyond 2^960");
-  expect_error(
-      polygon_mesh(samples::cube()), Scheme::catmull_clark, 14, ErrorCode::limit_exceeded,
-      "14 steps make more than 2147483645 half-edges of 24, each step four times as many; at most 13 steps are "
-      "possible");
+  expect_error(polygon_mesh(samples::cube()), Scheme::catmull_clark, 14, ErrorCode::limit_exceeded,
+               "14 steps make more than 2147483645 half-edges of 24; at most 13 steps are possible");
   expect_error(polygon_mesh(samples::cube()), Scheme::catmull_clark, 1'000'000'000'000, ErrorCode::limit_exceeded,
-               "1000000000000 steps make more than 2147483645 half-edges of 24, each step four times as many; at most "
-               "13 steps are possible");
+               "1000000000000 steps make more than 2147483645 half-edges of 24; at most 13 steps are possible");
+  expect_error(polygon_mesh(faces_of(samples::tetrahedron())), Scheme::sqrt3, 18, ErrorCode::limit_exceeded,
+               "18 steps make more than 2147483645 half-edges of 12; at most 17 steps are possible");
+  // A square of 4 half-edges has 32 after a step of Doo-Sabin and 160 after two: 4 (h + b), with b doubled.
+  expect_error(polygon_mesh({{0, 1, 2, 3}}), Scheme::doo_sabin, 14, ErrorCode::limit_exceeded,
+               "14 steps make more than 2147483645 half-edges of 4; at most 13 steps are possible");
 }
 
 TEST(Subdivided, two_triangles_back_to_back) {
@@ -191,7 +205,7 @@ TEST(Subdivided, large_fans_and_faces) {
   for (const Scheme scheme : kSchemes) EXPECT_GE(subdivided(fan, scheme, 1)->face_count(), kCount);
   std::vector<std::uint32_t> face(kCount);
   for (std::uint32_t i = 0; i < kCount; ++i) face[i] = i;
-  EXPECT_EQ(subdivided(polygon_mesh({face}), Scheme::doo_sabin, 1)->halfedge_count(), kCount);
+  EXPECT_EQ(subdivided(polygon_mesh({face}), Scheme::doo_sabin, 1)->halfedge_count(), 8 * kCount);
 }
 
 TEST(Subdivided, flat_meshes_stay_in_their_plane) {
@@ -204,12 +218,31 @@ TEST(Subdivided, flat_meshes_stay_in_their_plane) {
   });
 }
 
+/// As many half-edges as check_input counts on.
+TEST(Subdivided, sizes) {
+  for_each_sample([](const PolygonMesh& mesh, Scheme scheme) {
+    std::size_t boundary = 0;
+    for (const HalfedgeId h : halfedges(mesh)) boundary += mesh.is_boundary(h) ? 1 : 0;
+    const std::size_t h = mesh.halfedge_count(), made = subdivided(mesh, scheme, 2)->halfedge_count();
+    if (scheme == Scheme::doo_sabin) {
+      ASSERT_EQ(made, 16 * h + 24 * boundary);
+    } else {
+      ASSERT_EQ(made, scheme == Scheme::sqrt3 ? 9 * h : 16 * h);
+    }
+  });
+}
+
 TEST(SubdivisionScheme, names) {
+  ASSERT_EQ(subdivision_schemes().size(), kSchemes.size());
   for (const Scheme scheme : kSchemes) EXPECT_EQ(subdivision_scheme(name_of(scheme)), scheme);
   EXPECT_FALSE(subdivision_scheme("Loop").has_value());
-  EXPECT_EQ(subdivision_scheme_names(), "catmull-clark, doo-sabin, loop, butterfly, modified-butterfly");
-  EXPECT_EQ(loop_weights("warren"), LoopWeights::warren);
-  EXPECT_FALSE(loop_weights("").has_value());
+  EXPECT_EQ(subdivision_scheme_names(), "catmull-clark, doo-sabin, loop, butterfly, modified-butterfly, sqrt3");
+  EXPECT_EQ(subdivision_scheme_names(has_limit), "catmull-clark, doo-sabin, loop");
+  EXPECT_EQ(subdivision_scheme_names(honours_creases), "catmull-clark, loop");
+  EXPECT_EQ(subdivision_variant(Scheme::loop, "warren"), 1U);
+  EXPECT_EQ(subdivision_variant(Scheme::doo_sabin, "doo"), 1U);
+  EXPECT_FALSE(subdivision_variant(Scheme::loop, "").has_value());
+  EXPECT_TRUE(variants_of(Scheme::sqrt3).empty());
 }
 
 }  // namespace

@@ -73,17 +73,18 @@ std::vector<Vec3> middles(const CgalMesh& mesh) {
 
 /// Calls subdivide(theirs, steps) for samples without isolated vertices.
 template <typename Subdivide>
-void compare(const std::vector<samples::NamedMesh>& meshes, Scheme scheme, const Subdivide& subdivide) {
+void compare(const std::vector<samples::NamedMesh>& meshes, Scheme scheme, const Subdivide& subdivide,
+             const SubdivisionOptions& options = {}, unsigned most_steps = 2) {
   std::size_t count = 0;
   for (const auto& [name, mesh] : meshes) {
     const bool has_isolated = std::ranges::any_of(vertices(mesh), [&](VertexId v) { return mesh.is_isolated(v); });
     CgalMesh original;
     if (has_isolated || mesh.is_empty() || !to_cgal(mesh, original)) continue;
     SCOPED_TRACE(name);
-    for (unsigned steps = 1; steps <= 2; ++steps) {
+    for (unsigned steps = 1; steps <= most_steps; ++steps) {
       CgalMesh theirs = original;
       subdivide(theirs, CGAL::parameters::number_of_iterations(steps));
-      const PolygonMesh ours = *subdivided(mesh, scheme, steps);
+      const PolygonMesh ours = *subdivided(mesh, scheme, steps, options);
       std::vector<Vec3> points;
       for (const auto v : theirs.vertices()) points.push_back(point_of(theirs, v));
       ASSERT_NO_FATAL_FAILURE(expect_same_points(ours.points().approx(), points));
@@ -109,8 +110,15 @@ TEST(AgainstCgal, catmull_clark) {
 
 TEST(AgainstCgal, doo_sabin) {
   const auto subdivide = [](CgalMesh& mesh, const auto& parameters) { method::DooSabin_subdivision(mesh, parameters); };
-  compare(samples::manifold_triangle_meshes(), Scheme::doo_sabin, subdivide);
-  compare(samples::manifold_polygon_meshes(), Scheme::doo_sabin, subdivide);
+  // CGAL has Doo's weights and no faces at the boundary.
+  const SubdivisionOptions open = samples::variant(Scheme::doo_sabin, "open");
+  compare(samples::manifold_triangle_meshes(), Scheme::doo_sabin, subdivide, open);
+  compare(samples::manifold_polygon_meshes(), Scheme::doo_sabin, subdivide, open);
+}
+
+TEST(AgainstCgal, sqrt3) {
+  const auto subdivide = [](CgalMesh& mesh, const auto& parameters) { method::Sqrt3_subdivision(mesh, parameters); };
+  compare(samples::manifold_triangle_meshes(), Scheme::sqrt3, subdivide, {}, 3);
 }
 
 }  // namespace

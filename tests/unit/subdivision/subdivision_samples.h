@@ -15,6 +15,11 @@
 /// Polygon meshes for tests of subdivision.
 namespace algebra3d::samples {
 
+/// The variants by name, as SubdivisionOptions take them.
+inline SubdivisionOptions variant(const SubdivisionScheme& scheme, std::string_view name) {
+  return {subdivision_variant(scheme, name).value()};
+}
+
 using Faces = std::vector<std::vector<std::uint32_t>>;
 
 /// With given points.

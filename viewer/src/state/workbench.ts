@@ -309,9 +309,9 @@ export class Workbench {
   }
 
   /** Shows the limit surface of a side's mesh on the other side. */
-  async showLimit(name: SideName, scheme: LimitScheme, steps: number): Promise<void> {
+  async showLimit(name: SideName, scheme: LimitScheme, steps: number, variant = ""): Promise<void> {
     const step = this.side(name).step.value;
-    if (step) await this.other(name).derive(step, limit(step.type, scheme, steps));
+    if (step) await this.other(name).derive(step, limit(step.type, scheme, steps, variant));
   }
 
   other(name: SideName): Side {

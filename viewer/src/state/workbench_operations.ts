@@ -1,18 +1,28 @@
 /** The operations of the split screen, written as expressions of the query language. */
 
 import type { Transformation } from "../scene/api";
+import { subdivisionSchemes } from "./subdivision_schemes";
 
 export const meshTypes = ["volume3d", "surface3d", "mesh3d"] as const;
 export type MeshType = (typeof meshTypes)[number];
 
 export const isMeshType = (type: string): type is MeshType => (meshTypes as readonly string[]).includes(type);
 
-export const schemes = ["loop", "catmull-clark", "doo-sabin", "butterfly", "modified-butterfly"] as const;
-export type Scheme = (typeof schemes)[number];
+type SchemeDescription = (typeof subdivisionSchemes)[number];
+export type Scheme = SchemeDescription["name"];
+export const schemes: readonly Scheme[] = subdivisionSchemes.map(({ name }) => name);
 
 /** Schemes that have a limit position of vertices. */
-export const limitSchemes = ["loop", "catmull-clark"] as const;
-export type LimitScheme = (typeof limitSchemes)[number];
+export type LimitScheme = Extract<SchemeDescription, { hasLimit: true }>["name"];
+export const isLimitScheme = (scheme: Scheme): scheme is LimitScheme => described(scheme).hasLimit;
+export const limitSchemes: readonly LimitScheme[] = schemes.filter(isLimitScheme);
+
+/** The variants of a scheme, of which the first is the default; none if there is one only. */
+export const variantsOf = (scheme: Scheme): readonly string[] => described(scheme).variants;
+
+function described(scheme: Scheme): SchemeDescription {
+  return subdivisionSchemes.find(({ name }) => name === scheme) ?? subdivisionSchemes[0];
+}
 
 export const setOperations = ["union", "intersection", "minus"] as const;
 export type SetOperation = (typeof setOperations)[number];
@@ -24,7 +34,12 @@ export interface Operation {
   readonly needsOther: boolean;
 }
 
-const needsTriangles = (scheme: Scheme) => scheme !== "catmull-clark" && scheme !== "doo-sabin";
+const needsTriangles = (scheme: Scheme) => described(scheme).takesTrianglesOnly;
+
+/** The last argument for a variant, which the default does not need. */
+function variantArgument(scheme: Scheme, variant: string): string {
+  return variant === "" || variant === variantsOf(scheme)[0] ? "" : `, "${variant}"`;
+}
 
 /** `$a` as a mesh3d; of triangles, or of the polygons that they make. */
 function asMesh(type: MeshType, triangles: boolean): string {
@@ -36,19 +51,21 @@ function asMesh(type: MeshType, triangles: boolean): string {
 const asVolume = (name: string, type: MeshType) => (type === "mesh3d" ? `mesh2volume(${name})` : name);
 
 /** One step of a scheme; schemes for any polygons see those that the triangles of a solid make. */
-export function subdivision(type: MeshType, scheme: Scheme): Operation {
+export function subdivision(type: MeshType, scheme: Scheme, variant = ""): Operation {
   const mesh = asMesh(type, needsTriangles(scheme));
+  const argument = variantArgument(scheme, variant);
   return {
-    label: `subdivide ${scheme}`,
-    expression: `subdivide(${mesh}, "${scheme}", 1)`,
+    label: argument === "" ? `subdivide ${scheme}` : `subdivide ${scheme}, ${variant}`,
+    expression: `subdivide(${mesh}, "${scheme}", 1${argument})`,
     needsOther: false,
   };
 }
 
 /** The limit surface: the mesh after some steps, with each vertex where the scheme has it in the end. */
-export function limit(type: MeshType, scheme: LimitScheme, steps: number): Operation {
+export function limit(type: MeshType, scheme: LimitScheme, steps: number, variant = ""): Operation {
   const mesh = asMesh(type, needsTriangles(scheme));
-  const expression = `limitPosition(subdivide(${mesh}, "${scheme}", ${steps}), "${scheme}")`;
+  const argument = variantArgument(scheme, variant);
+  const expression = `limitPosition(subdivide(${mesh}, "${scheme}", ${steps}${argument}), "${scheme}"${argument})`;
   return { label: `limit of ${scheme}`, expression, needsOther: false };
 }
 
@@ -120,7 +137,7 @@ const kWords = new Set(
 /** Whether a statement can only be one of the operations above, or takes a parameter as it is: it changes nothing. */
 export function isWorkbenchStatement(text: string): boolean {
   // Strings are options. Any other, such as one with a quote in it, could hide code from this look.
-  const code = text.replace(/"[a-z-]*"/g, "").replace(/\$\w+/g, "");
+  const code = text.replace(/"[a-z0-9-]*"/g, "").replace(/\$\w+/g, "");
   const words = code.match(/[A-Za-z_]\w*/g) ?? [];
   return (
     code.startsWith("query ") && /^[\w\s.,()[\]+-]*$/.test(code) && words.every((word) => kWords.has(word))

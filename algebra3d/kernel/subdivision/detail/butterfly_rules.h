@@ -1,21 +1,19 @@
 #pragma once
 
-#include <cstdint>
-
 #include "algebra3d/kernel/subdivision/detail/triangle_split.h"
 
 namespace algebra3d::subdivision {
 
 /// The corner across the edge of `h`, seen from its triangle; where none is, a virtual one: the third corner of the
 /// triangle reflected across the edge. Source: [zorin1996].
-inline Vec3 point_across(const TriangleView& view, std::uint32_t h) {
-  const std::uint32_t o = view.opposite(h);
-  if (o != kNone) return view.origin_point(view.prev(o));
+inline Vec3 point_across(const TriangleView& view, HalfedgeId h) {
+  const HalfedgeId o = view.opposite(h);
+  if (o.is_valid()) return view.origin_point(view.prev(o));
   return (view.origin_point(h) + view.target_point(h)) - view.origin_point(view.prev(h));
 }
 
 /// The four-point rule on a boundary edge, which depends on the boundary alone.
-inline Vec3 boundary_edge_point(const TriangleView& view, std::uint32_t h) {
+inline Vec3 boundary_edge_point(const TriangleView& view, HalfedgeId h) {
   const Vec3 ends = view.origin_point(h) + view.target_point(h);
   const Vec3 beyond =
       view.point(view.boundary_predecessor(view.origin(h))) + view.target_point(view.outgoing(view.target(h)));
@@ -23,10 +21,10 @@ inline Vec3 boundary_edge_point(const TriangleView& view, std::uint32_t h) {
 }
 
 /// The rule of eight points on an edge between two triangles, with tension 1/16.
-inline Vec3 butterfly_edge_point(const TriangleView& view, std::uint32_t h) {
-  const std::uint32_t o = view.opposite(h);
-  if (o == kNone) return boundary_edge_point(view, h);
-  const std::uint32_t next = view.next(h), prev = view.prev(h), o_next = view.next(o), o_prev = view.prev(o);
+inline Vec3 butterfly_edge_point(const TriangleView& view, HalfedgeId h) {
+  const HalfedgeId o = view.opposite(h);
+  if (o.is_none()) return boundary_edge_point(view, h);
+  const HalfedgeId next = view.next(h), prev = view.prev(h), o_next = view.next(o), o_prev = view.prev(o);
   const Vec3 ends = view.origin_point(h) + view.origin_point(o);
   const Vec3 wings = view.origin_point(prev) + view.origin_point(o_prev);
   const Vec3 far =
@@ -38,9 +36,9 @@ inline Vec3 butterfly_edge_point(const TriangleView& view, std::uint32_t h) {
 /// vertex with six: 3/8 and 5/8 of these; of the third corners of the two triangles 1/16 of that on the boundary and
 /// 3/16 of the other; beyond them -1/16, -1/16 and -1/8. Reproduces quadratic functions. Source: [zorin2000],
 /// chapter 4.
-inline Vec3 inward_edge_point(const TriangleView& view, std::uint32_t h) {
-  const std::uint32_t o = view.opposite(h), next = view.next(h), prev = view.prev(h);
-  const std::uint32_t o_next = view.next(o), o_prev = view.prev(o);
+inline Vec3 inward_edge_point(const TriangleView& view, HalfedgeId h) {
+  const HalfedgeId o = view.opposite(h), next = view.next(h), prev = view.prev(h);
+  const HalfedgeId o_next = view.next(o), o_prev = view.prev(o);
   const bool is_left_outer = view.is_boundary(prev);
   const Vec3 &left = view.origin_point(prev), &right = view.origin_point(o_prev);
   const Vec3 beyond_left = point_across(view, next), beyond_right = point_across(view, o_prev);
@@ -56,21 +54,21 @@ inline Vec3 inward_edge_point(const TriangleView& view, std::uint32_t h) {
 /// The rule on an edge inside between two boundary vertices with three triangles each. If a triangle beside it has two
 /// boundary edges: 1/2 of the ends, 1/4 of the third corner on the other side, -1/8 of the two beyond it; otherwise the
 /// middle. Reproduces quadratic functions in the first case. Source: [zorin2000], chapter 4.
-inline Vec3 cutting_edge_point(const TriangleView& view, std::uint32_t h) {
+inline Vec3 cutting_edge_point(const TriangleView& view, HalfedgeId h) {
   const Vec3 middle = 0.5 * (view.origin_point(h) + view.target_point(h));
-  const auto is_ear = [&](std::uint32_t side) {
+  const auto is_ear = [&](HalfedgeId side) {
     return view.is_boundary(view.next(side)) && view.is_boundary(view.prev(side));
   };
-  const std::uint32_t o = view.opposite(h), wide = is_ear(h) ? o : h;
+  const HalfedgeId o = view.opposite(h), wide = is_ear(h) ? o : h;
   if (is_ear(h) == is_ear(o)) return middle;
   return (middle + 0.25 * view.origin_point(view.prev(wide))) -
          0.125 * (point_across(view, view.next(wide)) + point_across(view, view.prev(wide)));
 }
 
 /// The rule of Modified Butterfly on an edge between regular vertices.
-inline Vec3 regular_edge_point(const TriangleView& view, std::uint32_t h) {
-  const std::uint32_t o = view.opposite(h);
-  if (o == kNone) return boundary_edge_point(view, h);
+inline Vec3 regular_edge_point(const TriangleView& view, HalfedgeId h) {
+  const HalfedgeId o = view.opposite(h);
+  if (o.is_none()) return boundary_edge_point(view, h);
   const bool is_origin_outer = view.is_boundary_vertex(view.origin(h));
   const bool is_target_outer = view.is_boundary_vertex(view.target(h));
   if (is_origin_outer && is_target_outer) return cutting_edge_point(view, h);

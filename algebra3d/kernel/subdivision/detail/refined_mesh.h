@@ -29,6 +29,20 @@ struct RefinedMesh {
     outgoing.resize(vertex_count);
   }
 
+  /// The vertex that a half-edge leaves.
+  void set_corner(HalfedgeId h, VertexId v) { corners[h.index()] = v.index(); }
+  /// The opposite of h, none at the boundary.
+  void set_opposite(HalfedgeId h, HalfedgeId o) { opposites[h.index()] = o.index(); }
+  /// Makes two half-edges opposite to each other.
+  void link(HalfedgeId a, HalfedgeId b) {
+    set_opposite(a, b);
+    set_opposite(b, a);
+  }
+  void set_vertex(VertexId v, const Vec3& point, HalfedgeId leaving) {
+    points[v.index()] = point;
+    outgoing[v.index()] = leaving;
+  }
+
   /// The mesh, or the error that the work is cancelled: then the arrays are not filled.
   Result<PolygonMesh> finish(PolygonLayout layout, const Monitor& monitor) && {
     A3D_TRY(monitor.check());

@@ -3,6 +3,7 @@ import type { SceneView } from "../../scene/api";
 import { cellOf, type Side } from "../../state/workbench";
 import {
   dual,
+  isLimitScheme,
   limitSchemes,
   schemes,
   setOperation,
@@ -10,7 +11,7 @@ import {
   simplification,
   subdivision,
   triangulation,
-  type LimitScheme,
+  variantsOf,
   type Scheme,
   type SetOperation,
 } from "../../state/workbench_operations";
@@ -45,25 +46,42 @@ export function Operations({ side, view }: Props) {
 function Subdivide({ side }: { side: Side }) {
   const { workbench } = useApp().workspace;
   const [scheme, setScheme] = useState<Scheme>("loop");
+  const [variant, setVariant] = useState("");
   const [steps, setSteps] = useState(1);
-  const hasLimit = (limitSchemes as readonly string[]).includes(scheme);
+  const hasLimit = isLimitScheme(scheme);
+  const variants = variantsOf(scheme);
   return (
     <div class="row">
       <select
         class="input"
         aria-label="Scheme"
         value={scheme}
-        onChange={(event) => setScheme(event.currentTarget.value as Scheme)}
+        onChange={(event) => {
+          setScheme(event.currentTarget.value as Scheme);
+          setVariant("");
+        }}
       >
         {schemes.map((each) => (
           <option key={each}>{each}</option>
         ))}
       </select>
+      {variants.length > 0 && (
+        <select
+          class="input"
+          aria-label="Variant"
+          value={variant || variants[0]}
+          onChange={(event) => setVariant(event.currentTarget.value)}
+        >
+          {variants.map((each) => (
+            <option key={each}>{each}</option>
+          ))}
+        </select>
+      )}
       <WholeNumber label="Steps" value={steps} most={8} onValue={setSteps} />
       <button
         type="button"
         class="btn"
-        onClick={() => void side.apply((type) => subdivision(type, scheme), null, steps)}
+        onClick={() => void side.apply((type) => subdivision(type, scheme, variant), null, steps)}
       >
         Subdivide
       </button>
@@ -74,9 +92,11 @@ function Subdivide({ side }: { side: Side }) {
         title={
           hasLimit
             ? "Limit surface on the other side, with this mesh over it"
-            : "Known for loop and catmull-clark"
+            : `Known for ${limitSchemes.join(", ")}`
         }
-        onClick={() => void workbench.showLimit(side.name, scheme as LimitScheme, Math.max(2, steps))}
+        onClick={() => {
+          if (hasLimit) void workbench.showLimit(side.name, scheme, Math.max(2, steps), variant);
+        }}
       >
         Limit beside
       </button>

@@ -6,9 +6,12 @@ import {
   dual,
   isWorkbenchStatement,
   limit,
+  limitSchemes,
+  schemes,
   setOperation,
   simplification,
   subdivision,
+  variantsOf,
   vertexMove,
 } from "../../../src/state/workbench_operations";
 import { workbench } from "./workbench_fake";
@@ -23,6 +26,19 @@ test.each([
   `query ${vertexMove("mesh3d", 7, [0.5, -1e-20, 3e25]).expression}`,
 ])("%s is an operation of the split screen", (statement) => {
   expect(isWorkbenchStatement(statement)).toBe(true);
+});
+
+test("so are all schemes with all variants", () => {
+  expect(schemes).toContain("sqrt3");
+  expect(limitSchemes).toContain("doo-sabin");
+  for (const scheme of schemes)
+    for (const variant of ["", ...variantsOf(scheme)])
+      expect(isWorkbenchStatement(`query ${subdivision("volume3d", scheme, variant).expression}`)).toBe(true);
+  expect(subdivision("mesh3d", "doo-sabin", "mean").expression).toBe('subdivide($a, "doo-sabin", 1)');
+  expect(subdivision("mesh3d", "doo-sabin", "open").expression).toBe('subdivide($a, "doo-sabin", 1, "open")');
+  expect(limit("mesh3d", "loop", 2, "warren").expression).toBe(
+    'limitPosition(subdivide(triangulate($a), "loop", 2, "warren"), "loop", "warren")',
+  );
 });
 
 test.each([
