@@ -1,5 +1,5 @@
 // Writes what follows from the registry: algebra3d--1.0.sql, the functions, types and operators of the extension, and
-// functions.c, the C functions that these name. Usage: algebra3d_postgres_generator FOLDER
+// a file with the C functions that these name. Usage: algebra3d_postgres_generator FOLDER
 #include <algorithm>
 #include <array>
 #include <cctype>
