@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/base/strong_id.h"
 #include "base/scheduler.h"
-#include "base/strong_id.h"
 
 namespace algebra3d::subdivision {
 
