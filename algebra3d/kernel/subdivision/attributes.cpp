@@ -8,6 +8,7 @@
 
 #include "algebra3d/kernel/halfedge/attribute_transfer.h"
 #include "algebra3d/kernel/subdivision/detail/creases.h"
+#include "base/indices.h"
 #include "base/interruption_scope.h"
 #include "base/propagate.h"
 

@@ -6,6 +6,7 @@
 #include "algebra3d/kernel/subdivision/detail/provenance.h"
 #include "algebra3d/kernel/subdivision/detail/refined_mesh.h"
 #include "algebra3d/kernel/subdivision/detail/scheme_description.h"
+#include "base/indices.h"
 #include "base/propagate.h"
 
 namespace algebra3d::subdivision {

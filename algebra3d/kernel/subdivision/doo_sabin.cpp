@@ -8,6 +8,7 @@
 #include "algebra3d/kernel/subdivision/detail/provenance.h"
 #include "algebra3d/kernel/subdivision/detail/refined_mesh.h"
 #include "algebra3d/kernel/subdivision/detail/ring_masks.h"
+#include "base/indices.h"
 #include "base/propagate.h"
 
 namespace algebra3d::subdivision {

@@ -11,6 +11,7 @@
 #include "algebra3d/kernel/subdivision/detail/provenance.h"
 #include "algebra3d/kernel/subdivision/detail/refined_mesh.h"
 #include "algebra3d/kernel/subdivision/detail/triangle_split.h"
+#include "base/indices.h"
 #include "base/propagate.h"
 
 namespace algebra3d::subdivision {

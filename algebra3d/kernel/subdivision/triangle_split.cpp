@@ -2,6 +2,7 @@
 
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/subdivision/detail/provenance.h"
+#include "base/indices.h"
 
 namespace algebra3d::subdivision {
 

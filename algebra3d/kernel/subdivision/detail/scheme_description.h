@@ -12,6 +12,7 @@
 #include "algebra3d/kernel/halfedge/attribute_transfer.h"
 #include "algebra3d/kernel/halfedge/mesh_attributes.h"
 #include "algebra3d/kernel/halfedge/polygon_mesh.h"
+#include "base/indices.h"
 
 namespace algebra3d::subdivision {
 
