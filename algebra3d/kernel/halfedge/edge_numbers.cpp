@@ -6,6 +6,22 @@
 #include "algebra3d/kernel/halfedge/halfedge_mesh.h"
 
 namespace algebra3d {
+namespace {
+
+/// The place of the n-th set bit, which must be there; by halves, without branches that nobody could predict.
+std::size_t place_of_set_bit(std::uint64_t bits, std::size_t n) {
+  std::size_t place = 0;
+  for (std::size_t width = 32; width > 0; width /= 2) {
+    const std::uint64_t low = (std::uint64_t{1} << width) - 1;
+    const auto count = static_cast<std::size_t>(std::popcount(bits >> place & low));
+    const bool is_above = n >= count;
+    n -= is_above ? count : 0;
+    place += is_above ? width : 0;
+  }
+  return place;
+}
+
+}  // namespace
 
 template <typename Layout>
 EdgeNumbers::EdgeNumbers(const HalfedgeMesh<Layout>& mesh) {
@@ -29,13 +45,17 @@ EdgeNumbers::EdgeNumbers(const HalfedgeMesh<Layout>& mesh) {
 
 HalfedgeId EdgeNumbers::first_halfedge(EdgeId edge) const {
   assert(edge.index() < count_);
-  const std::size_t sample = edge.index() / kBits;
-  const auto first = counts_.begin() + samples_[sample] + 1, last = counts_.begin() + samples_[sample + 1] + 1;
-  const auto after = std::upper_bound(first, last, edge.index());
-  const auto word = static_cast<std::size_t>(after - counts_.begin()) - 1;
-  std::uint64_t bits = is_first_[word];
-  for (std::uint32_t skipped = counts_[word]; skipped < edge.index(); ++skipped) bits &= bits - 1;
-  return HalfedgeId(word * kBits + static_cast<std::size_t>(std::countr_zero(bits)));
+  // Mostly a word or two further on; where edges are sparse, a binary search among those up to the next sample.
+  constexpr int kSteps = 4;
+  std::size_t word = samples_[edge.index() / kBits];
+  const std::size_t last = samples_[edge.index() / kBits + 1];
+  for (int step = 0; step < kSteps && word < last && counts_[word + 1] <= edge.index(); ++step) ++word;
+  if (word < last && counts_[word + 1] <= edge.index()) {
+    const auto first = counts_.begin();
+    const auto after = std::upper_bound(first + word + 1, first + last + 1, edge.index());
+    word = static_cast<std::size_t>(after - first) - 1;
+  }
+  return HalfedgeId(word * kBits + place_of_set_bit(is_first_[word], edge.index() - counts_[word]));
 }
 
 template EdgeNumbers::EdgeNumbers(const HalfedgeMesh<TriangleLayout>&);
