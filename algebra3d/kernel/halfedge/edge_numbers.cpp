@@ -8,15 +8,25 @@
 namespace algebra3d {
 namespace {
 
-/// The place of the n-th set bit, which must be there; by halves, without branches that nobody could predict.
-std::size_t place_of_set_bit(std::uint64_t bits, std::size_t n) {
-  std::size_t place = 0;
-  for (std::size_t width = 32; width > 0; width /= 2) {
-    const std::uint64_t low = (std::uint64_t{1} << width) - 1;
-    const auto count = static_cast<std::size_t>(std::popcount(bits >> place & low));
-    const bool is_above = n >= count;
-    n -= is_above ? count : 0;
-    place += is_above ? width : 0;
+/// The place of the n-th set bit, from 0, which must be there: its byte by the counts of all bytes at once, then halves
+/// of the byte. Without branches, which nobody could predict. Source: [vigna2008], section 5.
+std::size_t place_of_set_bit(std::uint64_t bits, std::uint64_t n) {
+  constexpr std::uint64_t kOnes = 0x0101010101010101, kHighBits = 0x8080808080808080;
+  constexpr std::uint64_t kCountsOfNibbles = 0x4332322132212110;  // of set bits in 0, 1, ... 15
+  std::uint64_t counts = bits - ((bits >> 1) & 0x5555555555555555);
+  counts = (counts & 0x3333333333333333) + ((counts >> 2) & 0x3333333333333333);
+  counts = ((counts + (counts >> 4)) & 0x0F0F0F0F0F0F0F0F) * kOnes;  // up to each byte
+  const std::uint64_t bytes_before = (((((n * kOnes) | kHighBits) - counts) & kHighBits) >> 7) * kOnes >> 56;
+  std::uint64_t place = 8 * bytes_before;
+  n -= ((counts << 8) >> place) & 0xFF;
+  std::uint64_t byte = (bits >> place) & 0xFF;
+  for (std::uint64_t width = 4; width > 0; width /= 2) {
+    const std::uint64_t low = byte & ((std::uint64_t{1} << width) - 1);
+    const std::uint64_t count = (kCountsOfNibbles >> (4 * low)) & 0xF;
+    const std::uint64_t is_above = n >= count ? 1 : 0;
+    n -= is_above * count;
+    place += is_above * width;
+    byte >>= is_above * width;
   }
   return place;
 }
