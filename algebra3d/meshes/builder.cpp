@@ -25,8 +25,9 @@ struct MeshBuilder::Content {
   std::vector<std::size_t> starts{0};  // of the corners of each face, and the end
   std::vector<bool> is_removed;
   std::size_t removed_count = 0;
-  std::unordered_set<std::uint64_t> directed_edges;  // from and to, by the rule manifold_edges
-  PolygonMesh before;                                // the mesh that the builder began with, for its attributes
+  std::unordered_set<std::uint64_t> directed_edges;  // from and to, once a face was added by the rule manifold_edges
+  bool has_directed_edges = false;
+  PolygonMesh before;  // the mesh that the builder began with, for its attributes
 
   explicit Content(FaceRule face_rule) : rule(face_rule) {}
 
@@ -43,18 +44,33 @@ struct MeshBuilder::Content {
     for (std::size_t i = 0; i < face.size(); ++i) visit(face[i], face[(i + 1) % face.size()]);
   }
   FaceId append(std::span<const VertexId> face);
+  void find_directed_edges();
   Status check(std::span<const VertexId> face) const;
   algebra3d::PolygonMesh polygons(std::vector<std::uint32_t>& sources) const;
   MeshAttributes attributes(const algebra3d::PolygonMesh& result, std::vector<std::uint32_t> face_sources) const;
+  std::pair<algebra3d::PolygonMesh, MeshAttributes> built() const {
+    std::vector<std::uint32_t> sources;
+    algebra3d::PolygonMesh result = polygons(sources);
+    MeshAttributes of_result = attributes(result, std::move(sources));
+    return {std::move(result), std::move(of_result)};
+  }
 };
 
 FaceId MeshBuilder::Content::append(std::span<const VertexId> face) {
   corners.insert(corners.end(), face.begin(), face.end());
   starts.push_back(corners.size());
   is_removed.push_back(false);
-  if (rule == FaceRule::manifold_edges)
+  if (has_directed_edges)
     for_each_edge(face, [&](VertexId from, VertexId to) { directed_edges.insert(directed_edge(from, to)); });
   return FaceId(is_removed.size() - 1);
+}
+
+void MeshBuilder::Content::find_directed_edges() {
+  has_directed_edges = true;
+  directed_edges.reserve(corners.size());
+  for (std::size_t f = 0; f < face_slots(); ++f)
+    if (!is_removed[f])
+      for_each_edge(face(f), [&](VertexId from, VertexId to) { directed_edges.insert(directed_edge(from, to)); });
 }
 
 Status MeshBuilder::Content::check(std::span<const VertexId> face) const {
@@ -156,6 +172,7 @@ Result<VertexId> MeshBuilder::add_vertex(const Vec3& point) {
 
 Result<FaceId> MeshBuilder::add_face(std::span<const VertexId> corners) {
   return without_exceptions([&]() -> Result<FaceId> {
+    if (content_->rule == FaceRule::manifold_edges && !content_->has_directed_edges) content_->find_directed_edges();
     A3D_TRY(content_->check(corners));
     return content_->append(corners);
   });
@@ -167,7 +184,7 @@ Status MeshBuilder::remove_face(FaceId f) {
       return Error{ErrorCode::invalid_value, "remove_face: there is no face {}", f.index()};
     content_->is_removed[f.index()] = true;
     ++content_->removed_count;
-    if (content_->rule == FaceRule::manifold_edges)
+    if (content_->has_directed_edges)
       Content::for_each_edge(content_->face(f.index()), [&](VertexId from, VertexId to) {
         content_->directed_edges.erase(Content::directed_edge(from, to));
       });
@@ -177,17 +194,15 @@ Status MeshBuilder::remove_face(FaceId f) {
 
 Result<PolygonMesh> MeshBuilder::mesh() const {
   return without_exceptions([&]() -> Result<PolygonMesh> {
-    std::vector<std::uint32_t> sources;
-    algebra3d::PolygonMesh result = content_->polygons(sources);
-    const MeshAttributes attributes = content_->attributes(result, std::move(sources));
-    return MeshAccess::outer(std::move(result), attributes);
+    auto [polygons, attributes] = content_->built();
+    return MeshAccess::outer(std::move(polygons), attributes);
   });
 }
 
 Result<TriangleMesh> MeshBuilder::triangle_mesh() const {
   return without_exceptions([&]() -> Result<TriangleMesh> {
-    A3D_ASSIGN(const PolygonMesh polygons, mesh());
-    return detail::triangle_mesh_of(MeshAccess::content(polygons), MeshAccess::attributes(polygons));
+    const auto [polygons, attributes] = content_->built();
+    return detail::triangle_mesh_of(polygons, attributes);
   });
 }
 

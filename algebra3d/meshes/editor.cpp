@@ -20,6 +20,11 @@ struct MeshEditor::Content {
   bool has(VertexId v) const { return v.index() < editor.vertex_slots() && editor.is_used(v); }
   bool has(HalfedgeId h) const { return h.index() < editor.halfedge_slots() && editor.is_used(h); }
   bool has(FaceId f) const { return f.index() < editor.face_slots() && editor.is_used(f); }
+  /// Of the mesh as it is now.
+  MeshAttributes attributes_of(const algebra3d::PolygonMesh& now) const {
+    const MeshAttributes given = MeshAccess::attributes(source);
+    return given.is_empty() ? given : editor.attributes(given, MeshAccess::content(source), now);
+  }
 };
 
 namespace {
@@ -75,18 +80,15 @@ Result<MeshEditor> MeshEditor::of(const TriangleMesh& mesh) {
 Result<PolygonMesh> MeshEditor::mesh() const {
   return without_exceptions([&]() -> Result<PolygonMesh> {
     algebra3d::PolygonMesh result = content_->editor.mesh();
-    const MeshAttributes given = MeshAccess::attributes(content_->source);
-    MeshAttributes attributes;
-    if (!given.is_empty())
-      attributes = content_->editor.attributes(given, MeshAccess::content(content_->source), result);
+    const MeshAttributes attributes = content_->attributes_of(result);
     return MeshAccess::outer(std::move(result), attributes);
   });
 }
 
 Result<TriangleMesh> MeshEditor::triangle_mesh() const {
   return without_exceptions([&]() -> Result<TriangleMesh> {
-    A3D_ASSIGN(const PolygonMesh polygons, mesh());
-    return detail::triangle_mesh_of(MeshAccess::content(polygons), MeshAccess::attributes(polygons));
+    const algebra3d::PolygonMesh polygons = content_->editor.mesh();
+    return detail::triangle_mesh_of(polygons, content_->attributes_of(polygons));
   });
 }
 

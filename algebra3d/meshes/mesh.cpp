@@ -28,6 +28,7 @@ M MeshAccess::outer_as(std::shared_ptr<const KernelMesh<M>> mesh, const MeshAttr
   result.outgoing_ = arrays.outgoing_halfedges_of_vertices();
   result.nonmanifold_ = arrays.nonmanifold_tables();
   result.edge_numbers_ = &content->edge_numbers;
+  result.first_halfedges_ = content->first_halfedges;
   result.content_ = std::move(content);
   return with_attributes(std::move(result), attributes);
 }

@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "algebra3d/halfedge/edge_numbers.h"
+#include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/mesh_attributes.h"
 #include "algebra3d/kernel/halfedge/polygon_mesh.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "algebra3d/mesh/mesh.h"
+#include "base/large_allocator.h"
 
 namespace algebra3d::mesh::detail {
 
@@ -22,8 +24,12 @@ template <typename M>
 struct MeshContent {
   std::shared_ptr<const KernelMesh<M>> mesh;  ///< of this mesh alone, or of a solid or surface
   EdgeNumbers edge_numbers;
+  LargeVector<HalfedgeId> first_halfedges;  ///< per edge
 
-  explicit MeshContent(std::shared_ptr<const KernelMesh<M>> shared) : mesh(std::move(shared)), edge_numbers(*mesh) {}
+  explicit MeshContent(std::shared_ptr<const KernelMesh<M>> shared) : mesh(std::move(shared)), edge_numbers(*mesh) {
+    first_halfedges.reserve(edge_numbers.count());
+    for (const HalfedgeId h : algebra3d::edges(*mesh)) first_halfedges.push_back(h);
+  }
 };
 
 /// Converts between the meshes of the interface and those of the kernel.

@@ -82,10 +82,10 @@ class Mesh : public HalfedgeStructure<Layout, SharedArrays> {
   Mesh& operator=(const Mesh&) = default;
   ~Mesh() = default;
 
-  std::size_t edge_count() const { return edge_numbers_ == nullptr ? 0 : edge_numbers_->count(); }
+  std::size_t edge_count() const { return first_halfedges_.size(); }
   EdgeId edge(HalfedgeId h) const { return edge_numbers_->edge(first_along(*this, h)); }
-  /// The first half-edge along an edge. Cost: see EdgeNumbers::first_halfedge.
-  HalfedgeId halfedge(EdgeId e) const { return edge_numbers_->first_halfedge(e); }
+  /// The first half-edge along an edge.
+  HalfedgeId halfedge(EdgeId e) const { return first_halfedges_[e.index()]; }
   using Layout::halfedge;
   /// The ends of an edge: origin and target of its first half-edge.
   std::array<VertexId, 2> ends(EdgeId e) const {
@@ -166,6 +166,7 @@ class Mesh : public HalfedgeStructure<Layout, SharedArrays> {
 
   std::shared_ptr<const detail::MeshContent<Derived>> content_;  // null if empty
   std::shared_ptr<const MeshAttributes> attributes_;             // null if there are none
+  std::span<const HalfedgeId> first_halfedges_;                  // per edge; of the content
   const EdgeNumbers* edge_numbers_ = nullptr;                    // of the content
 };
 

@@ -58,7 +58,7 @@ static_assert(HasNeighbours<TriangleMesh> && HasNeighbours<PolygonMesh>);
 static_assert(!std::convertible_to<VertexId, EdgeId> && !std::convertible_to<std::uint32_t, FaceId> &&
               !std::convertible_to<HalfedgeId, std::uint32_t>);
 // No second storage: a mesh is a few pointers.
-static_assert(sizeof(TriangleMesh) <= 16 * sizeof(void*));
+static_assert(sizeof(TriangleMesh) <= 18 * sizeof(void*));
 
 TEST(MeshEnumerators, elements_are_numbered_from_zero) {
   lists::for_each_mesh([](const auto& mesh, const Faces& faces_given) {
