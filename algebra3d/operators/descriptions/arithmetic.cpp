@@ -155,7 +155,7 @@ void register_arithmetic(Registry& registry) {
                    {{"1", "(real undefined)"}, "undefined"}},
       .errors = {{{"1", R"("a")"},
                   "-: expected (int), (real), (duration), (int int), (real real), (instant instant), (instant "
-                  "duration), (duration duration) or (vector3d vector3d), got (int string)"}},
+                  "duration), (duration duration) or 1 more, got (int string)"}},
   });
   registry.add({
       .name = "*",
