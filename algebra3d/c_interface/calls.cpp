@@ -3,6 +3,7 @@
 #include "algebra3d/c_interface/detail/functions.h"
 #include "algebra3d/c_interface/detail/session.h"
 #include "algebra3d/operators/registry/aggregate.h"
+#include "algebra3d/operators/registry/conversion.h"
 #include "algebra3d/operators/registry/registry.h"
 #include "base/propagate.h"
 
@@ -27,15 +28,28 @@ struct a3d_rows {
 };
 
 struct a3d_aggregate {
-  explicit a3d_aggregate(const Function& function) : content(function.call) {}
+  explicit a3d_aggregate(const Function& its_function) : function(its_function), content(its_function.call) {}
 
+  const Function& function;
   Aggregation content;
 };
 
 namespace {
 
+/// Errors: type_error.
+Status check_argument(const Function& function, std::size_t number, const Value& value) {
+  const algebra3d::Type& expected = *function.call.overload->parameters[number].type;
+  if (&value.type() == &expected || conversion_cost(value.type().term(), expected.name())) return {};
+  return Error{ErrorCode::type_error,
+               "argument {} of '{}': expected {}, got {}",
+               number + 1,
+               function.description.name,
+               expected.name(),
+               value.type().name()};
+}
+
 /// Copies of the arguments. Errors: wrong_usage for a function of another kind; type_error for another number of
-/// arguments.
+/// arguments, or other types.
 Result<std::vector<Value>> values_for(const Function& function, a3d_kind kind, a3d_value* const* arguments,
                                       std::size_t count) {
   const a3d_function& description = function.description;
@@ -46,7 +60,10 @@ Result<std::vector<Value>> values_for(const Function& function, a3d_kind kind, a
                  description.parameter_count, count};
   std::vector<Value> values;
   values.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) values.push_back(arguments[i]->content);
+  for (std::size_t i = 0; i < count; ++i) {
+    A3D_TRY(check_argument(function, i, arguments[i]->content));
+    values.push_back(arguments[i]->content);
+  }
   return values;
 }
 
@@ -104,11 +121,19 @@ a3d_status a3d_open_aggregate(a3d_session* session, const a3d_function* function
 }
 
 a3d_status a3d_step(a3d_session* session, a3d_aggregate* aggregate, const a3d_value* value) {
-  return done(session, [&](Context& context) { return aggregate->content.step(value->content, context); });
+  return done(session, [&](Context& context) -> Status {
+    A3D_TRY(check_argument(aggregate->function, 0, value->content));
+    return aggregate->content.step(value->content, context);
+  });
 }
 
 a3d_status a3d_combine(a3d_session* session, a3d_aggregate* aggregate, a3d_aggregate* later) {
-  return done(session, [&](Context& context) { return aggregate->content.combine(later->content, context); });
+  return done(session, [&](Context& context) -> Status {
+    if (&aggregate->function != &later->function)
+      return Error{ErrorCode::wrong_usage, "a run of '{}' and one of '{}' cannot be combined",
+                   aggregate->function.description.name, later->function.description.name};
+    return aggregate->content.combine(later->content, context);
+  });
 }
 
 a3d_status a3d_finish(a3d_session* session, a3d_aggregate* aggregate, a3d_value** result) {

@@ -417,6 +417,15 @@ TEST(CInterface, WrongUseIsAnError) {
   a3d_value* value = nullptr;
   EXPECT_EQ(a3d_call(session.get(), volume, nullptr, 0, &value), A3D_ERROR);
   EXPECT_EQ(session.error(), "'volume' takes 1 arguments, got 0");
+  const Owner number = session.parsed("int", "5");
+  std::vector<a3d_value*> wrong = {number.get()};
+  EXPECT_EQ(a3d_call(session.get(), volume, wrong.data(), 1, &value), A3D_ERROR);
+  EXPECT_EQ(session.error(), "argument 1 of 'volume': expected volume3d, got int");
+  a3d_aggregate* opened = nullptr;
+  ASSERT_EQ(a3d_open_aggregate(session.get(), session.found("union_agg", {"volume3d"}), &opened), A3D_OK);
+  const Owned<a3d_aggregate> aggregate(opened);
+  EXPECT_EQ(a3d_step(session.get(), opened, number.get()), A3D_ERROR);
+  EXPECT_EQ(session.sql_state(), "42804");
   a3d_rows* rows = nullptr;
   std::vector<a3d_value*> given = {cube.get()};
   EXPECT_EQ(a3d_open_rows(session.get(), volume, given.data(), 1, &rows), A3D_ERROR);
