@@ -228,7 +228,9 @@ TEST(CInterface, FunctionsAreDescribedAndFound) {
   std::size_t same = 0;
   for (std::size_t i = 0; i < a3d_function_count(); ++i) {
     const a3d_function& function = *a3d_function_at(i);
-    if (i > 0) ASSERT_LE(std::string(a3d_function_at(i - 1)->name), function.name);
+    if (i > 0) {
+      ASSERT_LE(std::string(a3d_function_at(i - 1)->name), function.name);
+    }
     ASSERT_NE(function.doc[0], '\0');
     std::vector<const char*> types;
     for (std::size_t p = 0; p < function.parameter_count; ++p) types.push_back(function.parameters[p].type);
