@@ -100,7 +100,7 @@ inline Faces random_faces(std::mt19937& random, std::uint32_t vertex_count, std:
 }
 /// A manifold grid or torus with faces taken out: slits, bridges, isolated vertices.
 inline Faces random_holes(std::mt19937& random, Faces faces) {
-  const std::uint32_t kept_of_ten = 4 + random() % 6;
+  const auto kept_of_ten = 4 + random() % 6;
   std::erase_if(faces, [&](const auto&) { return random() % 10 >= kept_of_ten; });
   return faces;
 }
