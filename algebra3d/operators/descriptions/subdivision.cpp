@@ -204,7 +204,7 @@ std::string refused_text() {
 }
 std::string creases_text() {
   return fmt::format(
-      R"(Creases, for {}: the real attribute "Crease" of edges and "Corner" of vertices is their sharpness; )"
+      R"(Creases, for {}: the reals named "Crease" of edges and "Corner" of vertices are their sharpness; )"
       "undefined is 0. An edge or vertex of sharpness s is sharp for s steps, by a fraction in the last one, and from "
       "10 on for all. ",
       subdivision_scheme_names(honours_creases));
