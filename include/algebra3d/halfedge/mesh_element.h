@@ -16,9 +16,9 @@ inline constexpr std::array kAttributeKinds{AttributeKind::real, AttributeKind::
                                             AttributeKind::text};
 
 // Names of attributes that mesh files have: texture coordinates and normals of half-edges, that is, of corners, or of
-// vertices; groups, objects, materials and the files of these of faces; colours of vertices and faces, as red, green and
-// blue from 0 to 1, with their opacities. Vectors of any elements with the name of normals turn with the mesh. And those
-// that subdivision reads: the sharpness of edges and of vertices (subdivision/subdivided.h).
+// vertices; groups, objects, materials and the files of these of faces; colours of vertices and faces, as red, green
+// and blue from 0 to 1, with their opacities. Vectors of any elements with the name of normals turn with the mesh. And
+// those that subdivision reads: the sharpness of edges and of vertices (subdivision/subdivided.h).
 inline constexpr const char* kTextureAttribute = "TextureCoordinate";
 inline constexpr const char* kNormalAttribute = "Normal";
 inline constexpr const char* kColourAttribute = "Colour";

@@ -12,10 +12,10 @@
 namespace algebra3d::mesh {
 
 /// The mesh after some steps of a subdivision scheme: "catmull-clark" and "doo-sabin" for any faces, "loop",
-/// "butterfly", "modified-butterfly" and "sqrt3" for triangles. Rules at boundaries, numbers of the new elements and values of
-/// attributes are those of the operator `subdivide`. Coordinates are rounded to doubles first. Errors: unknown_name for
-/// another scheme; invalid_value for meshes that the scheme cannot take, such as non-manifold ones; limit_exceeded;
-/// interrupted. Cost: linear in the result, on all processors.
+/// "butterfly", "modified-butterfly" and "sqrt3" for triangles. Rules at boundaries, numbers of the new elements and
+/// values of attributes are those of the operator `subdivide`. Coordinates are rounded to doubles first. Errors:
+/// unknown_name for another scheme; invalid_value for meshes that the scheme cannot take, such as non-manifold ones;
+/// limit_exceeded; interrupted. Cost: linear in the result, on all processors.
 template <AnyMesh M>
 Result<PolygonMesh> subdivided(const M& mesh, std::string_view scheme, std::size_t steps, const Monitor& monitor = {});
 

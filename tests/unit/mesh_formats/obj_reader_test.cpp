@@ -284,10 +284,10 @@ TEST(ObjReader, the_shape_is_the_same_with_attributes) {
 }
 
 TEST(ObjReader, attributes_are_those_of_corners_and_faces) {
-  const std::string bytes =
-      kObjVertices +
-      "mtllib a.mtl\nmtllib b c.mtl\nvt 0 \\\n 1#c\nvt 2 3 4\nvn 0 0 1 # up\ng a b\nusemtl m\nf 1/1/1 2/-1/-1 3//1\ng\nf 1 2\nf 1/3 2/2/ 3/-9\n"
-      "usemtl n\\\n  o\nmtllib d.mtl\nf 1 2 4\n";
+  const std::string bytes = kObjVertices +
+                            "mtllib a.mtl\nmtllib b c.mtl\nvt 0 \\\n 1#c\nvt 2 3 4\nvn 0 0 1 # up\ng a b\nusemtl m\nf "
+                            "1/1/1 2/-1/-1 3//1\ng\nf 1 2\nf 1/3 2/2/ 3/-9\n"
+                            "usemtl n\\\n  o\nmtllib d.mtl\nf 1 2 4\n";
   const auto read = read_obj(bytes, "a.obj", nullptr, mesh_formats::Wanted::attributes);
   ASSERT_TRUE(read) << read.error().text();
   constexpr std::uint32_t none = 0xFFFFFFFF;
