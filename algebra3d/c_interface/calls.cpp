@@ -6,6 +6,7 @@
 #include "algebra3d/operators/registry/conversion.h"
 #include "algebra3d/operators/registry/registry.h"
 #include "base/propagate.h"
+#include "base/text.h"
 
 using algebra3d::Aggregation;
 using algebra3d::Context;
@@ -32,6 +33,7 @@ struct a3d_aggregate {
 
   const Function& function;
   Aggregation content;
+  bool is_used_up = false;  ///< finished, or taken by another run
 };
 
 namespace {
@@ -48,6 +50,13 @@ Status check_argument(const Function& function, std::size_t number, const Value&
                value.type().name()};
 }
 
+/// Errors: wrong_usage.
+Status check_running(const a3d_aggregate& aggregate) {
+  if (!aggregate.is_used_up) return {};
+  return Error{ErrorCode::wrong_usage, "this run of '{}' has ended: it was finished, or combined into another",
+               aggregate.function.description.name};
+}
+
 /// Copies of the arguments. Errors: wrong_usage for a function of another kind; type_error for another number of
 /// arguments, or other types.
 Result<std::vector<Value>> values_for(const Function& function, a3d_kind kind, a3d_value* const* arguments,
@@ -56,8 +65,8 @@ Result<std::vector<Value>> values_for(const Function& function, a3d_kind kind, a
   if (description.kind != kind)
     return Error{ErrorCode::wrong_usage, "'{}' is {}", description.name, describe(function.call.overload->kind())};
   if (count != description.parameter_count)
-    return Error{ErrorCode::type_error, "'{}' takes {} arguments, got {}", description.name,
-                 description.parameter_count, count};
+    return Error{ErrorCode::type_error, "'{}' takes {}, got {}", description.name,
+                 algebra3d::counted(description.parameter_count, "argument"), count};
   std::vector<Value> values;
   values.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -122,6 +131,7 @@ a3d_status a3d_open_aggregate(a3d_session* session, const a3d_function* function
 
 a3d_status a3d_step(a3d_session* session, a3d_aggregate* aggregate, const a3d_value* value) {
   return done(session, [&](Context& context) -> Status {
+    A3D_TRY(check_running(*aggregate));
     A3D_TRY(check_argument(aggregate->function, 0, value->content));
     return aggregate->content.step(value->content, context);
   });
@@ -132,12 +142,22 @@ a3d_status a3d_combine(a3d_session* session, a3d_aggregate* aggregate, a3d_aggre
     if (&aggregate->function != &later->function)
       return Error{ErrorCode::wrong_usage, "a run of '{}' and one of '{}' cannot be combined",
                    aggregate->function.description.name, later->function.description.name};
+    A3D_TRY(check_running(*aggregate));
+    A3D_TRY(check_running(*later));
+    if (aggregate == later)
+      return Error{ErrorCode::wrong_usage, "a run of '{}' cannot be combined with itself",
+                   aggregate->function.description.name};
+    later->is_used_up = true;
     return aggregate->content.combine(later->content, context);
   });
 }
 
 a3d_status a3d_finish(a3d_session* session, a3d_aggregate* aggregate, a3d_value** result) {
-  return made(session, result, [&](Context& context) { return aggregate->content.finish(context); });
+  return made(session, result, [&](Context& context) -> Result<Value> {
+    A3D_TRY(check_running(*aggregate));
+    aggregate->is_used_up = true;
+    return aggregate->content.finish(context);
+  });
 }
 
 void a3d_close_aggregate(a3d_aggregate* aggregate) {

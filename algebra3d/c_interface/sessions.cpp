@@ -107,7 +107,7 @@ size_t a3d_notice_count(a3d_session* session) {
 }
 
 const char* a3d_notice(a3d_session* session, size_t number) {
-  return session->notices[number].c_str();
+  return number < session->notices.size() ? session->notices[number].c_str() : nullptr;
 }
 
 void a3d_clear_notices(a3d_session* session) {

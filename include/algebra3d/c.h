@@ -38,7 +38,7 @@ typedef enum a3d_status {
 typedef struct a3d_error {
   char sql_state[6];  /* five characters, as PostgreSQL has them */
   char name[32];      /* the kind: "invalid_value", "interrupted" */
-  char message[301];  /* what was found, where, and what was expected; never the value itself */
+  char message[301];  /* what was found, where, and what was expected; numbers, but no whole value */
   const char* remedy; /* what the user can do, a sentence; lives as long as the library */
 } a3d_error;
 
@@ -74,7 +74,7 @@ int a3d_counts_memory(void);
 /* The error of the last function that returned A3D_ERROR; unspecified before. Lives as long as the session. */
 const a3d_error* a3d_last_error(const a3d_session* session);
 
-/* Notices since they were cleared: why results are undefined, and remarks such as "3 of 12 vertices rounded to floats".
+/* Notices since they were cleared, by their numbers from 0; null beyond them: why results are undefined, and remarks such as "3 of 12 vertices rounded to floats".
  * Equal ones are counted in one text. The texts live until the next call of the session. */
 size_t a3d_notice_count(a3d_session* session);
 const char* a3d_notice(a3d_session* session, size_t number);

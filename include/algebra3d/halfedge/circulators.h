@@ -213,6 +213,20 @@ auto adjacent_faces(const HalfedgeStructure<Layout, Arrays>& mesh, FaceId f) {
   return CursorRange<Cursor>(Cursor(mesh, first, end), Cursor(mesh, end, end));
 }
 
+// These ranges refer to the mesh: not of a mesh that is gone when they are used.
+template <typename Layout, typename Arrays>
+void outgoing_halfedges(const HalfedgeStructure<Layout, Arrays>&&, VertexId) = delete;
+template <typename Layout, typename Arrays>
+void incoming_halfedges(const HalfedgeStructure<Layout, Arrays>&&, VertexId) = delete;
+template <typename Layout, typename Arrays>
+void faces_around(const HalfedgeStructure<Layout, Arrays>&&, VertexId) = delete;
+template <typename Layout, typename Arrays>
+void adjacent_vertices(const HalfedgeStructure<Layout, Arrays>&&, VertexId) = delete;
+template <typename Layout, typename Arrays>
+void vertices_of(const HalfedgeStructure<Layout, Arrays>&&, FaceId) = delete;
+template <typename Layout, typename Arrays>
+void adjacent_faces(const HalfedgeStructure<Layout, Arrays>&&, FaceId) = delete;
+
 /// All elements, ascending. Random access.
 template <typename Layout, typename Arrays>
 HandleRange<VertexId> vertices(const HalfedgeStructure<Layout, Arrays>& mesh) {

@@ -418,7 +418,7 @@ TEST(CInterface, WrongUseIsAnError) {
   const a3d_function* const volume = session.found("volume", {"volume3d"});
   a3d_value* value = nullptr;
   EXPECT_EQ(a3d_call(session.get(), volume, nullptr, 0, &value), A3D_ERROR);
-  EXPECT_EQ(session.error(), "'volume' takes 1 arguments, got 0");
+  EXPECT_EQ(session.error(), "'volume' takes 1 argument, got 0");
   const Owner number = session.parsed("int", "5");
   std::vector<a3d_value*> wrong = {number.get()};
   EXPECT_EQ(a3d_call(session.get(), volume, wrong.data(), 1, &value), A3D_ERROR);
@@ -428,6 +428,13 @@ TEST(CInterface, WrongUseIsAnError) {
   const Owned<a3d_aggregate> aggregate(opened);
   EXPECT_EQ(a3d_step(session.get(), opened, number.get()), A3D_ERROR);
   EXPECT_EQ(session.sql_state(), "42804");
+  EXPECT_EQ(a3d_combine(session.get(), opened, opened), A3D_ERROR);
+  ASSERT_EQ(a3d_finish(session.get(), opened, &value), A3D_OK);
+  a3d_release(value);
+  EXPECT_EQ(a3d_finish(session.get(), opened, &value), A3D_ERROR);
+  EXPECT_EQ(a3d_step(session.get(), opened, cube.get()), A3D_ERROR);
+  EXPECT_EQ(session.error(), "this run of 'union_agg' has ended: it was finished, or combined into another");
+  EXPECT_EQ(a3d_notice(session.get(), 99), nullptr);
   a3d_rows* rows = nullptr;
   std::vector<a3d_value*> given = {cube.get()};
   EXPECT_EQ(a3d_open_rows(session.get(), volume, given.data(), 1, &rows), A3D_ERROR);

@@ -174,6 +174,14 @@ TEST(MeshEnumerators, neighbourhoods_of_faces_are_those_of_brute_force) {
   });
 }
 
+template <typename M>
+concept LendsNeighbours = requires(M mesh) { adjacent_vertices(std::forward<M>(mesh), VertexId(0)); };
+
+TEST(MeshEnumerators, ranges_do_not_refer_to_meshes_that_are_gone) {
+  static_assert(LendsNeighbours<const PolygonMesh&> && LendsNeighbours<TriangleMesh&>);
+  static_assert(!LendsNeighbours<PolygonMesh> && !LendsNeighbours<const TriangleMesh>);
+}
+
 TEST(MeshEnumerators, ranges_compose_with_views) {
   const PolygonMesh cube = lists::polygons_of(lists::cube(), lists::cube_points());
   const VertexId corner(0);
