@@ -8,39 +8,26 @@
 #include "base/propagate.h"
 #include "base/text.h"
 
-using algebra3d::Aggregation;
-using algebra3d::Context;
-using algebra3d::Error;
-using algebra3d::ErrorCode;
-using algebra3d::Registry;
-using algebra3d::Result;
-using algebra3d::Row;
-using algebra3d::RowSourcePtr;
-using algebra3d::Status;
-using algebra3d::Value;
-using algebra3d::c_interface::done;
-using algebra3d::c_interface::Function;
-using algebra3d::c_interface::function_of;
-using algebra3d::c_interface::made;
-
 struct a3d_rows {
-  RowSourcePtr source;
+  algebra3d::RowSourcePtr source;
   std::size_t column_count;
 };
 
 struct a3d_aggregate {
-  explicit a3d_aggregate(const Function& its_function) : function(its_function), content(its_function.call) {}
+  explicit a3d_aggregate(const algebra3d::c_interface::Function& its_function)
+      : function(its_function), content(its_function.call) {}
 
-  const Function& function;
-  Aggregation content;
+  const algebra3d::c_interface::Function& function;
+  algebra3d::Aggregation content;
   bool is_used_up = false;  ///< finished, or taken by another run
 };
 
+namespace algebra3d::c_interface {
 namespace {
 
 /// Errors: type_error.
 Status check_argument(const Function& function, std::size_t number, const Value& value) {
-  const algebra3d::Type& expected = *function.call.overload->parameters[number].type;
+  const Type& expected = *function.call.overload->parameters[number].type;
   if (&value.type() == &expected || conversion_cost(value.type().term(), expected.name())) return {};
   return Error{ErrorCode::type_error,
                "argument {} of '{}': expected {}, got {}",
@@ -66,7 +53,7 @@ Result<std::vector<Value>> values_for(const Function& function, a3d_kind kind, a
     return Error{ErrorCode::wrong_usage, "'{}' is {}", description.name, describe(function.call.overload->kind())};
   if (count != description.parameter_count)
     return Error{ErrorCode::type_error, "'{}' takes {}, got {}", description.name,
-                 algebra3d::counted(description.parameter_count, "argument"), count};
+                 counted(description.parameter_count, "argument"), count};
   std::vector<Value> values;
   values.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -77,6 +64,8 @@ Result<std::vector<Value>> values_for(const Function& function, a3d_kind kind, a
 }
 
 }  // namespace
+
+extern "C" {
 
 a3d_status a3d_call(a3d_session* session, const a3d_function* function, a3d_value* const* arguments, size_t count,
                     a3d_value** result) {
@@ -163,3 +152,6 @@ a3d_status a3d_finish(a3d_session* session, a3d_aggregate* aggregate, a3d_value*
 void a3d_close_aggregate(a3d_aggregate* aggregate) {
   delete aggregate;
 }
+
+}  // extern "C"
+}  // namespace algebra3d::c_interface

@@ -76,7 +76,7 @@ const std::vector<Function>& all_functions() {
   return all;
 }
 
-/// The operators with this name in other hosts; if there are none, that of the query language.
+/// The operators with this name in other hosts, or else the one with this name in the query language.
 std::vector<const Operator*> operators_named(std::string_view name) {
   std::vector<const Operator*> found;
   for (const Function& function : std::ranges::equal_range(functions(), name, {}, [](const Function& candidate) {
@@ -122,20 +122,14 @@ const Function& function_of(const a3d_function* description) {
   return *reinterpret_cast<const Function*>(description);
 }
 
-}  // namespace algebra3d::c_interface
-
-using algebra3d::Context;
-using algebra3d::Result;
-using algebra3d::TypeExpr;
-using algebra3d::c_interface::done;
-using algebra3d::c_interface::Function;
+extern "C" {
 
 size_t a3d_function_count(void) {
-  return algebra3d::c_interface::functions().size();
+  return functions().size();
 }
 
 const a3d_function* a3d_function_at(size_t number) {
-  return &algebra3d::c_interface::functions()[number].description;
+  return &functions()[number].description;
 }
 
 a3d_status a3d_find(a3d_session* session, const char* name, const char* const* types, size_t count,
@@ -145,11 +139,14 @@ a3d_status a3d_find(a3d_session* session, const char* name, const char* const* t
       [&](Context&) -> Result<const a3d_function*> {
         std::vector<TypeExpr> terms;
         for (std::size_t i = 0; i < count; ++i) terms.emplace_back(std::string(types[i]));
-        A3D_ASSIGN(const algebra3d::ResolvedCall call, algebra3d::c_interface::resolved(name, terms));
-        const auto all = algebra3d::c_interface::functions();
+        A3D_ASSIGN(const ResolvedCall call, resolved(name, terms));
+        const auto all = functions();
         const auto found = std::ranges::find_if(
             all, [&](const Function& function) { return function.call.overload == call.overload; });
         return &found->description;
       },
       [&](const a3d_function* found) { *result = found; });
 }
+
+}  // extern "C"
+}  // namespace algebra3d::c_interface

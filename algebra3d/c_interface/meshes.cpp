@@ -1,7 +1,10 @@
-#include <cmath>
+#include <memory>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "algebra3d/c_interface/detail/session.h"
+#include "algebra3d/kernel/halfedge/given_arrays.h"
 #include "algebra3d/values/types/mesh3d.h"
 #include "algebra3d/values/types/spatial.h"
 #include "base/interruption_scope.h"
@@ -11,79 +14,33 @@
 namespace algebra3d::c_interface {
 namespace {
 
-// Points are given to C code as they lie in memory.
+// Points lie in memory as C code takes and gives them.
 static_assert(sizeof(Vec3) == 3 * sizeof(double));
 
-/// What C code gives for a mesh.
+/// The arrays of a mesh, as C code gives them.
 struct GivenMesh {
-  const double* coordinates;
-  std::size_t point_count;
+  std::vector<Vec3> points;
   std::span<const std::uint32_t> corners;
-  const std::uint32_t* degrees;  // null: three corners each
+  const std::uint32_t* degrees;  ///< null: three corners each
   std::size_t face_count;
 };
 
-Result<std::vector<Vec3>> points_of(const GivenMesh& given) {
-  std::vector<Vec3> points(given.point_count);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    poll_interruption_at(i);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double coordinate = given.coordinates[3 * i + axis];
-      if (!std::isfinite(coordinate))
-        return Error{ErrorCode::invalid_value, "point {}: {} is {}, expected a finite number", i, "xyz"[axis],
-                     coordinate};
-      points[i][axis] = coordinate;
-    }
-  }
-  return points;
+Result<PolygonLayout> layout_of_faces(const GivenMesh& given) {
+  if (given.degrees != nullptr) return layout_of({given.degrees, given.face_count}, given.corners.size());
+  if (given.corners.size() == 3 * given.face_count) return PolygonLayout::of_degree(3);
+  return Error{ErrorCode::invalid_value, "{} corners, expected {} for {} triangles", given.corners.size(),
+               3 * given.face_count, given.face_count};
 }
 
-Status check_corners(const GivenMesh& given) {
-  if (given.corners.size() > PolygonMesh::kMaxHalfedges)
-    return Error{ErrorCode::limit_exceeded, "{} corners of faces; a mesh may have {}", given.corners.size(),
-                 PolygonMesh::kMaxHalfedges};
-  for (std::size_t i = 0; i < given.corners.size(); ++i) {
-    poll_interruption_at(i);
-    if (given.corners[i] >= given.point_count)
-      return Error{ErrorCode::invalid_value, "corner {}: there is no point {}, expected a number below {}", i,
-                   given.corners[i], given.point_count};
-  }
-  return {};
+Result<Value> mesh_of(GivenMesh given) {
+  A3D_TRY(check_points(given.points));
+  A3D_TRY(check_corners(given.points.size(), given.corners));
+  A3D_ASSIGN(PolygonLayout layout, layout_of_faces(given));
+  return Value::of(Mesh3d(PolygonMesh(PointArray(std::move(given.points)), std::move(layout),
+                                      {given.corners.begin(), given.corners.end()})));
 }
 
-Result<PolygonLayout> layout_of(const GivenMesh& given) {
-  if (given.degrees == nullptr) {
-    if (given.corners.size() != 3 * given.face_count)
-      return Error{ErrorCode::invalid_value, "{} corners, expected {} for {} triangles", given.corners.size(),
-                   3 * given.face_count, given.face_count};
-    return PolygonLayout::of_degree(3);
-  }
-  LargeVector<std::uint32_t> starts{0};
-  starts.reserve(given.face_count + 1);
-  std::size_t end = 0;
-  for (std::size_t face = 0; face < given.face_count; ++face) {
-    poll_interruption_at(face);
-    if (given.degrees[face] < 3)
-      return Error{ErrorCode::invalid_value, "face {} has {} corners, expected at least 3", face, given.degrees[face]};
-    end += given.degrees[face];
-    if (end > given.corners.size()) break;
-    starts.push_back(static_cast<std::uint32_t>(end));
-  }
-  if (end != given.corners.size() || starts.size() != given.face_count + 1)
-    return Error{ErrorCode::invalid_value, "the faces have {}{} corners by their degrees, and {} are given",
-                 end > given.corners.size() ? "at least " : "", end, given.corners.size()};
-  return PolygonLayout(std::move(starts));
-}
-
-Result<Value> mesh_of(const GivenMesh& given) {
-  A3D_ASSIGN(std::vector<Vec3> points, points_of(given));
-  A3D_TRY(check_corners(given));
-  A3D_ASSIGN(PolygonLayout layout, layout_of(given));
-  return Value::of(Mesh3d(
-      PolygonMesh(PointArray(std::move(points)), std::move(layout), {given.corners.begin(), given.corners.end()})));
-}
-
-/// What an a3d_mesh shows.
+/// The owner of the arrays of an a3d_mesh.
 struct ShownMesh {
   Value value;
   std::vector<std::uint32_t> degrees;
@@ -134,23 +91,27 @@ Result<a3d_mesh> shown(const Value& value) {
 }
 
 }  // namespace
-}  // namespace algebra3d::c_interface
+
+extern "C" {
 
 a3d_status a3d_make_mesh(a3d_session* session, const double* coordinates, size_t point_count, const uint32_t* corners,
                          size_t corner_count, const uint32_t* degrees, size_t face_count, a3d_value** result) {
-  return algebra3d::c_interface::made(session, result, [&](algebra3d::Context&) {
-    return algebra3d::c_interface::mesh_of(
-        {coordinates, point_count, std::span(corners, corner_count), degrees, face_count});
+  return made(session, result, [&](Context&) {
+    std::vector<Vec3> points(point_count);
+    for (std::size_t i = 0; i < 3 * point_count; ++i) points[i / 3][i % 3] = coordinates[i];
+    return mesh_of({std::move(points), std::span(corners, corner_count), degrees, face_count});
   });
 }
 
 a3d_status a3d_mesh_of(a3d_session* session, const a3d_value* value, a3d_mesh* result) {
-  return algebra3d::c_interface::done(
-      session, [&](algebra3d::Context&) { return algebra3d::c_interface::shown(value->content); },
-      [&](const a3d_mesh& mesh) { *result = mesh; });
+  return done(
+      session, [&](Context&) { return shown(value->content); }, [&](const a3d_mesh& mesh) { *result = mesh; });
 }
 
 void a3d_release_mesh(a3d_mesh* mesh) {
-  delete static_cast<algebra3d::c_interface::ShownMesh*>(mesh->owner);
+  delete static_cast<ShownMesh*>(mesh->owner);
   *mesh = {};
 }
+
+}  // extern "C"
+}  // namespace algebra3d::c_interface

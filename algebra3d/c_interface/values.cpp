@@ -34,26 +34,8 @@ void write(const GeometryHeader& header, a3d_header* result) {
 }
 
 }  // namespace
-}  // namespace algebra3d::c_interface
 
-using algebra3d::Context;
-using algebra3d::Error;
-using algebra3d::ErrorCode;
-using algebra3d::GeometryHeader;
-using algebra3d::NestedList;
-using algebra3d::Origin;
-using algebra3d::Result;
-using algebra3d::Status;
-using algebra3d::Text;
-using algebra3d::Type;
-using algebra3d::TypeOf;
-using algebra3d::Value;
-using algebra3d::c_interface::check_same_type;
-using algebra3d::c_interface::done;
-using algebra3d::c_interface::give;
-using algebra3d::c_interface::made;
-using algebra3d::c_interface::type_named;
-using algebra3d::c_interface::write;
+extern "C" {
 
 a3d_value* a3d_retain(a3d_value* value) {
   value->owners.fetch_add(1, std::memory_order_relaxed);
@@ -85,7 +67,7 @@ a3d_status a3d_make_int(a3d_session* session, int64_t number, a3d_value** result
 
 a3d_status a3d_make_real(a3d_session* session, double number, a3d_value** result) {
   return made(session, result, [&](Context&) -> Result<Value> {
-    if (!std::isfinite(number)) return Error{ErrorCode::invalid_value, "{} is no finite number", number};
+    if (!std::isfinite(number)) return Error{ErrorCode::invalid_value, "expected a finite number, got {}", number};
     return Value::of<double>(number == 0 ? 0 : number);
   });
 }
@@ -97,8 +79,8 @@ a3d_status a3d_make_bool(a3d_session* session, int truth, a3d_value** result) {
 a3d_status a3d_make_text(a3d_session* session, const char* type, const char* text, size_t size, a3d_value** result) {
   return made(session, result, [&](Context&) -> Result<Value> {
     const std::string_view characters(text, size);
-    if (const std::size_t wrong = algebra3d::first_no_text(characters); wrong != std::string::npos)
-      return Error{ErrorCode::invalid_value, "byte {}: {}", wrong + 1, algebra3d::no_text_message(characters[wrong])};
+    if (const std::size_t wrong = first_no_text(characters); wrong != std::string::npos)
+      return Error{ErrorCode::invalid_value, "byte {}: {}", wrong + 1, no_text_message(characters[wrong])};
     A3D_ASSIGN(const Type* const found, type_named(type));
     if (found == &TypeOf<std::string>::type()) return Value::of<std::string>(std::string(characters));
     if (found == &TypeOf<Text>::type()) return Value::of<Text>(Text{std::string(characters)});
@@ -126,7 +108,7 @@ const char* a3d_text_of(const a3d_value* value, size_t* size) {
 
 a3d_status a3d_encode(a3d_session* session, const a3d_value* value, a3d_bytes* result) {
   return done(
-      session, [&](Context&) { return algebra3d::encode_to_store(value->content); },
+      session, [&](Context&) { return encode_to_store(value->content); },
       [&](std::string bytes) { give(std::move(bytes), result); });
 }
 
@@ -134,7 +116,7 @@ a3d_status a3d_decode(a3d_session* session, const char* type, const char* bytes,
                       a3d_value** result) {
   return made(session, result, [&](Context&) -> Result<Value> {
     A3D_ASSIGN(const Type* const found, type_named(type));
-    return algebra3d::decode(*found, {bytes, size}, is_trusted != 0 ? Origin::own_store : Origin::elsewhere);
+    return decode(*found, {bytes, size}, is_trusted != 0 ? Origin::own_store : Origin::elsewhere);
   });
 }
 
@@ -171,11 +153,11 @@ a3d_status a3d_header_of(a3d_session* session, const a3d_value* value, a3d_heade
 }
 
 a3d_status a3d_header_of_bytes(a3d_session* session, const char* bytes, size_t size, a3d_header* result) {
-  static_assert(A3D_HEADER_BYTES == algebra3d::kCodecHeaderBytes);
+  static_assert(A3D_HEADER_BYTES == kCodecHeaderBytes);
   return done(
       session,
       [&](Context&) {
-        return algebra3d::decode_header({bytes, size});
+        return decode_header({bytes, size});
       },
       [&](const GeometryHeader& header) { write(header, result); });
 }
@@ -197,3 +179,6 @@ a3d_status a3d_hash(a3d_session* session, const a3d_value* value, uint64_t* resu
       session, [&](Context&) -> Result<std::size_t> { return hash(value->content); },
       [&](std::size_t hashed) { *result = hashed; });
 }
+
+}  // extern "C"
+}  // namespace algebra3d::c_interface

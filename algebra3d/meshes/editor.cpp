@@ -20,7 +20,7 @@ struct MeshEditor::Content {
   bool has(VertexId v) const { return v.index() < editor.vertex_slots() && editor.is_used(v); }
   bool has(HalfedgeId h) const { return h.index() < editor.halfedge_slots() && editor.is_used(h); }
   bool has(FaceId f) const { return f.index() < editor.face_slots() && editor.is_used(f); }
-  /// Of the mesh as it is now.
+  /// The attributes of the mesh as it is now.
   MeshAttributes attributes_of(const algebra3d::PolygonMesh& now) const {
     const MeshAttributes given = MeshAccess::attributes(source);
     return given.is_empty() ? given : editor.attributes(given, MeshAccess::content(source), now);

@@ -1,4 +1,5 @@
 #include "algebra3d/mesh/mesh.h"
+#include "algebra3d/kernel/halfedge/given_arrays.h"
 
 #include <numeric>
 #include <utility>
@@ -71,31 +72,6 @@ Result<TriangleMesh> triangle_mesh_of(const algebra3d::PolygonMesh& polygons, co
 namespace {
 
 using detail::MeshAccess;
-
-Status check_points(std::span<const Vec3> points) {
-  constexpr std::size_t kMaxPoints = algebra3d::PolygonMesh::kMaxHalfedges;
-  if (points.size() > kMaxPoints)
-    return Error{ErrorCode::limit_exceeded, "{} points; expected at most {}", points.size(), kMaxPoints};
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!is_finite(points[i]))
-      return Error{ErrorCode::invalid_value,
-                   "point {}: expected finite coordinates, found ({}, {}, {})",
-                   i,
-                   points[i].x,
-                   points[i].y,
-                   points[i].z};
-  return {};
-}
-
-Status check_corners(std::size_t point_count, std::span<const std::uint32_t> corners, std::size_t limit) {
-  if (corners.size() > limit)
-    return Error{ErrorCode::limit_exceeded, "{} corners; expected at most {}", corners.size(), limit};
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    if (corners[i] >= point_count)
-      return Error{ErrorCode::invalid_value, "corner {}: there is no point {}; there are {}, numbered from 0", i,
-                   corners[i], point_count};
-  return {};
-}
 
 PointArray point_array(std::span<const Vec3> points) {
   return PointArray(std::vector<Vec3>(points.begin(), points.end()));
@@ -217,13 +193,7 @@ Result<TriangleMesh> TriangleMesh::of_triangles(std::span<const Vec3> points,
                                                 std::span<const std::array<std::uint32_t, 3>> triangles) {
   return without_exceptions([&]() -> Result<TriangleMesh> {
     A3D_TRY(check_points(points));
-    constexpr std::size_t kMaxTriangles = algebra3d::TriangleMesh::kMaxFaces;
-    if (triangles.size() > kMaxTriangles)
-      return Error{ErrorCode::limit_exceeded, "{} triangles; expected at most {}", triangles.size(), kMaxTriangles};
-    for (std::size_t f = 0; f < triangles.size(); ++f)
-      if (const std::uint32_t largest = std::ranges::max(triangles[f]); largest >= points.size())
-        return Error{ErrorCode::invalid_value, "triangle {}: there is no point {}; there are {}, numbered from 0", f,
-                     largest, points.size()};
+    A3D_TRY(check_triangles(points.size(), triangles));
     return MeshAccess::outer(algebra3d::TriangleMesh(point_array(points), triangles));
   });
 }
@@ -231,7 +201,7 @@ Result<TriangleMesh> TriangleMesh::of_triangles(std::span<const Vec3> points,
 Result<TriangleMesh> TriangleMesh::of_corners(std::span<const Vec3> points, std::span<const std::uint32_t> corners) {
   return without_exceptions([&]() -> Result<TriangleMesh> {
     A3D_TRY(check_points(points));
-    A3D_TRY(check_corners(points.size(), corners, 3 * algebra3d::TriangleMesh::kMaxFaces));
+    A3D_TRY(check_corners(points.size(), corners));
     if (corners.size() % 3 != 0)
       return Error{ErrorCode::invalid_value, "{} corners; expected three for each triangle", corners.size()};
     std::vector<IndexTriangle> triangles(corners.size() / 3);
@@ -247,22 +217,9 @@ Result<PolygonMesh> PolygonMesh::of_faces(std::span<const Vec3> points, std::spa
                                           std::span<const std::uint32_t> degrees) {
   return without_exceptions([&]() -> Result<PolygonMesh> {
     A3D_TRY(check_points(points));
-    A3D_TRY(check_corners(points.size(), corners, algebra3d::PolygonMesh::kMaxHalfedges));
-    LargeVector<std::uint32_t> starts{0};
-    starts.reserve(degrees.size() + 1);
-    std::size_t sum = 0;
-    for (std::size_t f = 0; f < degrees.size(); ++f) {
-      if (degrees[f] < 3)
-        return Error{ErrorCode::invalid_value, "face {}: expected three or more corners, found {}", f, degrees[f]};
-      sum += degrees[f];
-      if (sum > corners.size()) break;
-      starts.push_back(static_cast<std::uint32_t>(sum));
-    }
-    if (sum != corners.size())
-      return Error{ErrorCode::invalid_value, "{} corners; the faces have {}", corners.size(),
-                   std::accumulate(degrees.begin(), degrees.end(), std::uint64_t{0})};
-    return MeshAccess::outer(
-        algebra3d::PolygonMesh(point_array(points), PolygonLayout(std::move(starts)), number_array(corners)));
+    A3D_TRY(check_corners(points.size(), corners));
+    A3D_ASSIGN(PolygonLayout layout, layout_of(degrees, corners.size()));
+    return MeshAccess::outer(algebra3d::PolygonMesh(point_array(points), std::move(layout), number_array(corners)));
   });
 }
 
@@ -270,7 +227,7 @@ Result<PolygonMesh> PolygonMesh::of_faces(std::span<const Vec3> points, std::spa
                                           std::uint32_t degree) {
   return without_exceptions([&]() -> Result<PolygonMesh> {
     A3D_TRY(check_points(points));
-    A3D_TRY(check_corners(points.size(), corners, algebra3d::PolygonMesh::kMaxHalfedges));
+    A3D_TRY(check_corners(points.size(), corners));
     if (degree < 3 || corners.size() % degree != 0)
       return Error{ErrorCode::invalid_value, "{} corners; expected a multiple of the degree {}, which is 3 or more",
                    corners.size(), degree};

@@ -19,7 +19,7 @@ namespace algebra3d::mesh::detail {
 template <AnyMesh M>
 using KernelMesh = std::conditional_t<std::same_as<M, TriangleMesh>, algebra3d::TriangleMesh, algebra3d::PolygonMesh>;
 
-/// What the copies of a mesh share.
+/// The content that the copies of a mesh share.
 template <typename M>
 struct MeshContent {
   std::shared_ptr<const KernelMesh<M>> mesh;  ///< of this mesh alone, or of a solid or surface

@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/kernel/halfedge/attribute_transfer.h"
 #include "algebra3d/kernel/halfedge/dual.h"
 #include "algebra3d/kernel/simplification/simplification.h"
 #include "algebra3d/kernel/subdivision/subdivided.h"
@@ -14,28 +13,8 @@
 #include "base/without_exceptions.h"
 
 namespace algebra3d::mesh {
-namespace {
 
 using detail::MeshAccess;
-
-/// The attributes of what a simplification has left.
-MeshAttributes attributes_after(const TriangleMesh& before, const algebra3d::PolygonMesh& after,
-                                Simplification& simplification) {
-  const MeshAttributes attributes = MeshAccess::attributes(before);
-  if (attributes.is_empty()) return {};
-  const algebra3d::PolygonMesh source = detail::polygons_of(before);
-  ElementSources sources;
-  sources.halfedges.reserve(after.halfedge_count());
-  for (const std::uint32_t f : simplification.faces)
-    for (std::uint32_t corner = 0; corner < 3; ++corner)
-      sources.halfedges.push_back(source.halfedge(FaceId(f), corner).index());
-  sources.edges = edge_sources(after, source, sources.halfedges);
-  sources.vertices = std::move(simplification.vertices);
-  sources.faces = std::move(simplification.faces);
-  return taken_over_merged(attributes, source, after, std::move(sources), ElementBlends(source));
-}
-
-}  // namespace
 
 template <AnyMesh M>
 Result<PolygonMesh> subdivided(const M& mesh, std::string_view scheme, std::size_t steps, const Monitor& monitor) {
@@ -65,8 +44,10 @@ Result<TriangleMesh> simplified(const TriangleMesh& mesh, const SimplificationGo
     A3D_ASSIGN(Simplification result, given.points().exact_count() == 0
                                           ? algebra3d::simplified(given, target, monitor)
                                           : algebra3d::simplified(of_doubles(), target, monitor));
-    const algebra3d::PolygonMesh after = detail::polygons_of(MeshAccess::outer(result.mesh));
-    const MeshAttributes attributes = attributes_after(mesh, after, result);
+    MeshAttributes attributes = MeshAccess::attributes(mesh);
+    if (!attributes.is_empty())
+      attributes = attributes_after(attributes, detail::polygons_of(mesh),
+                                    detail::polygons_of(MeshAccess::outer(result.mesh)), result);
     return MeshAccess::outer(std::move(result.mesh), attributes);
   });
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "algebra3d/kernel/distance/farthest_point.h"
+#include "algebra3d/kernel/halfedge/attribute_transfer.h"
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/search/box_hierarchy.h"
 #include "algebra3d/kernel/search/boxes.h"
@@ -286,6 +287,20 @@ Result<Simplification> simplified_surface(const TriangleMesh& surface, const Sim
 Result<Simplification> simplified_volume(const TriangleMesh& volume, const SimplificationTarget& target,
                                          const Monitor& monitor) {
   return simplified_by(valid_volume, volume, target, monitor, {});
+}
+
+MeshAttributes attributes_after(const MeshAttributes& attributes, const PolygonMesh& before, const PolygonMesh& after,
+                                Simplification& simplification) {
+  if (attributes.is_empty()) return {};
+  ElementSources sources;
+  sources.halfedges.reserve(after.halfedge_count());
+  for (const std::uint32_t f : simplification.faces)
+    for (std::uint32_t corner = 0; corner < 3; ++corner)
+      sources.halfedges.push_back(before.halfedge(FaceId(f), corner).index());
+  sources.edges = edge_sources(after, before, sources.halfedges);
+  sources.vertices = std::move(simplification.vertices);
+  sources.faces = std::move(simplification.faces);
+  return taken_over_merged(attributes, before, after, std::move(sources), ElementBlends(before));
 }
 
 }  // namespace algebra3d

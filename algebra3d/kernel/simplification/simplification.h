@@ -8,6 +8,8 @@
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/kernel/halfedge/mesh_attributes.h"
+#include "algebra3d/kernel/halfedge/polygon_mesh.h"
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
 
 namespace algebra3d {
@@ -55,5 +57,10 @@ Result<Simplification> simplified_surface(const TriangleMesh& surface, const Sim
 /// Simplifies a valid volume with double coordinates in this way; the result is one, too.
 Result<Simplification> simplified_volume(const TriangleMesh& volume, const SimplificationTarget& target,
                                          const Monitor& monitor = {});
+
+/// The attributes of a mesh after its simplification. `before` had them; `after` has the faces of the result, of which
+/// vertices and faces are used up. Corners of merged vertices as taken_over_merged. Cost: linear.
+MeshAttributes attributes_after(const MeshAttributes& attributes, const PolygonMesh& before, const PolygonMesh& after,
+                                Simplification& simplification);
 
 }  // namespace algebra3d

@@ -273,7 +273,8 @@ void add_ring_sources(const PolygonMesh& mesh, const PolygonMesh& after, bool of
     if (mesh.is_boundary(h)) sources.insert(sources.end(), 2, blends.add_between(value(h), value(mesh.next(h)), 0.5));
 }
 
-/// Of the faces those of the mesh come first; those for edges and vertices are between several. Edges have no source.
+/// The sources of the result. Its first faces have those of the mesh as sources; the faces for edges and vertices have
+/// all faces around. Edges have no source.
 Provenance doo_sabin_provenance(const StepInput& input, const PolygonMesh& after, const MeshAttributes& given) {
   const PolygonMesh& mesh = input.mesh;
   Provenance provenance{{}, ElementBlends(mesh)};
@@ -294,7 +295,7 @@ Provenance doo_sabin_provenance(const StepInput& input, const PolygonMesh& after
       sources.faces.push_back(f.index());
       continue;
     }
-    // Each face around counts once for each of its corners; vertices on the boundary are no corners.
+    // Each face around counts once for each of its corners; vertices on the boundary are not corners.
     terms.clear();
     for (const VertexId v : vertices_of(after, f))
       if (v.index() < mesh.halfedge_count()) terms.push_back({mesh.face(corners[v.index()]).index(), 1});

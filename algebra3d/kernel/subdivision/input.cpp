@@ -18,7 +18,7 @@ namespace {
 /// Sums over two milliards of neighbours with such coordinates are finite.
 constexpr double kLargestCoordinate = 0x1p960;
 
-/// The lowest of so many elements for which is_wanted holds, in parallel; none if there is none.
+/// The lowest of so many elements for which is_wanted holds, found in parallel; invalid if it holds for none.
 template <typename Id, typename Predicate>
 Id first_with(std::size_t count, const Predicate& is_wanted) {
   std::atomic<Id> first = Id();

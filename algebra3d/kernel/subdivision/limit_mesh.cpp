@@ -20,7 +20,7 @@ namespace {
 
 using subdivision::SchemeDescription;
 
-/// What the limits of a mesh need to know besides its points.
+/// The facts of a mesh that its limits depend on, besides its points.
 struct LimitRules {
   const SchemeDescription& scheme;
   std::size_t variant;

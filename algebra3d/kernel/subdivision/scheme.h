@@ -53,7 +53,7 @@ std::string subdivision_scheme_names(bool (*property)(const SubdivisionScheme&))
 
 /// The names of the variants of a scheme, weights or rules; the first is the default. Empty: there is one only.
 std::span<const std::string_view> variants_of(const SubdivisionScheme& scheme);
-/// What the variants are, such as "weights"; empty without variants.
+/// The property in which the variants differ, such as "weights"; empty without variants.
 std::string_view kind_of_variants(const SubdivisionScheme& scheme);
 /// The place of that name among the variants of a scheme.
 std::optional<std::size_t> subdivision_variant(const SubdivisionScheme& scheme, std::string_view name);

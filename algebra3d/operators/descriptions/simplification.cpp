@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/kernel/halfedge/attribute_transfer.h"
 #include "algebra3d/kernel/rounding/coordinate_grid.h"
 #include "algebra3d/kernel/rounding/rounded_solid.h"
 #include "algebra3d/kernel/rounding/rounded_surface.h"
@@ -87,18 +86,8 @@ Surface3d value_of(const Surface3d& /*before*/, Simplification result) {
 }
 /// With the attributes of the remaining elements.
 Mesh3d value_of(const Mesh3d& before, Simplification result) {
-  const PolygonMesh& old = before.mesh();
   PolygonMesh mesh(result.mesh.points(), PolygonLayout::of_degree(3), result.mesh.origins());
-  if (before.attributes().is_empty()) return Mesh3d(std::move(mesh));
-  ElementSources sources;
-  sources.halfedges.reserve(mesh.halfedge_count());
-  for (const std::uint32_t f : result.faces)
-    for (std::uint32_t corner = 0; corner < 3; ++corner)
-      sources.halfedges.push_back(old.halfedge(FaceId(f), corner).index());
-  sources.edges = edge_sources(mesh, old, sources.halfedges);
-  sources.vertices = std::move(result.vertices);
-  sources.faces = std::move(result.faces);
-  MeshAttributes attributes = taken_over_merged(before.attributes(), old, mesh, std::move(sources), ElementBlends(old));
+  MeshAttributes attributes = attributes_after(before.attributes(), before.mesh(), mesh, result);
   return {std::move(mesh), std::move(attributes)};
 }
 

@@ -154,7 +154,7 @@ Result<Mesh3d> limit_by_variant(Context& context, const T& geometry, const std::
   return at_limit(context, geometry, scheme, options);
 }
 
-/// What the variants of the schemes with a property are, such as: of loop the weights "loop" (the default), "warren".
+/// A clause that lists the variants of each scheme that has some: "of loop the weights "loop" (the default), "warren"".
 std::string variants_text(bool (*property)(const SubdivisionScheme&)) {
   std::string text;
   for (const SubdivisionScheme& scheme : subdivision_schemes()) {

@@ -7,8 +7,9 @@
 
 #include "algebra3d/mesh/graph.h"
 
-/// What CGAL's algorithms on meshes need besides algebra3d/mesh/graph.h: the points of the vertices and the numbers of
-/// faces and half-edges. Include it before headers of CGAL's algorithms. Needs CGAL; the library itself does not.
+/// The property maps that CGAL's algorithms on meshes need besides algebra3d/mesh/graph.h: the points of the vertices
+/// and the numbers of faces and half-edges. Include it before headers of CGAL's algorithms. Needs CGAL; the library
+/// itself does not.
 namespace algebra3d::mesh {
 
 /// The points of vertices as those of CGAL, rounded if they are fractions (Mesh::has_fractions).

@@ -119,7 +119,7 @@ class Mesh : public HalfedgeStructure<Layout, SharedArrays> {
     return corners().subspan(halfedge(f).index(), this->degree(f));
   }
 
-  /// What attributes there are, sorted by element and name.
+  /// The kinds of attributes that the mesh has, sorted by element and name.
   std::vector<AttributeDescription> attributes() const;
   /// The values of an attribute of the elements that `Id` names: VertexId, EdgeId, HalfedgeId (also corners) or FaceId.
   /// `T` is double, Vec2, Vec3 or std::string. Errors: unknown_name; type_error if its values are others.

@@ -17,7 +17,7 @@ namespace algebra3d::mesh {
 template <AnyMesh M>
 std::vector<Vec3> face_normals(const M& mesh);
 
-/// What the normals of faces are multiplied by in the sum at a vertex.
+/// The weights of the normals of faces in the sum at a vertex.
 enum class NormalWeight : std::uint8_t {
   angle,   ///< the angle of the face at the vertex: independent of how faces are divided. Source: [thuermer1998]
   area,    ///< the area of the face

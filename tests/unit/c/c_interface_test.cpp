@@ -282,13 +282,12 @@ TEST(CInterface, MalformedMeshesAreRefusedWithTheirPlace) {
   const double infinite = std::numeric_limits<double>::infinity();
   EXPECT_EQ(refusal(triangle, {0, 1, 2}, {}, 1), "");
   EXPECT_EQ(refusal({0, 0, 0, 1, infinite, 0, 0, 1, 0}, {0, 1, 2}, {}, 1),
-            "point 1: y is inf, expected a finite number");
-  EXPECT_EQ(refusal(triangle, {0, 1, 3}, {}, 1), "corner 2: there is no point 3, expected a number below 3");
+            "point 1: expected finite coordinates, found (1, inf, 0)");
+  EXPECT_EQ(refusal(triangle, {0, 1, 3}, {}, 1), "corner 2: there is no point 3; there are 3, numbered from 0");
   EXPECT_EQ(refusal(triangle, {0, 1, 2}, {}, 2), "3 corners, expected 6 for 2 triangles");
-  EXPECT_EQ(refusal(triangle, {0, 1}, {2}, 1), "face 0 has 2 corners, expected at least 3");
-  EXPECT_EQ(refusal(triangle, {0, 1, 2, 0}, {3}, 1), "the faces have 3 corners by their degrees, and 4 are given");
-  EXPECT_EQ(refusal(triangle, {0, 1, 2}, {3, 3}, 2),
-            "the faces have at least 6 corners by their degrees, and 3 are given");
+  EXPECT_EQ(refusal(triangle, {0, 1}, {2}, 1), "face 0: expected three or more corners, found 2");
+  EXPECT_EQ(refusal(triangle, {0, 1, 2, 0}, {3}, 1), "4 corners; the faces have 3");
+  EXPECT_EQ(refusal(triangle, {0, 1, 2}, {3, 3}, 2), "3 corners; the faces have 6");
   EXPECT_EQ(session.sql_state(), "22P02");
 }
 

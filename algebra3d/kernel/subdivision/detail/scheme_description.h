@@ -18,7 +18,7 @@ namespace algebra3d::subdivision {
 
 struct Sharpness;  // creases.h
 
-/// What a step starts from.
+/// The input of a step.
 struct StepInput {
   const PolygonMesh& mesh;     ///< check_input accepts it; of its coordinates the doubles are read
   std::size_t number;          ///< of the step, from 0
@@ -28,7 +28,7 @@ struct StepInput {
   const std::string& what;  ///< the name of the step for people
 };
 
-/// What limits of vertices are computed from.
+/// The input for limits of vertices.
 struct LimitInput {
   const PolygonMesh& mesh;  ///< after the steps that the scheme makes first
   std::size_t count;        ///< limits are wanted for that many vertices, the first
@@ -62,7 +62,7 @@ struct SchemeDescription {
   bool needs_distinct_sides = false;
   /// Steps read the sharpness of edges and vertices.
   bool honours_creases = false;
-  /// What distinguishes the variants, such as "weights", and their names, the first being the default.
+  /// The property in which the variants differ, such as "weights", and their names, the first being the default.
   std::string_view variants_are = {};
   std::span<const std::string_view> variants = {};
 
