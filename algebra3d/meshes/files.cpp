@@ -27,9 +27,12 @@ Result<MeshFileForm> form_of(const std::filesystem::path& file, std::string_view
   const auto found =
       std::ranges::find_if(format->forms, [&](const auto& known) { return format->word_of(known) == form; });
   if (found == format->forms.end())
-    return Error{ErrorCode::wrong_usage, "{}: expected a form of {} files, got '{}'; the forms of all formats are {}",
-                 file.string(),          format->name,
-                 form,                   formats.form_words("and")};
+    return Error{ErrorCode::wrong_usage,
+                 "{}: expected a form of {} files, got '{}'; the forms of all formats are {}",
+                 file.string(),
+                 format->name,
+                 form,
+                 formats.form_words("and")};
   return MeshFileForm{format, found->encoding};
 }
 

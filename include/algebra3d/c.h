@@ -74,8 +74,9 @@ int a3d_counts_memory(void);
 /* The error of the last function that returned A3D_ERROR; unspecified before. Lives as long as the session. */
 const a3d_error* a3d_last_error(const a3d_session* session);
 
-/* Notices since they were cleared, by their numbers from 0; null beyond them: why results are undefined, and remarks such as "3 of 12 vertices rounded to floats".
- * Equal ones are counted in one text. The texts live until the next call of the session. */
+/* Notices since they were cleared, by their numbers from 0; null beyond them: why results are undefined, and remarks
+ * such as "3 of 12 vertices rounded to floats". Equal ones are counted in one text. The texts live until the next call
+ * of the session. */
 size_t a3d_notice_count(a3d_session* session);
 const char* a3d_notice(a3d_session* session, size_t number);
 void a3d_clear_notices(a3d_session* session);

@@ -175,7 +175,9 @@ TEST(MeshEnumerators, neighbourhoods_of_faces_are_those_of_brute_force) {
 }
 
 template <typename M>
-concept LendsNeighbours = requires(M mesh) { adjacent_vertices(std::forward<M>(mesh), VertexId(0)); };
+concept LendsNeighbours = requires(M mesh) {
+  adjacent_vertices(std::forward<M>(mesh), VertexId(0));
+};
 
 TEST(MeshEnumerators, ranges_do_not_refer_to_meshes_that_are_gone) {
   static_assert(LendsNeighbours<const PolygonMesh&> && LendsNeighbours<TriangleMesh&>);
