@@ -73,10 +73,6 @@ namespace {
 
 using detail::MeshAccess;
 
-PointArray point_array(std::span<const Vec3> points) {
-  return PointArray(std::vector<Vec3>(points.begin(), points.end()));
-}
-
 LargeVector<std::uint32_t> number_array(std::span<const std::uint32_t> numbers) {
   return {numbers.begin(), numbers.end()};
 }
@@ -189,50 +185,52 @@ Derived Mesh<Derived, Layout>::without_column(MeshElement element, std::string_v
 template class Mesh<TriangleMesh, TriangleLayout>;
 template class Mesh<PolygonMesh, SharedPolygonLayout>;
 
-Result<TriangleMesh> TriangleMesh::of_triangles(std::span<const Vec3> points,
+Result<TriangleMesh> TriangleMesh::of_triangles(GivenPoints points,
                                                 std::span<const std::array<std::uint32_t, 3>> triangles) {
   return without_exceptions([&]() -> Result<TriangleMesh> {
-    A3D_TRY(check_points(points));
-    A3D_TRY(check_triangles(points.size(), triangles));
-    return MeshAccess::outer(algebra3d::TriangleMesh(point_array(points), triangles));
+    A3D_TRY(check_points(points.span()));
+    A3D_TRY(check_triangles(points.span().size(), triangles));
+    return MeshAccess::outer(algebra3d::TriangleMesh(PointArray(points.take()), triangles));
   });
 }
 
-Result<TriangleMesh> TriangleMesh::of_corners(std::span<const Vec3> points, std::span<const std::uint32_t> corners) {
+Result<TriangleMesh> TriangleMesh::of_corners(GivenPoints points, std::span<const std::uint32_t> corners) {
   return without_exceptions([&]() -> Result<TriangleMesh> {
-    A3D_TRY(check_points(points));
-    A3D_TRY(check_corners(points.size(), corners));
+    A3D_TRY(check_points(points.span()));
+    A3D_TRY(check_corners(points.span().size(), corners));
     if (corners.size() % 3 != 0)
       return Error{ErrorCode::invalid_value, "{} corners; expected three for each triangle", corners.size()};
     std::vector<IndexTriangle> triangles(corners.size() / 3);
     for (std::size_t i = 0; i < corners.size(); ++i) triangles[i / 3][i % 3] = corners[i];
-    return MeshAccess::outer(algebra3d::TriangleMesh(point_array(points), triangles));
+    return MeshAccess::outer(algebra3d::TriangleMesh(PointArray(points.take()), triangles));
   });
 }
 
 PolygonMesh::PolygonMesh(const TriangleMesh& triangles)
     : PolygonMesh(MeshAccess::outer(detail::polygons_of(triangles), MeshAccess::attributes(triangles))) {}
 
-Result<PolygonMesh> PolygonMesh::of_faces(std::span<const Vec3> points, std::span<const std::uint32_t> corners,
+Result<PolygonMesh> PolygonMesh::of_faces(GivenPoints points, std::span<const std::uint32_t> corners,
                                           std::span<const std::uint32_t> degrees) {
   return without_exceptions([&]() -> Result<PolygonMesh> {
-    A3D_TRY(check_points(points));
-    A3D_TRY(check_corners(points.size(), corners));
+    A3D_TRY(check_points(points.span()));
+    A3D_TRY(check_corners(points.span().size(), corners));
     A3D_ASSIGN(PolygonLayout layout, layout_of(degrees, corners.size()));
-    return MeshAccess::outer(algebra3d::PolygonMesh(point_array(points), std::move(layout), number_array(corners)));
+    return MeshAccess::outer(
+        algebra3d::PolygonMesh(PointArray(points.take()), std::move(layout), number_array(corners)));
   });
 }
 
-Result<PolygonMesh> PolygonMesh::of_faces(std::span<const Vec3> points, std::span<const std::uint32_t> corners,
+Result<PolygonMesh> PolygonMesh::of_faces(GivenPoints points, std::span<const std::uint32_t> corners,
                                           std::uint32_t degree) {
   return without_exceptions([&]() -> Result<PolygonMesh> {
-    A3D_TRY(check_points(points));
-    A3D_TRY(check_corners(points.size(), corners));
+    A3D_TRY(check_points(points.span()));
+    A3D_TRY(check_corners(points.span().size(), corners));
     if (degree < 3 || corners.size() % degree != 0)
       return Error{ErrorCode::invalid_value, "{} corners; expected a multiple of the degree {}, which is 3 or more",
                    corners.size(), degree};
     PolygonLayout layout = corners.empty() ? PolygonLayout() : PolygonLayout::of_degree(degree);
-    return MeshAccess::outer(algebra3d::PolygonMesh(point_array(points), std::move(layout), number_array(corners)));
+    return MeshAccess::outer(
+        algebra3d::PolygonMesh(PointArray(points.take()), std::move(layout), number_array(corners)));
   });
 }
 

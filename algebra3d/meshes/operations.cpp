@@ -1,5 +1,6 @@
 #include "algebra3d/mesh/operations.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,16 +17,50 @@ namespace algebra3d::mesh {
 
 using detail::MeshAccess;
 
+namespace {
+
+struct Rules {
+  SubdivisionScheme scheme;
+  SubdivisionOptions options;
+};
+
+/// Errors: unknown_name, beginning with the name of the function.
+Result<Rules> rules_of(std::string_view function, std::string_view scheme, std::string_view variant) {
+  const std::optional<SubdivisionScheme> known = subdivision_scheme(scheme);
+  if (!known)
+    return Error{ErrorCode::unknown_name, "{}: expected one of {}, found '{}'", function, subdivision_scheme_names(),
+                 scheme};
+  if (variant.empty()) return Rules{*known, {}};
+  const Result<std::size_t> place = subdivision_variant(*known, variant);
+  if (!place) return Error{ErrorCode::unknown_name, "{}: {}", function, place.error().text()};
+  return Rules{*known, {*place}};
+}
+
+}  // namespace
+
 template <AnyMesh M>
-Result<PolygonMesh> subdivided(const M& mesh, std::string_view scheme, std::size_t steps, const Monitor& monitor) {
+Result<PolygonMesh> subdivided(const M& mesh, std::string_view scheme, std::size_t steps, std::string_view variant,
+                               const Monitor& monitor) {
   return without_exceptions([&]() -> Result<PolygonMesh> {
     const InterruptionScope interruption(monitor.cancel());
-    const std::optional<SubdivisionScheme> known = subdivision_scheme(scheme);
-    if (!known)
-      return Error{ErrorCode::unknown_name, "subdivided: expected one of {}, found '{}'", subdivision_scheme_names(),
-                   scheme};
+    A3D_ASSIGN(const Rules rules, rules_of("subdivided", scheme, variant));
     A3D_ASSIGN(SubdividedMesh result, algebra3d::subdivided(detail::polygons_of(mesh), MeshAccess::attributes(mesh),
-                                                            *known, steps, {}, monitor));
+                                                            rules.scheme, steps, rules.options, monitor));
+    return MeshAccess::outer(std::move(result.mesh), result.attributes);
+  });
+}
+
+template <AnyMesh M>
+Result<PolygonMesh> limit_mesh(const M& mesh, std::string_view scheme, std::string_view variant,
+                               const Monitor& monitor) {
+  return without_exceptions([&]() -> Result<PolygonMesh> {
+    const InterruptionScope interruption(monitor.cancel());
+    A3D_ASSIGN(const Rules rules, rules_of("limit_mesh", scheme, variant));
+    if (!has_limit(rules.scheme))
+      return Error{ErrorCode::invalid_value, "limit_mesh: expected one of {}, found '{}'",
+                   subdivision_scheme_names(has_limit), scheme};
+    A3D_ASSIGN(SubdividedMesh result, algebra3d::limit_mesh(detail::polygons_of(mesh), MeshAccess::attributes(mesh),
+                                                            rules.scheme, rules.options, monitor));
     return MeshAccess::outer(std::move(result.mesh), result.attributes);
   });
 }
@@ -73,8 +108,12 @@ Result<TriangleMesh> triangulated(const PolygonMesh& mesh, const Monitor& monito
   });
 }
 
-template Result<PolygonMesh> subdivided(const TriangleMesh&, std::string_view, std::size_t, const Monitor&);
-template Result<PolygonMesh> subdivided(const PolygonMesh&, std::string_view, std::size_t, const Monitor&);
+template Result<PolygonMesh> subdivided(const TriangleMesh&, std::string_view, std::size_t, std::string_view,
+                                        const Monitor&);
+template Result<PolygonMesh> subdivided(const PolygonMesh&, std::string_view, std::size_t, std::string_view,
+                                        const Monitor&);
+template Result<PolygonMesh> limit_mesh(const TriangleMesh&, std::string_view, std::string_view, const Monitor&);
+template Result<PolygonMesh> limit_mesh(const PolygonMesh&, std::string_view, std::string_view, const Monitor&);
 template Result<PolygonMesh> dual(const TriangleMesh&, const Monitor&);
 template Result<PolygonMesh> dual(const PolygonMesh&, const Monitor&);
 

@@ -53,8 +53,9 @@ Status check_triangles(const PolygonMesh& mesh, const SchemeDescription& scheme)
   if (mesh.is_empty() || mesh.common_degree() == 3) return {};
   for (const FaceId f : faces(mesh))
     if (mesh.degree(f) != 3)
-      return Error{ErrorCode::invalid_value, "face {} has {} corners, but {} takes triangles only; see triangulate",
-                   f.index(), mesh.degree(f), scheme.name};
+      return Error{ErrorCode::invalid_value,
+                   "face {} has {} corners, but {} takes triangles only; triangulate the mesh first", f.index(),
+                   mesh.degree(f), scheme.name};
   return {};
 }
 
@@ -86,8 +87,8 @@ Status check_sides(const PolygonMesh& mesh) {
   if (h.is_none()) return {};
   const MeshView<0> view(mesh);
   return Error{ErrorCode::invalid_value,
-               "face {} is on both sides of the edge between vertices {} and {}; see triangulate", view.face(h).index(),
-               view.origin(h).index(), view.target(h).index()};
+               "face {} is on both sides of the edge between vertices {} and {}; triangulate the mesh first",
+               view.face(h).index(), view.origin(h).index(), view.target(h).index()};
 }
 
 Status check_coordinates(const PolygonMesh& mesh) {

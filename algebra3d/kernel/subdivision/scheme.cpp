@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "algebra3d/kernel/subdivision/detail/scheme_description.h"
 
 namespace algebra3d {
@@ -77,11 +80,18 @@ std::string_view kind_of_variants(const SubdivisionScheme& scheme) {
   return scheme.description().variants_are;
 }
 
-std::optional<std::size_t> subdivision_variant(const SubdivisionScheme& scheme, std::string_view name) {
+Result<std::size_t> subdivision_variant(const SubdivisionScheme& scheme, std::string_view name) {
   const auto variants = variants_of(scheme);
-  const auto found = std::ranges::find(variants, name);
-  if (found == variants.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - variants.begin());
+  if (const auto found = std::ranges::find(variants, name); found != variants.end())
+    return static_cast<std::size_t>(found - variants.begin());
+  if (variants.empty())
+    return Error{ErrorCode::invalid_value, R"({} has no variants, got "{}")", name_of(scheme), name};
+  return Error{ErrorCode::invalid_value,
+               R"({} has no {} "{}", expected one of {})",
+               name_of(scheme),
+               kind_of_variants(scheme),
+               name,
+               fmt::join(variants, ", ")};
 }
 
 }  // namespace algebra3d

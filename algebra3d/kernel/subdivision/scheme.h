@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "algebra3d/base/error.h"
+
 namespace algebra3d {
 
 namespace subdivision {
@@ -55,7 +57,7 @@ std::string subdivision_scheme_names(bool (*property)(const SubdivisionScheme&))
 std::span<const std::string_view> variants_of(const SubdivisionScheme& scheme);
 /// The property in which the variants differ, such as "weights"; empty without variants.
 std::string_view kind_of_variants(const SubdivisionScheme& scheme);
-/// The place of that name among the variants of a scheme.
-std::optional<std::size_t> subdivision_variant(const SubdivisionScheme& scheme, std::string_view name);
+/// The place of that name among the variants of a scheme. Errors: invalid_value, with those that it has.
+Result<std::size_t> subdivision_variant(const SubdivisionScheme& scheme, std::string_view name);
 
 }  // namespace algebra3d

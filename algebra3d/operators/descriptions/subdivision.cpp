@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/subdivision/divided_contacts.h"
@@ -81,17 +80,9 @@ Result<SubdivisionScheme> scheme_of(const char* name, const std::string& text) {
 }
 
 Result<SubdivisionOptions> options_of(const char* name, const SubdivisionScheme& scheme, const std::string& variant) {
-  if (const auto known = subdivision_variant(scheme, variant)) return SubdivisionOptions{*known};
-  const auto variants = variants_of(scheme);
-  if (variants.empty())
-    return Error{ErrorCode::invalid_value, R"({}: {} has no variants, got "{}")", name, name_of(scheme), variant};
-  return Error{ErrorCode::invalid_value,
-               R"({}: {} has no {} "{}", expected one of {})",
-               name,
-               name_of(scheme),
-               kind_of_variants(scheme),
-               variant,
-               fmt::join(variants, ", ")};
+  const Result<std::size_t> known = subdivision_variant(scheme, variant);
+  if (!known.ok()) return named(name, known.error());
+  return SubdivisionOptions{*known};
 }
 
 template <typename T>
@@ -275,7 +266,7 @@ void register_subdivision(Registry& registry) {
                   R"(subdivide: unknown scheme "Loop", expected one of catmull-clark, doo-sabin, loop, butterfly, )"
                   "modified-butterfly, sqrt3"},
                  {{kSquareOf8, R"("loop")", "1"},
-                  "subdivide: face 0 has 4 corners, but loop takes triangles only; see triangulate"},
+                  "subdivide: face 0 has 4 corners, but loop takes triangles only; triangulate the mesh first"},
                  {{kTetrahedronOf16, R"("loop")", "1", R"("sabin")"},
                   R"(subdivide: loop has no weights "sabin", expected one of loop, warren)"},
                  {{kTetrahedronOf16, R"("butterfly")", "1", R"("warren")"},

@@ -31,8 +31,7 @@ Surface3d::Surface3d() {
 
 Result<Maybe<Surface3d>> Surface3d::prove(TriangleMesh mesh, const ProofOptions& options) {
   A3D_ASSIGN(const auto report, prove_surface(mesh, options));
-  if (!report.is_valid())
-    return Maybe<Surface3d>(Undefined{fmt::format("surface3d: no valid surface: {}", report.text())});
+  if (!report.is_valid()) return Maybe<Surface3d>(Undefined{fmt::format("no valid surface: {}", report.text())});
   return Maybe<Surface3d>(trusted(std::move(mesh)));
 }
 

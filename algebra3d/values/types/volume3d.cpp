@@ -32,7 +32,7 @@ Volume3d::Volume3d() {
 
 Result<Maybe<Volume3d>> Volume3d::prove(TriangleMesh mesh, const ProofOptions& options) {
   A3D_ASSIGN(const auto report, prove_volume(mesh, options));
-  if (!report.is_valid()) return Maybe<Volume3d>(Undefined{fmt::format("volume3d: no valid solid: {}", report.text())});
+  if (!report.is_valid()) return Maybe<Volume3d>(Undefined{fmt::format("no valid solid: {}", report.text())});
   return Maybe<Volume3d>(trusted(std::move(mesh)));
 }
 

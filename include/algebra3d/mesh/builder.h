@@ -19,7 +19,8 @@ enum class FaceRule : std::uint8_t {
 };
 
 /// Builds a mesh vertex by vertex and face by face, or changes the faces of one. Elements keep their numbers until
-/// `mesh` is called. The caller owns the object; one thread uses it at a time.
+/// `mesh` is called. The caller owns the object; one thread uses it at a time. One that was moved from may be assigned
+/// to and destroyed, nothing else.
 class MeshBuilder {
  public:
   explicit MeshBuilder(FaceRule rule = FaceRule::manifold_edges);

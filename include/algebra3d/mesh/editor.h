@@ -17,7 +17,8 @@ namespace algebra3d::mesh {
 /// Edits keep the surface a manifold with the same components, handles and boundary loops, with three or more corners
 /// per face and one edge at most between two vertices. An edit that would break this is refused: the error
 /// invalid_value with the reason, and nothing has changed. Handles that are not in use are errors, too. Geometry is not
-/// looked at. The caller owns the object; one thread uses it at a time.
+/// looked at. The caller owns the object; one thread uses it at a time. One that was moved from may be assigned to and
+/// destroyed, nothing else.
 class MeshEditor {
  public:
   /// Errors: invalid_value, with the reason, if the mesh is not a manifold. Cost: linear.

@@ -170,18 +170,40 @@ class Mesh : public HalfedgeStructure<Layout, SharedArrays> {
   const EdgeNumbers* edge_numbers_ = nullptr;                    // of the content
 };
 
+/// The points of a new mesh: a range such as std::span or std::array, which is copied, or a vector that is handed over
+/// by std::move, whose memory the mesh keeps. A range must live until the call ends.
+class GivenPoints {
+ public:
+  GivenPoints() = default;  ///< none
+  template <std::convertible_to<std::span<const Vec3>> Range>
+  GivenPoints(const Range& points) : points_(points) {}
+  GivenPoints(std::vector<Vec3>&& points) : owned_(std::move(points)), points_(owned_) {}
+  GivenPoints(const GivenPoints&) = delete;
+  GivenPoints& operator=(const GivenPoints&) = delete;
+  ~GivenPoints() = default;
+
+  std::span<const Vec3> span() const { return points_; }
+  /// The points as a vector, once. Cost: constant if they were handed over, else a copy.
+  std::vector<Vec3> take() {
+    return owned_.empty() ? std::vector<Vec3>(points_.begin(), points_.end()) : std::move(owned_);
+  }
+
+ private:
+  std::vector<Vec3> owned_;
+  std::span<const Vec3> points_;
+};
+
 /// A mesh of triangles as directed edges: half-edge 3f + i leaves corner i of face f. Source: [campagna1998].
 class TriangleMesh : public Mesh<TriangleMesh, TriangleLayout> {
  public:
   TriangleMesh() = default;  ///< the empty mesh
 
   /// A mesh of points and triangles, numbered in their order; nothing is welded, and points that no triangle uses are
-  /// isolated vertices. The arrays are copied. Errors: invalid_value for coordinates that are not finite, for numbers
-  /// of points that are not there, and for a number of corners that is not a multiple of 3; limit_exceeded beyond some
-  /// 700 million triangles. Cost: linear expected.
-  static Result<TriangleMesh> of_triangles(std::span<const Vec3> points,
-                                           std::span<const std::array<std::uint32_t, 3>> triangles);
-  static Result<TriangleMesh> of_corners(std::span<const Vec3> points, std::span<const std::uint32_t> corners);
+  /// isolated vertices. The arrays are copied, but for points that are handed over. Errors: invalid_value for
+  /// coordinates that are not finite, for numbers of points that are not there, and for a number of corners that is not
+  /// a multiple of 3; limit_exceeded beyond some 700 million triangles. Cost: linear expected.
+  static Result<TriangleMesh> of_triangles(GivenPoints points, std::span<const std::array<std::uint32_t, 3>> triangles);
+  static Result<TriangleMesh> of_corners(GivenPoints points, std::span<const std::uint32_t> corners);
 
   std::array<std::uint32_t, 3> triangle(FaceId f) const {
     const std::uint32_t* const first = corners().data() + halfedge(f).index();
@@ -200,15 +222,14 @@ class PolygonMesh : public Mesh<PolygonMesh, SharedPolygonLayout> {
   explicit PolygonMesh(const TriangleMesh& triangles);
 
   /// A mesh of points and faces, numbered in their order: the corners of all faces one after the other, and how many
-  /// each face has. Nothing is welded, and points that no face uses are isolated vertices. The arrays are copied.
-  /// Errors: invalid_value for coordinates that are not finite, for numbers of points that are not there, for degrees
-  /// below 3 and for those whose sum is not the number of corners; limit_exceeded beyond some 2 billion corners. Cost:
-  /// linear expected.
-  static Result<PolygonMesh> of_faces(std::span<const Vec3> points, std::span<const std::uint32_t> corners,
+  /// each face has. Nothing is welded, and points that no face uses are isolated vertices. The arrays are copied, but
+  /// for points that are handed over. Errors: invalid_value for coordinates that are not finite, for numbers of points
+  /// that are not there, for degrees below 3 and for those whose sum is not the number of corners; limit_exceeded
+  /// beyond some 2 billion corners. Cost: linear expected.
+  static Result<PolygonMesh> of_faces(GivenPoints points, std::span<const std::uint32_t> corners,
                                       std::span<const std::uint32_t> degrees);
   /// The same for faces of one degree.
-  static Result<PolygonMesh> of_faces(std::span<const Vec3> points, std::span<const std::uint32_t> corners,
-                                      std::uint32_t degree);
+  static Result<PolygonMesh> of_faces(GivenPoints points, std::span<const std::uint32_t> corners, std::uint32_t degree);
 };
 
 extern template class Mesh<TriangleMesh, TriangleLayout>;

@@ -13,11 +13,22 @@ namespace algebra3d::mesh {
 
 /// The mesh after some steps of a subdivision scheme: "catmull-clark" and "doo-sabin" for any faces, "loop",
 /// "butterfly", "modified-butterfly" and "sqrt3" for triangles. Rules at boundaries, numbers of the new elements and
-/// values of attributes are those of the operator `subdivide`. Coordinates are rounded to doubles first. Errors:
-/// unknown_name for another scheme; invalid_value for meshes that the scheme cannot take, such as non-manifold ones;
+/// values of attributes are those of the operator `subdivide` (docs/halfedge.md, Subdivision): Catmull-Clark and Loop
+/// honour the attributes `Crease` of edges and `Corner` of vertices. `variant`: a name of the scheme's own; Doo-Sabin
+/// has "mean", which is the default, "doo" and "open". Coordinates are rounded to doubles first. Errors: unknown_name
+/// for another scheme or variant; invalid_value for meshes that the scheme cannot take, such as non-manifold ones;
 /// limit_exceeded; interrupted. Cost: linear in the result, on all processors.
 template <AnyMesh M>
-Result<PolygonMesh> subdivided(const M& mesh, std::string_view scheme, std::size_t steps, const Monitor& monitor = {});
+Result<PolygonMesh> subdivided(const M& mesh, std::string_view scheme, std::size_t steps, std::string_view variant = {},
+                               const Monitor& monitor = {});
+
+/// The mesh with its vertices where steps of the scheme without end move them: on the limit surface, and at the
+/// boundary on the limit curve. For "catmull-clark", "loop" and "doo-sabin", but not its variant "open"; Doo-Sabin
+/// makes a face of a vertex, whose corners have one limit. Errors: also invalid_value for other schemes and variants.
+/// Cost: linear. Sources: [halstead1993], [loop1987].
+template <AnyMesh M>
+Result<PolygonMesh> limit_mesh(const M& mesh, std::string_view scheme, std::string_view variant = {},
+                               const Monitor& monitor = {});
 
 /// When a simplification ends, and what it keeps.
 struct SimplificationGoal {

@@ -46,6 +46,17 @@ TEST(Mesh, points_and_corners_are_shown_without_a_copy) {
   EXPECT_EQ(mesh.triangle(FaceId(1)), (std::array<std::uint32_t, 3>{0, 2, 3}));
 }
 
+TEST(Mesh, points_that_are_handed_over_are_not_copied) {
+  std::vector<Vec3> points = kSquarePoints;
+  const Vec3* const data = points.data();
+  const std::vector<std::uint32_t> corners{0, 1, 2, 3};
+  const PolygonMesh mesh = *PolygonMesh::of_faces(std::move(points), corners, 4);
+  EXPECT_EQ(mesh.points().data(), data);
+  EXPECT_TRUE(std::ranges::equal(mesh.points(), kSquarePoints));
+  expect_error(TriangleMesh::of_corners(std::vector<Vec3>(kSquarePoints), std::vector<std::uint32_t>{0, 1, 9}),
+               ErrorCode::invalid_value, "corner 2: there is no point 9; there are 4, numbered from 0");
+}
+
 TEST(Mesh, arrays_live_as_long_as_the_last_copy) {
   TriangleMesh kept;
   {

@@ -114,6 +114,21 @@ TEST(MeshSubdivision, a_cube_becomes_quadrilaterals_and_keeps_its_attributes) {
   EXPECT_EQ(subdivided(triangles, "loop", 1)->face_count(), 4 * triangles.face_count());
 }
 
+TEST(MeshSubdivision, variants_and_limits_have_the_names_of_the_scheme) {
+  const PolygonMesh cube = unit_cube();
+  EXPECT_NE(subdivided(cube, "doo-sabin", 1, "doo")->points()[0],
+            subdivided(cube, "doo-sabin", 1, "mean")->points()[0]);
+  EXPECT_EQ(subdivided(cube, "doo-sabin", 1)->points()[0], subdivided(cube, "doo-sabin", 1, "mean")->points()[0]);
+  EXPECT_EQ(subdivided(cube, "doo-sabin", 1, "loop").error().code, ErrorCode::unknown_name);
+  EXPECT_EQ(subdivided(cube, "catmull-clark", 1, "doo").error().code, ErrorCode::unknown_name);
+
+  const PolygonMesh limit = *limit_mesh(cube, "catmull-clark");
+  const PolygonMesh fine = *subdivided(cube, "catmull-clark", 6);
+  for (const VertexId v : vertices(cube)) EXPECT_LT(length(fine.point(v) - limit.point(v)), 1e-3);
+  EXPECT_EQ(limit_mesh(cube, "butterfly").error().code, ErrorCode::invalid_value);
+  EXPECT_EQ(limit_mesh(cube, "doo-sabin", "open").error().code, ErrorCode::invalid_value);
+}
+
 TEST(MeshSimplification, a_grid_becomes_two_triangles_and_keeps_its_groups) {
   const TriangleMesh grid = lists::triangles_of(lists::grid(8, 8, true), lists::grid_points(8, 8));
   const TriangleMesh grouped =
@@ -127,7 +142,7 @@ TEST(MeshSimplification, a_grid_becomes_two_triangles_and_keeps_its_groups) {
 TEST(MeshOperations, cancelled_work_ends_with_an_error) {
   const std::atomic<bool> cancel = true;
   const PolygonMesh torus = lists::polygons_of(lists::torus(40, 40, false), lists::torus_points(40, 40));
-  EXPECT_EQ(subdivided(torus, "catmull-clark", 2, &cancel).error().code, ErrorCode::interrupted);
+  EXPECT_EQ(subdivided(torus, "catmull-clark", 2, {}, &cancel).error().code, ErrorCode::interrupted);
   EXPECT_EQ(dual(torus, &cancel).error().code, ErrorCode::interrupted);
   EXPECT_EQ(simplified(*triangulated(torus), {.triangles = 10}, &cancel).error().code, ErrorCode::interrupted);
   EXPECT_EQ(solid_of(torus, &cancel).error().code, ErrorCode::interrupted);

@@ -84,14 +84,13 @@ TEST(geometry_text, well_formed_lists_that_are_not_valid_are_undefined_with_a_re
   ASSERT_TRUE(open.value.ok());
   EXPECT_FALSE(open.value->is_defined());
   ASSERT_EQ(open.diagnostics.size(), 1U);
-  EXPECT_TRUE(open.diagnostics[0].text.starts_with("volume3d: no valid solid: 3 boundary edges"))
-      << open.diagnostics[0].text;
+  EXPECT_TRUE(open.diagnostics[0].text.starts_with("no valid solid: 3 boundary edges")) << open.diagnostics[0].text;
 
   const Reading degenerate = reading_of(surface(), "(((0 0 0) (1 0 0) (2 0 0)))");
   ASSERT_TRUE(degenerate.value.ok());
   EXPECT_FALSE(degenerate.value->is_defined());
   ASSERT_EQ(degenerate.diagnostics.size(), 1U);
-  EXPECT_TRUE(degenerate.diagnostics[0].text.starts_with("surface3d: no valid surface: 1 degenerate triangle"))
+  EXPECT_TRUE(degenerate.diagnostics[0].text.starts_with("no valid surface: 1 degenerate triangle"))
       << degenerate.diagnostics[0].text;
 }
 
