@@ -45,16 +45,17 @@ std::size_t non_negative(std::int64_t bytes) {
 struct Exceeded {
   std::size_t limit = 0;
   bool is_of_process = false;
+  const char* setting = "";
 };
 Exceeded exceeded(std::size_t bytes) noexcept {
   const MemoryUser* const user = tally.user;
   const std::size_t users = user != nullptr ? user->used() : 0;
   if (user != nullptr && users + bytes > std::max(user->limit(), MemoryUser::kLeastLimit))
-    return {user->limit(), false};
+    return {user->limit(), false, user->setting()};
   const std::size_t limit = process_limit.load(std::memory_order_relaxed);
   const std::size_t reserve = process_reserve.load(std::memory_order_relaxed);
   const bool takes_reserve = user == nullptr || users + bytes <= reserve / 8;
-  if (ProcessMemory::used() + bytes > (takes_reserve ? limit : limit - reserve)) return {limit, true};
+  if (ProcessMemory::used() + bytes > (takes_reserve ? limit : limit - reserve)) return {limit, true, ""};
   return {};
 }
 
@@ -91,7 +92,10 @@ void charge_slowly(std::size_t bytes) {
   settle_at_end_of_thread();
   if (!has_reserve_again() && !is_to_be_granted(bytes)) throw std::bad_alloc();
   const Exceeded limit = exceeded(bytes);
-  if (limit.limit != 0 && !is_to_be_granted(bytes)) throw MemoryLimitReached(limit.limit, limit.is_of_process);
+  if (limit.limit != 0 && !is_to_be_granted(bytes)) {
+    if (tally.user != nullptr) tally.user->note_refusal();
+    throw MemoryLimitReached(limit.limit, limit.is_of_process, limit.setting);
+  }
   tally.pending += static_cast<std::int64_t>(bytes);
   settle();
 }
@@ -102,9 +106,11 @@ std::string megabytes(std::uint64_t bytes) {
   return fmt::format("{} MB", (bytes + kMegabyte - 1) / kMegabyte);
 }
 
-std::string limit_text(std::size_t limit, bool is_of_process) {
-  return is_of_process ? fmt::format("the memory limit of {} for all sessions together (--memory)", megabytes(limit))
-                       : fmt::format("the memory limit of {} (`set \"memory\"` or --memory)", megabytes(limit));
+std::string limit_text(std::size_t limit, bool is_of_process, std::string_view setting) {
+  if (is_of_process)
+    return fmt::format("the memory limit of {} for all sessions together (--memory)", megabytes(limit));
+  if (setting.empty()) return fmt::format("the memory limit of {}", megabytes(limit));
+  return fmt::format("the memory limit of {} ({})", megabytes(limit), setting);
 }
 
 }  // namespace
@@ -113,7 +119,7 @@ Error memory_error(const std::bad_alloc& failure) {
   const auto* const reached = dynamic_cast<const MemoryLimitReached*>(&failure);
   if (reached == nullptr) return {ErrorCode::out_of_memory, "memory is exhausted"};
   return {ErrorCode::limit_exceeded, "more memory is needed than {} allows; split the work or raise the limit",
-          limit_text(reached->limit(), reached->is_of_process())};
+          limit_text(reached->limit(), reached->is_of_process(), reached->setting())};
 }
 
 std::size_t MemoryUser::used() const {
@@ -206,14 +212,16 @@ std::size_t memory_left() {
 Status require_memory(std::uint64_t bytes, std::string_view what) {
   const std::size_t left = memory_left();
   if (bytes <= left) return {};
-  const MemoryUser* const user = tally.user;
+  MemoryUser* const user = tally.user;
   const bool is_of_process = user == nullptr || user->limit() > ProcessMemory::limit();
-  return Error{ErrorCode::limit_exceeded,
-               "{} would take about {}, and {} are left of {}; raise it, or ask for less",
-               what,
-               megabytes(bytes),
-               megabytes(left),
-               limit_text(is_of_process ? ProcessMemory::limit() : user->limit(), is_of_process)};
+  if (user != nullptr) user->note_refusal();
+  return Error{
+      ErrorCode::limit_exceeded,
+      "{} would take about {}, and {} are left of {}; raise it, or ask for less",
+      what,
+      megabytes(bytes),
+      megabytes(left),
+      is_of_process ? limit_text(ProcessMemory::limit(), true, "") : limit_text(user->limit(), false, user->setting())};
 }
 
 }  // namespace algebra3d

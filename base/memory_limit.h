@@ -13,15 +13,18 @@ namespace algebra3d {
 /// Thrown by an allocation that would exceed a memory limit. Caught where std::bad_alloc is.
 class MemoryLimitReached final : public std::bad_alloc {
  public:
-  /// `limit` in bytes; `is_of_process`: of all sessions together.
-  MemoryLimitReached(std::size_t limit, bool is_of_process) : limit_(limit), is_of_process_(is_of_process) {}
+  /// `limit` in bytes; `is_of_process`: of all sessions together; else `setting` is that of the user (MemoryUser).
+  MemoryLimitReached(std::size_t limit, bool is_of_process, const char* setting)
+      : limit_(limit), is_of_process_(is_of_process), setting_(setting) {}
   const char* what() const noexcept override { return "the memory limit is reached"; }
   std::size_t limit() const { return limit_; }
   bool is_of_process() const { return is_of_process_; }
+  const char* setting() const { return setting_; }
 
  private:
   std::size_t limit_;
   bool is_of_process_;
+  const char* setting_;
 };
 
 /// The error of a failed allocation: limit_exceeded with limit and remedy, or out_of_memory.
@@ -36,7 +39,9 @@ class MemoryUser {
   /// A limit below this is one of the operators that can go on in temporary files; others are stopped here.
   static constexpr std::size_t kLeastLimit = std::size_t{16} << 20U;
 
-  explicit MemoryUser(std::size_t limit = kNoLimit) : limit_(limit) {}
+  /// `setting`: how people change the limit, for messages; a literal, empty if the host says it.
+  explicit MemoryUser(std::size_t limit = kNoLimit, const char* setting = "`set \"memory\"` or --memory")
+      : limit_(limit), setting_(setting) {}
   MemoryUser(const MemoryUser&) = delete;
   MemoryUser& operator=(const MemoryUser&) = delete;
   ~MemoryUser() = default;
@@ -45,13 +50,21 @@ class MemoryUser {
   std::size_t limit() const { return limit_.load(std::memory_order_relaxed); }
   void set_limit(std::size_t limit) { limit_ = limit; }
   std::size_t used() const;
+  const char* setting() const { return setting_; }
   void add(std::int64_t bytes) { used_.fetch_add(bytes, std::memory_order_relaxed); }
+  /// Replaces the count by what is known better.
+  void set_used(std::size_t bytes) { used_.store(static_cast<std::int64_t>(bytes), std::memory_order_relaxed); }
+  /// How often this limit refused memory.
+  std::size_t refusals() const { return refusals_.load(std::memory_order_relaxed); }
+  void note_refusal() { refusals_.fetch_add(1, std::memory_order_relaxed); }
   /// The user of this thread; null if there is none.
   static MemoryUser* current();
 
  private:
   std::atomic<std::size_t> limit_;
   std::atomic<std::int64_t> used_ = 0;
+  std::atomic<std::size_t> refusals_ = 0;
+  const char* setting_;
 };
 
 /// Makes a user the current one of this thread, until the end of the scope. The tasks of `scheduler.h` take over that
@@ -67,8 +80,9 @@ class MemoryUserScope {
   MemoryUser* before_;
 };
 
-/// The heap of the process as its allocation functions count it, and its limit. Only programs that replace `operator
-/// new` (queries/heap.cpp) count; elsewhere all numbers are 0. Each thread keeps up to kBatch bytes uncounted.
+/// The heap of the process as its allocation functions count it, and its limit. Only programs and modules that replace
+/// `operator new` (queries/heap.cpp) count; elsewhere all numbers are 0. Each thread keeps up to kBatch bytes
+/// uncounted.
 class ProcessMemory {
  public:
   static constexpr std::int64_t kBatch = std::int64_t{64} << 10U;

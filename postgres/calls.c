@@ -129,6 +129,9 @@ typedef struct State {
   a3d_session* session;
   a3d_value* value;
   a3d_value* result;
+  size_t held; /* bytes of the values that the run holds, about */
+  void* room;  /* stands for them */
+  size_t room_size;
 } State;
 
 static void close_aggregate(void* aggregate) {
@@ -140,28 +143,62 @@ static a3d_status finish(void* given) {
   return a3d_finish(s->session, s->aggregate, &s->result);
 }
 
-Datum step_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key) {
-  MemoryContext memory, before;
-  State* state;
+/* The memory of a running aggregate. */
+static MemoryContext memory_of_aggregate(FunctionCallInfo fcinfo) {
+  MemoryContext memory;
   if (!AggCheckCallContext(fcinfo, &memory))
-    ereport(ERROR, errcode(ERRCODE_FEATURE_NOT_SUPPORTED), errmsg("%s is called outside of an aggregate", key->name));
-  state = PG_ARGISNULL(0) ? NULL : (State*)PG_GETARG_POINTER(0);
-  if (state == NULL) {
-    MemoryContextCallback* closing;
-    before = MemoryContextSwitchTo(memory);
-    state = palloc0(sizeof *state);
-    closing = palloc0(sizeof *closing);
-    MemoryContextSwitchTo(before);
-    state->session = backend_session();
-    check_status(a3d_find(state->session, key->name, key->types, 1, &state->function));
-    check_status(a3d_open_aggregate(state->session, state->function, &state->aggregate));
-    closing->func = close_aggregate;
-    closing->arg = state->aggregate;
-    MemoryContextRegisterResetCallback(memory, closing);
-  }
+    ereport(ERROR, errcode(ERRCODE_FEATURE_NOT_SUPPORTED),
+            errmsg("a function of an aggregate was called outside of one"));
+  return memory;
+}
+
+/* A state without a run, and the callback that will close its run. */
+static State* new_state(MemoryContext memory, MemoryContextCallback** closing) {
+  State* state = MemoryContextAllocZero(memory, sizeof *state);
+  *closing = MemoryContextAllocZero(memory, sizeof **closing);
+  (*closing)->func = close_aggregate;
+  state->session = backend_session();
+  return state;
+}
+
+static void owns_run(MemoryContext memory, State* state, MemoryContextCallback* closing) {
+  closing->arg = state->aggregate;
+  MemoryContextRegisterResetCallback(memory, closing);
+}
+
+static State* opened_state(MemoryContext memory, const a3d_function* function) {
+  MemoryContextCallback* closing;
+  State* state = new_state(memory, &closing);
+  state->function = function;
+  check_status(a3d_open_aggregate(state->session, function, &state->aggregate));
+  owns_run(memory, state, closing);
+  return state;
+}
+
+#define BYTES_OF_ELEMENT 64
+#define BYTES_OF_VALUE 512
+
+/* HashAggregate goes on in temporary files when its memory context has grown enough. What the library holds is not in
+ * there, so room for it, which is never touched, stands for it. */
+static void account_for(State* state, MemoryContext memory, const a3d_value* value) {
+  a3d_header header;
+  if (state->function->keeps_values == 0) return;
+  if (a3d_header_of(state->session, value, &header) != A3D_OK) return;
+  state->held += BYTES_OF_VALUE + BYTES_OF_ELEMENT * (size_t)header.count;
+  if (state->held <= state->room_size) return;
+  state->room_size = Max(state->held, 2 * state->room_size);
+  state->room = state->room == NULL ? MemoryContextAllocHuge(memory, state->room_size)
+                                    : repalloc_huge(state->room, state->room_size);
+}
+
+Datum step_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key) {
+  MemoryContext memory = memory_of_aggregate(fcinfo);
+  State* state = PG_ARGISNULL(0) ? NULL : (State*)PG_GETARG_POINTER(0);
+  if (state == NULL) state = opened_state(memory, function_of(fcinfo, key));
   if (!PG_ARGISNULL(1)) {
     a3d_value* value = value_of_datum(PG_GETARG_DATUM(1), key->types[0]);
     check_status(a3d_step(backend_session(), state->aggregate, value));
+    account_for(state, memory, value);
   }
   PG_RETURN_POINTER(state);
 }
@@ -177,4 +214,64 @@ Datum algebra3d_finish_aggregate(PG_FUNCTION_ARGS) {
   show_notices();
   if (!a3d_is_defined(state->result)) PG_RETURN_NULL();
   return datum_of_value(state->result);
+}
+
+/* ---- Aggregates in parts: parallel workers send what they have to the leader ---- */
+
+PG_FUNCTION_INFO_V1(algebra3d_combine_aggregates);
+Datum algebra3d_combine_aggregates(PG_FUNCTION_ARGS);
+Datum algebra3d_combine_aggregates(PG_FUNCTION_ARGS) {
+  MemoryContext memory = memory_of_aggregate(fcinfo);
+  State* state = PG_ARGISNULL(0) ? NULL : (State*)PG_GETARG_POINTER(0);
+  State* later = PG_ARGISNULL(1) ? NULL : (State*)PG_GETARG_POINTER(1);
+  if (later == NULL) {
+    if (state == NULL) PG_RETURN_NULL();
+    PG_RETURN_POINTER(state);
+  }
+  if (state == NULL) state = opened_state(memory, later->function);
+  check_status(a3d_combine(backend_session(), state->aggregate, later->aggregate));
+  PG_RETURN_POINTER(state);
+}
+
+typedef struct Saving {
+  State* state;
+  a3d_bytes bytes;
+} Saving;
+
+static a3d_status save(void* given) {
+  Saving* s = given;
+  return a3d_save_aggregate(s->state->session, s->state->aggregate, &s->bytes);
+}
+
+PG_FUNCTION_INFO_V1(algebra3d_save_aggregate);
+Datum algebra3d_save_aggregate(PG_FUNCTION_ARGS);
+Datum algebra3d_save_aggregate(PG_FUNCTION_ARGS) {
+  Saving saving = {(State*)PG_GETARG_POINTER(0), {0}};
+  memory_of_aggregate(fcinfo);
+  saving.state->session = backend_session();
+  check_status(run_aside(save, &saving));
+  return varlena_of_bytes(&saving.bytes);
+}
+
+typedef struct Restoring {
+  State* state;
+  const char* bytes;
+  size_t size;
+} Restoring;
+
+static a3d_status restore(void* given) {
+  Restoring* r = given;
+  return a3d_restore_aggregate(r->state->session, r->state->function, r->bytes, r->size, &r->state->aggregate);
+}
+
+Datum restore_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key) {
+  MemoryContext memory = memory_of_aggregate(fcinfo);
+  MemoryContextCallback* closing;
+  struct varlena* bytes = PG_GETARG_VARLENA_PP(0);
+  State* state = new_state(memory, &closing);
+  Restoring restoring = {state, VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes)};
+  state->function = function_of(fcinfo, key);
+  check_status(run_aside(restore, &restoring));
+  owns_run(memory, state, closing);
+  PG_RETURN_POINTER(state);
 }

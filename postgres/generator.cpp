@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <initializer_list>
 #include <iostream>
 #include <map>
 #include <string>
@@ -23,6 +24,29 @@ std::string key_of(const SqlFunction& sql) {
   return key + "}}";
 }
 
+/// Types with a box, for `&&`.
+constexpr std::array<std::string_view, 6> kTypesWithBoxes = {"point3d",   "points3d", "rect3",
+                                                             "surface3d", "volume3d", "mesh3d"};
+/// Types with vertices and faces, and the functions that give these as arrays.
+constexpr std::array<std::string_view, 3> kMeshTypes = {"mesh3d", "surface3d", "volume3d"};
+constexpr std::array<std::string_view, 3> kArrays = {"vertex_array", "face_array", "degree_array"};
+
+std::string array_symbol(std::string_view array, std::string_view type) {
+  return "algebra3d_" + std::string(array) + "_" + std::string(type);
+}
+
+std::string boxes_symbol(std::string_view a, std::string_view b) {
+  return "algebra3d_boxes_meet_" + std::string(a) + "_" + std::string(b);
+}
+
+/// A C function that calls another one with names of types.
+void write_call(std::ostream& out, const std::string& symbol, std::string_view call,
+                std::initializer_list<std::string_view> types) {
+  out << "DECLARED(" << symbol << ");\nDatum " << symbol << "(PG_FUNCTION_ARGS) {\n  return " << call << "(fcinfo";
+  for (const std::string_view type : types) out << ", \"" << type << '"';
+  out << ");\n}\n";
+}
+
 void write_c(std::ostream& out, const std::vector<SqlFunction>& functions) {
   out << "/* Written by algebra3d_postgres_generator; do not edit. */\n#include \"module.h\"\n\n"
          "#define DECLARED(symbol)       \\\n  PG_FUNCTION_INFO_V1(symbol);  \\\n  Datum symbol(PG_FUNCTION_ARGS)\n\n";
@@ -40,12 +64,17 @@ void write_c(std::ostream& out, const std::vector<SqlFunction>& functions) {
                                                                        {"gt", "compare_greater"},
                                                                        {"ge", "compare_not_less"},
                                                                        {"as_text", "text_of_value"}}) {
-      const std::string symbol = "algebra3d_" + std::string(type) + "_" + name;
-      out << "DECLARED(" << symbol << ");\nDatum " << symbol << "(PG_FUNCTION_ARGS) {\n  return " << call
-          << "(fcinfo, \"" << type << "\");\n}\n";
+      write_call(out, "algebra3d_" + std::string(type) + "_" + name, call, {type});
     }
   }
+  for (const std::string_view type : kMeshTypes)
+    for (const std::string_view array : kArrays) write_call(out, array_symbol(array, type), array, {type});
+  for (const std::string_view a : kTypesWithBoxes)
+    for (const std::string_view b : kTypesWithBoxes) write_call(out, boxes_symbol(a, b), "boxes_meet", {a, b});
   for (const SqlFunction& sql : functions) {
+    if (sql.function->has_parts != 0)
+      out << "DECLARED(" << sql.symbol << "_restore);\nDatum " << sql.symbol << "_restore(PG_FUNCTION_ARGS) {\n"
+          << "  static const FunctionKey key = " << key_of(sql) << ";\n  return restore_aggregate(fcinfo, &key);\n}\n";
     const char* const call = sql.function->kind == A3D_TABLE       ? "call_table"
                              : sql.function->kind == A3D_AGGREGATE ? "step_aggregate"
                                                                    : "call_scalar";
@@ -108,6 +137,11 @@ void write_function(std::ostream& out, const SqlFunction& sql, std::string_view 
     is_strict = is_strict && function.parameters[p].accepts_undefined == 0;
   if (function.kind == A3D_AGGREGATE) {
     const std::string step = std::string(function.name) + "_step(internal, " + sql.sql_types[0] + ")";
+    const bool has_parts = function.has_parts != 0;
+    const std::string restore = std::string(function.name) + "_restore_" + sql.sql_types[0];
+    if (has_parts)
+      out << "CREATE FUNCTION " << restore << "(bytea, internal) RETURNS internal AS 'MODULE_PATHNAME', '" << sql.symbol
+          << "_restore' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;\n";
     out << "CREATE FUNCTION " << step << " RETURNS internal AS 'MODULE_PATHNAME', '" << sql.symbol
         << "' LANGUAGE C IMMUTABLE PARALLEL SAFE;\n"
         << "CREATE FUNCTION " << function.name << "_finish(internal, " << sql.sql_types[0] << ") RETURNS "
@@ -115,7 +149,11 @@ void write_function(std::ostream& out, const SqlFunction& sql, std::string_view 
         << " AS 'MODULE_PATHNAME', 'algebra3d_finish_aggregate' LANGUAGE C IMMUTABLE PARALLEL SAFE;\n"
         << "CREATE AGGREGATE " << sql.signature() << " (SFUNC = " << function.name
         << "_step, STYPE = internal, FINALFUNC = " << function.name
-        << "_finish, FINALFUNC_EXTRA, FINALFUNC_MODIFY = READ_WRITE, PARALLEL = SAFE);\n";
+        << "_finish, FINALFUNC_EXTRA, FINALFUNC_MODIFY = READ_WRITE"
+        << (has_parts ? ", COMBINEFUNC = combine_aggregates, SERIALFUNC = save_aggregate, DESERIALFUNC = " + restore
+                      : "")
+        << (function.keeps_values != 0 ? ", SSPACE = 16384" : "")
+        << ", PARALLEL = " << (has_parts ? "SAFE" : "RESTRICTED") << ");\n";
     out << "COMMENT ON AGGREGATE " << sql.signature() << " IS " << quoted(function.doc) << ";\n";
     return;
   }
@@ -176,26 +214,77 @@ void write_operators(std::ostream& out, const std::vector<SqlFunction>& function
           << ", RIGHTARG = " << sql.sql_types[1] << ", FUNCTION = " << symbol.function
           << (symbol.options.empty() ? "" : ", ") << symbol.options << ");\n";
     }
-  constexpr std::array<std::string_view, 6> kWithBoxes = {"point3d",   "points3d", "rect3",
-                                                          "surface3d", "volume3d", "mesh3d"};
-  for (const std::string_view a : kWithBoxes)
-    for (const std::string_view b : kWithBoxes)
-      out << "CREATE FUNCTION boxes_meet(" << a << ", " << b
-          << ") RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet' LANGUAGE C IMMUTABLE STRICT PARALLEL "
-             "SAFE;\n"
+  for (const std::string_view a : kTypesWithBoxes)
+    for (const std::string_view b : kTypesWithBoxes)
+      out << "CREATE FUNCTION boxes_meet(" << a << ", " << b << ") RETURNS boolean AS 'MODULE_PATHNAME', '"
+          << boxes_symbol(a, b) << "' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;\n"
           << "CREATE OPERATOR && (LEFTARG = " << a << ", RIGHTARG = " << b
           << ", FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);\n";
+}
+
+/// What is not a function of the registry.
+void write_beginning(std::ostream& out) {
+  out << "CREATE FUNCTION combine_aggregates(internal, internal) RETURNS internal AS 'MODULE_PATHNAME', "
+         "'algebra3d_combine_aggregates' LANGUAGE C IMMUTABLE PARALLEL SAFE;\n"
+         "CREATE FUNCTION save_aggregate(internal) RETURNS bytea AS 'MODULE_PATHNAME', 'algebra3d_save_aggregate' "
+         "LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;\n"
+         "CREATE FUNCTION algebra3d_statistics(OUT decoded bigint, OUT found bigint, OUT memory bigint) AS "
+         "'MODULE_PATHNAME', 'algebra3d_statistics' LANGUAGE C VOLATILE PARALLEL RESTRICTED;\n"
+         "COMMENT ON FUNCTION algebra3d_statistics() IS 'Of this backend: stored values that it has decoded, that it "
+         "has "
+         "found decoded, and the bytes of memory that the library holds.';\n\n";
+}
+
+/// Meshes as arrays, and the types of solids, surfaces and meshes as each other.
+void write_meshes(std::ostream& out) {
+  const std::string how =
+      " RETURNS mesh3d AS 'MODULE_PATHNAME', 'algebra3d_mesh_of_arrays' LANGUAGE C IMMUTABLE STRICT "
+      "PARALLEL SAFE COST 100;\n";
+  out << "CREATE FUNCTION mesh3d(vertices float8[], faces integer[])" << how
+      << "COMMENT ON FUNCTION mesh3d(float8[], integer[]) IS 'A mesh of triangles: three coordinates for each vertex, "
+         "and "
+         "three numbers of vertices, from 0, for each face; as rows of 3 or one after the other.';\n"
+      << "CREATE FUNCTION mesh3d(vertices float8[], faces integer[], degrees integer[])" << how
+      << "COMMENT ON FUNCTION mesh3d(float8[], integer[], integer[]) IS 'A mesh of polygons: the corners of all faces "
+         "one "
+         "after the other, and how many each face has.';\n";
+  const std::map<std::string_view, std::array<std::string_view, 2>> arrays = {
+      {"vertex_array", {"float8[]", "The vertices, in rows of three coordinates, which are rounded to doubles."}},
+      {"face_array",
+       {"integer[]",
+        "The corners of the faces as numbers of vertices, from 0: rows of 3 if all faces are triangles, "
+        "else one after the other, to be read with degree_array."}},
+      {"degree_array", {"integer[]", "The number of corners of each face."}}};
+  for (const std::string_view type : kMeshTypes)
+    for (const auto& [name, result] : arrays)
+      out << "CREATE FUNCTION " << name << "(" << type << ") RETURNS " << result[0] << " AS 'MODULE_PATHNAME', '"
+          << array_symbol(name, type) << "' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE COST 100;\n"
+          << "COMMENT ON FUNCTION " << name << "(" << type << ") IS '" << result[1] << "';\n";
+  out << "CREATE FUNCTION volume_to_surface(solid volume3d) RETURNS surface3d LANGUAGE SQL IMMUTABLE STRICT PARALLEL "
+         "SAFE "
+         "COST 1000 RETURN mesh_to_surface(volume_to_mesh(solid));\n"
+         "COMMENT ON FUNCTION volume_to_surface(volume3d) IS 'The boundary of a solid.';\n"
+         "CREATE FUNCTION surface_to_volume(surface surface3d) RETURNS volume3d LANGUAGE SQL IMMUTABLE STRICT PARALLEL "
+         "SAFE COST 1000 RETURN mesh_to_volume(surface_to_mesh(surface));\n"
+         "COMMENT ON FUNCTION surface_to_volume(surface3d) IS 'The solid that a surface bounds.';\n";
+  for (const auto& [from, to] : std::map<std::string_view, std::array<std::string_view, 2>>{
+           {"mesh", {"surface", "volume"}}, {"surface", {"mesh", "volume"}}, {"volume", {"mesh", "surface"}}})
+    for (const std::string_view target : to)
+      out << "CREATE CAST (" << from << "3d AS " << target << "3d) WITH FUNCTION " << from << "_to_" << target << "("
+          << from << "3d);\n";
 }
 
 void write_sql(std::ostream& out, const std::vector<SqlFunction>& functions) {
   out << "-- Written by algebra3d_postgres_generator; do not edit.\n"
          "\\echo Use \"CREATE EXTENSION algebra3d\" to load this file. \\quit\n\n";
+  write_beginning(out);
   for (const std::string_view type : kTypes) write_type(out, type);
   for (const SqlFunction& sql : functions) {
     write_function(out, sql, sql.function->name);
     if (const std::string_view name = constructor_of(sql.function->name); !name.empty()) write_function(out, sql, name);
   }
   write_operators(out, functions);
+  write_meshes(out);
 }
 
 }  // namespace

@@ -17,10 +17,17 @@
 /* The session of this backend, made at its first use. Its notices are shown by show_notices. */
 a3d_session* backend_session(void);
 
+/* The most memory of the session, in bytes. */
+uint64 memory_limit(void);
+/* Sets the session's count of memory right. */
+void count_heap(void);
+
 /* ereport(ERROR) with the last error of the session, unless the status is A3D_OK or A3D_END. */
 void check_status(a3d_status status);
 /* The same for bytes that come from a client, as an error of the given SQL state. */
 void check_given(a3d_status status, int sql_state);
+/* The same for arguments of a function, whose invalid values are errors 22023. */
+void check_arguments(a3d_status status);
 
 /* The notices of the session as NOTICEs, as many as algebra3d.notices allows in a statement. */
 void show_notices(void);
@@ -33,10 +40,26 @@ a3d_value* owned_value(a3d_value* value);
  */
 a3d_status run_aside(a3d_status (*work)(void*), void* argument);
 
+/* Whether values of a type are stored as the body of the binary form alone: they are small, and have no header. */
+bool is_stored_short(const char* type);
+/* The value that stored bytes have, which are trusted. Owned by the current memory context. */
+a3d_value* value_of_bytes(const char* type, const char* bytes, size_t size);
+
+/* Decoded values of the running statement: what it reads again, such as one side of a join or a constant, is decoded
+ * once. They take a quarter of the memory of the backend at most. */
+/* The value in a stored datum, decoded or kept. Owned by the current memory context. */
+a3d_value* kept_value(Datum datum, const char* type);
+/* At the end of a transaction, and when memory is short. */
+void release_kept_values(void);
+/* How many values were decoded, and how many were found decoded, since the backend began. */
+extern uint64 decoded_count, found_count;
+
 /* The value in a datum of a type of the library, or of bigint, float8, boolean, text: named by the library's name. */
 a3d_value* value_of_datum(Datum datum, const char* type);
 /* The datum of a defined value, which may be an expanded object. */
 Datum datum_of_value(a3d_value* value);
+/* Bytes of the library as a varlena; frees them. */
+Datum varlena_of_bytes(a3d_bytes* bytes);
 /* A value as an expanded object, which owns it too; and the value of such a datum, null for another. */
 Datum expanded_datum(a3d_value* value);
 a3d_value* expanded_value(Datum datum);
@@ -51,6 +74,12 @@ typedef struct FunctionKey {
 Datum call_scalar(FunctionCallInfo fcinfo, const FunctionKey* key);
 Datum call_table(FunctionCallInfo fcinfo, const FunctionKey* key);
 Datum step_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key);
+Datum restore_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key);
+/* Of mesh3d, surface3d and volume3d. */
+Datum vertex_array(FunctionCallInfo fcinfo, const char* type);
+Datum face_array(FunctionCallInfo fcinfo, const char* type);
+Datum degree_array(FunctionCallInfo fcinfo, const char* type);
+Datum boxes_meet(FunctionCallInfo fcinfo, const char* type_a, const char* type_b);
 
 Datum read_value(FunctionCallInfo fcinfo, const char* type);
 Datum write_value(FunctionCallInfo fcinfo, const char* type);

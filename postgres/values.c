@@ -11,6 +11,11 @@
 
 /* ---- The binary form ---- */
 
+bool is_stored_short(const char* type) {
+  return strcmp(type, "point3d") == 0 || strcmp(type, "vector3d") == 0 || strcmp(type, "plane3d") == 0 ||
+         strcmp(type, "rect3") == 0;
+}
+
 typedef struct Decoding {
   a3d_session* session;
   const char* type;
@@ -37,7 +42,15 @@ static a3d_value* decoded(const char* type, const char* bytes, size_t size, int 
     check_status(status);
   else
     check_given(status, sql_state);
+  ++decoded_count;
   return owned_value(decoding.result);
+}
+
+a3d_value* value_of_bytes(const char* type, const char* bytes, size_t size) {
+  a3d_value* result = NULL;
+  if (!is_stored_short(type)) return decoded(type, bytes, size, 0);
+  check_status(a3d_decode_body(backend_session(), type, bytes, size, 1, &result));
+  return owned_value(result);
 }
 
 /* ---- Plain values ---- */
@@ -57,13 +70,39 @@ a3d_value* value_of_datum(Datum datum, const char* type) {
     size_t size = utf8 == VARDATA_ANY(given) ? VARSIZE_ANY_EXHDR(given) : strlen(utf8);
     check_status(a3d_make_text(session, type, utf8, size, &result));
   } else {
-    struct varlena* bytes;
     result = expanded_value(datum);
-    if (result != NULL) return result;
-    bytes = PG_DETOAST_DATUM_PACKED(datum);
-    return decoded(type, VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes), 0);
+    return result != NULL ? result : kept_value(datum, type);
   }
   return owned_value(result);
+}
+
+/* A copy of bytes that the library made, which are freed, behind so many bytes of room. */
+static char* taken_bytes(a3d_bytes* bytes, size_t room) {
+  char* result =
+      MemoryContextAllocExtended(CurrentMemoryContext, room + bytes->size + 1, MCXT_ALLOC_NO_OOM | MCXT_ALLOC_HUGE);
+  if (result != NULL) memcpy(result + room, bytes->data, bytes->size + 1);
+  a3d_free_bytes(bytes);
+  if (result == NULL) ereport(ERROR, errcode(ERRCODE_OUT_OF_MEMORY), errmsg("out of memory"));
+  return result;
+}
+
+Datum varlena_of_bytes(a3d_bytes* bytes) {
+  size_t size = VARHDRSZ + bytes->size;
+  char* result;
+  if (size > MaxAllocSize) {
+    a3d_free_bytes(bytes);
+    ereport(ERROR, errcode(ERRCODE_PROGRAM_LIMIT_EXCEEDED),
+            errmsg("%zu bytes cannot be stored, at most %zu", size - VARHDRSZ, MaxAllocSize - VARHDRSZ));
+  }
+  result = taken_bytes(bytes, VARHDRSZ);
+  SET_VARSIZE(result, size);
+  return PointerGetDatum(result);
+}
+
+static Datum short_datum(a3d_value* value) {
+  a3d_bytes bytes;
+  check_status(a3d_encode_body(backend_session(), value, &bytes));
+  return varlena_of_bytes(&bytes);
 }
 
 Datum datum_of_value(a3d_value* value) {
@@ -78,7 +117,7 @@ Datum datum_of_value(a3d_value* value) {
     return PointerGetDatum(converted == characters ? cstring_to_text_with_len(characters, size)
                                                    : cstring_to_text(converted));
   }
-  return expanded_datum(value);
+  return is_stored_short(type) ? short_datum(value) : expanded_datum(value);
 }
 
 /* ---- Text and messages ---- */
@@ -117,11 +156,21 @@ static char* list_text(a3d_value* value) {
   a3d_bytes bytes;
   char* result;
   check_status(a3d_print(backend_session(), value, &bytes));
-  result = MemoryContextAllocExtended(CurrentMemoryContext, bytes.size + 1, MCXT_ALLOC_NO_OOM);
-  if (result != NULL) memcpy(result, bytes.data, bytes.size + 1);
-  a3d_free_bytes(&bytes);
-  if (result == NULL) ereport(ERROR, errcode(ERRCODE_OUT_OF_MEMORY), errmsg("out of memory"));
+  if (bytes.size >= MaxAllocSize) {
+    a3d_free_bytes(&bytes);
+    ereport(ERROR, errcode(ERRCODE_PROGRAM_LIMIT_EXCEEDED), errmsg("a value list of 1 GB or more is no text"),
+            errhint("Set algebra3d.output to codec."));
+  }
+  result = taken_bytes(&bytes, 0);
   return pg_any_to_server(result, strlen(result), PG_UTF8);
+}
+
+/* The binary form of a datum, with header and checksum also for types that are stored without. */
+static struct varlena* framed_bytes(Datum datum, const char* type) {
+  a3d_bytes bytes;
+  if (!is_stored_short(type)) return PG_DETOAST_DATUM_PACKED(datum);
+  check_status(a3d_encode(backend_session(), value_of_datum(datum, type), &bytes));
+  return (struct varlena*)DatumGetPointer(varlena_of_bytes(&bytes));
 }
 
 Datum write_value(FunctionCallInfo fcinfo, const char* type) {
@@ -129,7 +178,7 @@ Datum write_value(FunctionCallInfo fcinfo, const char* type) {
   char* result;
   int size;
   if (setting_output == OUTPUT_LIST) PG_RETURN_CSTRING(list_text(value_of_datum(PG_GETARG_DATUM(0), type)));
-  bytes = PG_GETARG_VARLENA_PP(0);
+  bytes = framed_bytes(PG_GETARG_DATUM(0), type);
   size = pg_b64_enc_len(VARSIZE_ANY_EXHDR(bytes));
   result = palloc(size + 1);
   size = pg_b64_encode(VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes), result, size);
@@ -149,7 +198,7 @@ Datum receive_value(FunctionCallInfo fcinfo, const char* type) {
 }
 
 Datum send_value(FunctionCallInfo fcinfo, const char* type) {
-  struct varlena* bytes = PG_GETARG_VARLENA_PP(0);
+  struct varlena* bytes = framed_bytes(PG_GETARG_DATUM(0), type);
   StringInfoData message;
   pq_begintypsend(&message);
   pq_sendbytes(&message, VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes));
@@ -158,6 +207,28 @@ Datum send_value(FunctionCallInfo fcinfo, const char* type) {
 
 Datum text_of_value(FunctionCallInfo fcinfo, const char* type) {
   PG_RETURN_TEXT_P(cstring_to_text(list_text(value_of_datum(PG_GETARG_DATUM(0), type))));
+}
+
+/* ---- Boxes ---- */
+
+static a3d_header header_of_datum(Datum datum, const char* type) {
+  a3d_header result;
+  const a3d_value* value = is_stored_short(type) ? value_of_datum(datum, type) : expanded_value(datum);
+  if (value != NULL) {
+    check_status(a3d_header_of(backend_session(), value, &result));
+  } else {
+    /* The beginning alone is read. */
+    struct varlena* bytes = PG_DETOAST_DATUM_SLICE(datum, 0, A3D_HEADER_BYTES);
+    check_status(a3d_header_of_bytes(backend_session(), VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes), &result));
+  }
+  return result;
+}
+
+Datum boxes_meet(FunctionCallInfo fcinfo, const char* type_a, const char* type_b) {
+  a3d_header a = header_of_datum(PG_GETARG_DATUM(0), type_a), b = header_of_datum(PG_GETARG_DATUM(1), type_b);
+  bool meet = true;
+  for (int axis = 0; axis < 3; ++axis) meet = meet && a.min[axis] <= b.max[axis] && b.min[axis] <= a.max[axis];
+  PG_RETURN_BOOL(meet);
 }
 
 /* ---- Order ---- */
@@ -174,12 +245,22 @@ Datum compare_values(FunctionCallInfo fcinfo, const char* type) {
   PG_RETURN_INT32(compared(fcinfo, type));
 }
 
+/* Different boxes are found without the rest of the values. Equal solids may have different numbers of triangles. */
+static bool are_equal(FunctionCallInfo fcinfo, const char* type) {
+  if (!is_stored_short(type)) {
+    a3d_header a = header_of_datum(PG_GETARG_DATUM(0), type), b = header_of_datum(PG_GETARG_DATUM(1), type);
+    for (int axis = 0; axis < 3; ++axis)
+      if (a.min[axis] != b.min[axis] || a.max[axis] != b.max[axis]) return false;
+  }
+  return compared(fcinfo, type) == 0;
+}
+
 Datum compare_equal(FunctionCallInfo fcinfo, const char* type) {
-  PG_RETURN_BOOL(compared(fcinfo, type) == 0);
+  PG_RETURN_BOOL(are_equal(fcinfo, type));
 }
 
 Datum compare_not_equal(FunctionCallInfo fcinfo, const char* type) {
-  PG_RETURN_BOOL(compared(fcinfo, type) != 0);
+  PG_RETURN_BOOL(!are_equal(fcinfo, type));
 }
 
 Datum compare_less(FunctionCallInfo fcinfo, const char* type) {
@@ -202,28 +283,4 @@ Datum hash_value(FunctionCallInfo fcinfo, const char* type) {
   uint64_t hash;
   check_status(a3d_hash(backend_session(), value_of_datum(PG_GETARG_DATUM(0), type), &hash));
   PG_RETURN_INT32((int32)(hash ^ (hash >> 32)));
-}
-
-/* ---- Boxes ---- */
-
-static a3d_header header_of_datum(Datum datum) {
-  a3d_header result;
-  const a3d_value* value = expanded_value(datum);
-  if (value != NULL) {
-    check_status(a3d_header_of(backend_session(), value, &result));
-  } else {
-    /* The beginning alone is read. */
-    struct varlena* bytes = PG_DETOAST_DATUM_SLICE(datum, 0, A3D_HEADER_BYTES);
-    check_status(a3d_header_of_bytes(backend_session(), VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes), &result));
-  }
-  return result;
-}
-
-PG_FUNCTION_INFO_V1(algebra3d_boxes_meet);
-Datum algebra3d_boxes_meet(PG_FUNCTION_ARGS);
-Datum algebra3d_boxes_meet(PG_FUNCTION_ARGS) {
-  a3d_header a = header_of_datum(PG_GETARG_DATUM(0)), b = header_of_datum(PG_GETARG_DATUM(1));
-  bool meet = true;
-  for (int axis = 0; axis < 3; ++axis) meet = meet && a.min[axis] <= b.max[axis] && b.min[axis] <= a.max[axis];
-  PG_RETURN_BOOL(meet);
 }

@@ -5,17 +5,22 @@
 #include "algebra3d/operators/registry/aggregate.h"
 #include "algebra3d/operators/registry/conversion.h"
 #include "algebra3d/operators/registry/registry.h"
+#include "algebra3d/values/types/binary_io.h"
+#include "algebra3d/values/types/codec.h"
 #include "base/propagate.h"
 #include "base/text.h"
 
-struct a3d_rows {
+struct a3d_rows : algebra3d::c_interface::Held {
+  a3d_rows(const a3d_session& session, algebra3d::RowSourcePtr its_source, std::size_t its_column_count)
+      : Held(session), source(std::move(its_source)), column_count(its_column_count) {}
+
   algebra3d::RowSourcePtr source;
   std::size_t column_count;
 };
 
-struct a3d_aggregate {
-  explicit a3d_aggregate(const algebra3d::c_interface::Function& its_function)
-      : function(its_function), content(its_function.call) {}
+struct a3d_aggregate : algebra3d::c_interface::Held {
+  a3d_aggregate(const a3d_session& session, const algebra3d::c_interface::Function& its_function)
+      : Held(session), function(its_function), content(its_function.call) {}
 
   const algebra3d::c_interface::Function& function;
   algebra3d::Aggregation content;
@@ -42,6 +47,29 @@ Status check_running(const a3d_aggregate& aggregate) {
   if (!aggregate.is_used_up) return {};
   return Error{ErrorCode::wrong_usage, "this run of '{}' has ended: it was finished, or combined into another",
                aggregate.function.description.name};
+}
+
+/// The number of undefined values, little-endian, then the result.
+std::string bytes_of(const Aggregation::Part& part) {
+  std::string bytes;
+  ByteWriter(bytes).u64(part.undefined_count);
+  return bytes + encode(part.result);
+}
+
+/// Errors: database_corrupt.
+Result<Aggregation::Part> part_of(const Function& function, std::string_view bytes) {
+  ByteReader reader(bytes, "saved aggregate");
+  const std::uint64_t undefined_count = reader.u64();
+  A3D_TRY(reader.status());
+  A3D_ASSIGN(Value result,
+             decode(*function.call.overload->part, bytes.substr(sizeof undefined_count), Origin::own_store));
+  return Aggregation::Part{std::move(result), undefined_count};
+}
+
+/// Errors: wrong_usage.
+Status check_parts(const a3d_function& function) {
+  if (function.has_parts != 0) return {};
+  return Error{ErrorCode::wrong_usage, "'{}' is no aggregate whose runs can be saved", function.name};
 }
 
 /// Copies of the arguments. Errors: wrong_usage for a function of another kind; type_error for another number of
@@ -85,9 +113,7 @@ a3d_status a3d_open_rows(a3d_session* session, const a3d_function* function, a3d
         A3D_ASSIGN(std::vector<Value> values, values_for(called, A3D_TABLE, arguments, count));
         return Registry::rows(called.call, values, context);
       },
-      [&](RowSourcePtr source) {
-        *result = new a3d_rows{std::move(source), function->column_count};
-      });
+      [&](RowSourcePtr source) { *result = new a3d_rows(*session, std::move(source), function->column_count); });
 }
 
 a3d_status a3d_next_row(a3d_session* session, a3d_rows* rows, a3d_value** cells) {
@@ -98,14 +124,14 @@ a3d_status a3d_next_row(a3d_session* session, a3d_rows* rows, a3d_value** cells)
         is_end = !row;
         if (is_end) return;
         std::vector<std::unique_ptr<a3d_value>> made;
-        for (Value& cell : *row) made.push_back(std::make_unique<a3d_value>(std::move(cell)));
+        for (Value& cell : *row) made.push_back(std::make_unique<a3d_value>(*session, std::move(cell)));
         for (std::size_t i = 0; i < rows->column_count; ++i) cells[i] = made[i].release();
       });
   return status == A3D_OK && is_end ? A3D_END : status;
 }
 
 void a3d_close_rows(a3d_rows* rows) {
-  delete rows;
+  give_up(rows);
 }
 
 a3d_status a3d_open_aggregate(a3d_session* session, const a3d_function* function, a3d_aggregate** result) {
@@ -113,7 +139,7 @@ a3d_status a3d_open_aggregate(a3d_session* session, const a3d_function* function
     const Function& called = function_of(function);
     if (called.description.kind != A3D_AGGREGATE)
       return Error{ErrorCode::wrong_usage, "'{}' is {}", function->name, describe(called.call.overload->kind())};
-    *result = new a3d_aggregate(called);
+    *result = new a3d_aggregate(*session, called);
     return {};
   });
 }
@@ -150,7 +176,33 @@ a3d_status a3d_finish(a3d_session* session, a3d_aggregate* aggregate, a3d_value*
 }
 
 void a3d_close_aggregate(a3d_aggregate* aggregate) {
-  delete aggregate;
+  give_up(aggregate);
+}
+
+a3d_status a3d_save_aggregate(a3d_session* session, a3d_aggregate* aggregate, a3d_bytes* result) {
+  return done(
+      session,
+      [&](Context& context) -> Result<std::string> {
+        A3D_TRY(check_parts(aggregate->function.description));
+        A3D_TRY(check_running(*aggregate));
+        aggregate->is_used_up = true;
+        A3D_ASSIGN(const Aggregation::Part part, aggregate->content.finish_part(context));
+        return bytes_of(part);
+      },
+      [&](std::string bytes) { give(*session, std::move(bytes), result); });
+}
+
+a3d_status a3d_restore_aggregate(a3d_session* session, const a3d_function* function, const char* bytes, size_t size,
+                                 a3d_aggregate** result) {
+  return done(session, [&](Context& context) -> Status {
+    A3D_TRY(check_parts(*function));
+    const Function& called = function_of(function);
+    A3D_ASSIGN(const Aggregation::Part part, part_of(called, {bytes, size}));
+    auto run = std::make_unique<a3d_aggregate>(*session, called);
+    A3D_TRY(run->content.step_part(part, context));
+    *result = run.release();
+    return {};
+  });
 }
 
 }  // extern "C"

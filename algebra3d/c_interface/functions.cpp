@@ -61,6 +61,8 @@ Function described(const Operator& op, const Overload& overload) {
   description.is_symmetric = overload.is_symmetric ? 1 : 0;
   description.reads_files = op.reads_files ? 1 : 0;
   description.writes_files = op.writes_files ? 1 : 0;
+  description.has_parts = overload.part != nullptr ? 1 : 0;
+  description.keeps_values = overload.start != nullptr && overload.start()->keeps_values() ? 1 : 0;
   return function;
 }
 

@@ -41,7 +41,10 @@ Result<Value> mesh_of(GivenMesh given) {
 }
 
 /// The owner of the arrays of an a3d_mesh.
-struct ShownMesh {
+struct ShownMesh : Held {
+  ShownMesh(const a3d_session& session, Value its_value, std::vector<std::uint32_t> its_degrees)
+      : Held(session), value(std::move(its_value)), degrees(std::move(its_degrees)) {}
+
   Value value;
   std::vector<std::uint32_t> degrees;
 };
@@ -69,7 +72,7 @@ void show(const Mesh& mesh, a3d_mesh* result) {
 }
 
 /// Errors: type_error.
-Result<a3d_mesh> shown(const Value& value) {
+Result<a3d_mesh> shown(const a3d_session& session, const Value& value) {
   a3d_mesh result = {};
   const Type& type = value.type();
   std::vector<std::uint32_t> degrees;
@@ -84,7 +87,7 @@ Result<a3d_mesh> shown(const Value& value) {
     return Error{ErrorCode::type_error, "expected a defined mesh3d, surface3d or volume3d, got {}{}",
                  value.is_defined() ? "a value of type " : "an undefined ", type.name()};
   }
-  auto owner = std::make_unique<ShownMesh>(ShownMesh{value, std::move(degrees)});
+  auto owner = std::make_unique<ShownMesh>(session, value, std::move(degrees));
   result.degrees = owner->degrees.empty() ? nullptr : owner->degrees.data();
   result.owner = owner.release();
   return result;
@@ -105,11 +108,12 @@ a3d_status a3d_make_mesh(a3d_session* session, const double* coordinates, size_t
 
 a3d_status a3d_mesh_of(a3d_session* session, const a3d_value* value, a3d_mesh* result) {
   return done(
-      session, [&](Context&) { return shown(value->content); }, [&](const a3d_mesh& mesh) { *result = mesh; });
+      session, [&](Context&) { return shown(*session, value->content); },
+      [&](const a3d_mesh& mesh) { *result = mesh; });
 }
 
 void a3d_release_mesh(a3d_mesh* mesh) {
-  delete static_cast<ShownMesh*>(mesh->owner);
+  give_up(static_cast<ShownMesh*>(mesh->owner));
   *mesh = {};
 }
 

@@ -5,6 +5,8 @@
 
 #include "algebra3d/c_interface/detail/functions.h"
 #include "algebra3d/c_interface/detail/session.h"
+#include "algebra3d/kernel/exact/number_memory.h"
+#include "algebra3d/kernel/exact/rational_text.h"
 #include "algebra3d/version.h"
 
 namespace {
@@ -23,14 +25,23 @@ void copy_text(std::string_view text, char (&to)[kSize]) noexcept {
   to[size] = '\0';
 }
 
+/// The owner of an a3d_bytes.
+struct HeldBytes : algebra3d::c_interface::Held {
+  HeldBytes(const a3d_session& session, std::string its_content) : Held(session), content(std::move(its_content)) {}
+
+  std::string content;
+};
+
 std::size_t memory_limit(std::uint64_t bytes) {
   return bytes == 0 || bytes > MemoryUser::kNoLimit ? MemoryUser::kNoLimit : static_cast<std::size_t>(bytes);
 }
 
 }  // namespace
 
-a3d_status a3d_session::fail(const algebra3d::Error& failure) noexcept {
-  const algebra3d::ErrorDescription& kind = describe(failure.code);
+a3d_status a3d_session::fail(const algebra3d::Error& failure, bool is_of_memory) noexcept {
+  const bool is_memory_limit = is_of_memory && failure.code == algebra3d::ErrorCode::limit_exceeded;
+  const algebra3d::ErrorDescription& kind =
+      describe(is_memory_limit ? algebra3d::ErrorCode::out_of_memory : failure.code);
   copy_text(kind.sql_state, error.sql_state);
   copy_text(kind.name, error.name);
   error.remedy = kind.remedy.data();  // a literal
@@ -40,6 +51,14 @@ a3d_status a3d_session::fail(const algebra3d::Error& failure) noexcept {
     copy_text(failure.message, error.message);
   }
   return A3D_ERROR;
+}
+
+void a3d_guard_numbers(void) {
+  algebra3d::count_number_memory();
+}
+
+void a3d_limit_digits(size_t digits) {
+  algebra3d::set_max_digits_read(digits);
 }
 
 uint32_t a3d_interface(void) {
@@ -55,7 +74,7 @@ a3d_session* a3d_open(const a3d_options* options) {
     algebra3d::c_interface::operators();
     auto session = std::make_unique<a3d_session>();
     if (options != nullptr) {
-      session->memory.set_limit(memory_limit(options->memory));
+      session->memory->set_limit(memory_limit(options->memory));
       session->threads = options->threads;
       if (options->folder != nullptr) session->folder = options->folder;
     }
@@ -78,7 +97,7 @@ void a3d_resume(a3d_session* session) {
 }
 
 void a3d_set_memory(a3d_session* session, uint64_t bytes) {
-  session->memory.set_limit(memory_limit(bytes));
+  session->memory->set_limit(memory_limit(bytes));
 }
 
 void a3d_set_threads(a3d_session* session, uint32_t threads) {
@@ -86,7 +105,11 @@ void a3d_set_threads(a3d_session* session, uint32_t threads) {
 }
 
 uint64_t a3d_memory_used(const a3d_session* session) {
-  return session->memory.used();
+  return session->memory->used();
+}
+
+void a3d_set_memory_used(a3d_session* session, uint64_t bytes) {
+  session->memory->set_used(static_cast<std::size_t>(bytes));
 }
 
 int a3d_counts_memory(void) {
@@ -116,15 +139,15 @@ void a3d_clear_notices(a3d_session* session) {
 }
 
 void a3d_free_bytes(a3d_bytes* bytes) {
-  delete static_cast<std::string*>(bytes->owner);
+  algebra3d::c_interface::give_up(static_cast<HeldBytes*>(bytes->owner));
   *bytes = {};
 }
 
 namespace algebra3d::c_interface {
 
-void give(std::string bytes, a3d_bytes* result) {
-  const auto* const owner = new std::string(std::move(bytes));
-  *result = {owner->data(), owner->size(), const_cast<std::string*>(owner)};
+void give(const a3d_session& session, std::string bytes, a3d_bytes* result) {
+  auto* const owner = new HeldBytes(session, std::move(bytes));
+  *result = {owner->content.data(), owner->content.size(), owner};
 }
 
 }  // namespace algebra3d::c_interface

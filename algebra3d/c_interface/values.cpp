@@ -43,7 +43,7 @@ a3d_value* a3d_retain(a3d_value* value) {
 }
 
 void a3d_release(a3d_value* value) {
-  if (value != nullptr && value->owners.fetch_sub(1, std::memory_order_acq_rel) == 1) delete value;
+  if (value != nullptr && value->owners.fetch_sub(1, std::memory_order_acq_rel) == 1) give_up(value);
 }
 
 const char* a3d_type_of(const a3d_value* value) {
@@ -109,7 +109,7 @@ const char* a3d_text_of(const a3d_value* value, size_t* size) {
 a3d_status a3d_encode(a3d_session* session, const a3d_value* value, a3d_bytes* result) {
   return done(
       session, [&](Context&) { return encode_to_store(value->content); },
-      [&](std::string bytes) { give(std::move(bytes), result); });
+      [&](std::string bytes) { give(*session, std::move(bytes), result); });
 }
 
 a3d_status a3d_decode(a3d_session* session, const char* type, const char* bytes, size_t size, int is_trusted,
@@ -117,6 +117,28 @@ a3d_status a3d_decode(a3d_session* session, const char* type, const char* bytes,
   return made(session, result, [&](Context&) -> Result<Value> {
     A3D_ASSIGN(const Type* const found, type_named(type));
     return decode(*found, {bytes, size}, is_trusted != 0 ? Origin::own_store : Origin::elsewhere);
+  });
+}
+
+a3d_status a3d_encode_body(a3d_session* session, const a3d_value* value, a3d_bytes* result) {
+  return done(
+      session,
+      [&](Context&) -> Result<std::string> {
+        const Type& type = value->content.type();
+        if (!value->content.is_defined())
+          return Error{ErrorCode::type_error, "expected a defined value, got an undefined {}", type.name()};
+        std::string bytes;
+        type.encode(value->content, bytes);
+        return bytes;
+      },
+      [&](std::string bytes) { give(*session, std::move(bytes), result); });
+}
+
+a3d_status a3d_decode_body(a3d_session* session, const char* type, const char* bytes, size_t size, int is_trusted,
+                           a3d_value** result) {
+  return made(session, result, [&](Context&) -> Result<Value> {
+    A3D_ASSIGN(const Type* const found, type_named(type));
+    return found->decode({bytes, size}, is_trusted != 0);
   });
 }
 
@@ -128,7 +150,7 @@ a3d_status a3d_print(a3d_session* session, const a3d_value* value, a3d_bytes* re
         append_text(value->content, text);
         return text;
       },
-      [&](std::string text) { give(std::move(text), result); });
+      [&](std::string text) { give(*session, std::move(text), result); });
 }
 
 a3d_status a3d_parse(a3d_session* session, const char* type, const char* text, size_t size, a3d_value** result) {

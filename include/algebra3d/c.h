@@ -42,6 +42,17 @@ typedef struct a3d_error {
   const char* remedy; /* what the user can do, a sentence; lives as long as the library */
 } a3d_error;
 
+/* ---- The process: for hosts that are programs, not for libraries ---- */
+
+/* GMP, by which exact numbers are computed, ends the process when memory is exhausted. After this call it ends the
+ * running call of the library with an error instead; 16 MB of address space are kept for that, and numbers count where
+ * the heap is counted. Changes GMP for all that use it in the process. Once, before the first session. */
+void a3d_guard_numbers(void);
+
+/* The most digits of a number, numerator and denominator together, in texts and in bytes that are not trusted, at most
+ * the default of 10,000,000: a number is read in one piece, which a3d_cancel does not interrupt. */
+void a3d_limit_digits(size_t digits);
+
 /* ---- Sessions: the surroundings of calls ---- */
 
 typedef struct a3d_session a3d_session;
@@ -65,9 +76,13 @@ void a3d_resume(a3d_session* session);
 
 void a3d_set_memory(a3d_session* session, uint64_t bytes);
 void a3d_set_threads(a3d_session* session, uint32_t threads);
-/* Bytes of the heap that the session's calls hold now, in programs that count the heap; elsewhere 0, and the limit has
- * no effect but for results whose size is known before the work. Values that other sessions release count for them. */
+/* Bytes of the heap that the session's calls, and the values that they made, hold now, in programs that count the heap;
+ * elsewhere 0, and the limit has no effect but for results whose size is known before the work. Beyond the limit calls
+ * fail with out_of_memory. */
 uint64_t a3d_memory_used(const a3d_session* session);
+/* Replaces that number by what the host knows better: where the C++ runtime is shared with others, what it allocates
+ * and the library frees is not counted evenly. */
+void a3d_set_memory_used(a3d_session* session, uint64_t bytes);
 /* 1 if the heap is counted in this process. */
 int a3d_counts_memory(void);
 
@@ -142,6 +157,11 @@ void a3d_release_mesh(a3d_mesh* mesh);
 a3d_status a3d_encode(a3d_session* session, const a3d_value* value, a3d_bytes* result);
 a3d_status a3d_decode(a3d_session* session, const char* type, const char* bytes, size_t size, int is_trusted,
                       a3d_value** result);
+/* The body of the binary form alone, for small values whose type the host knows: without box, checksum and compression.
+ * Errors: type_error for undefined values; database_corrupt. */
+a3d_status a3d_encode_body(a3d_session* session, const a3d_value* value, a3d_bytes* result);
+a3d_status a3d_decode_body(a3d_session* session, const char* type, const char* bytes, size_t size, int is_trusted,
+                           a3d_value** result);
 /* The value list of the query language, and back. A list that is well formed and no valid value is undefined, with the
  * reason as a notice. Errors of parse: invalid_value with line and column. */
 a3d_status a3d_print(a3d_session* session, const a3d_value* value, a3d_bytes* result);
@@ -207,6 +227,8 @@ typedef struct a3d_function {
   int is_symmetric;   /* two parameters of one type may be exchanged */
   int reads_files;
   int writes_files;
+  int has_parts;    /* an aggregate whose runs can be saved: see a3d_save_aggregate */
+  int keeps_values; /* an aggregate whose runs hold all their values until the end */
 } a3d_function;
 
 /* All functions, sorted by name; those of one name in the order of docs/operators.md. A session must have been opened.
@@ -241,6 +263,12 @@ a3d_status a3d_step(a3d_session* session, a3d_aggregate* aggregate, const a3d_va
 a3d_status a3d_combine(a3d_session* session, a3d_aggregate* aggregate, a3d_aggregate* later);
 a3d_status a3d_finish(a3d_session* session, a3d_aggregate* aggregate, a3d_value** result);
 void a3d_close_aggregate(a3d_aggregate* aggregate); /* may be null */
+/* A run as bytes, for another process, which makes a run of the same function of them. The values of the run are
+ * aggregated first, and it is used up. Errors: wrong_usage for a function without parts; of restore database_corrupt.
+ */
+a3d_status a3d_save_aggregate(a3d_session* session, a3d_aggregate* aggregate, a3d_bytes* result);
+a3d_status a3d_restore_aggregate(a3d_session* session, const a3d_function* function, const char* bytes, size_t size,
+                                 a3d_aggregate** result);
 
 #ifdef __cplusplus
 }

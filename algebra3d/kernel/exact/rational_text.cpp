@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <string>
 
@@ -76,7 +77,17 @@ bool set_unsigned(mpq_ptr value, std::string_view text) {
   return true;
 }
 
+std::atomic<std::size_t> max_digits = kMaxNumberDigits;
+
 }  // namespace
+
+std::size_t max_digits_read() {
+  return max_digits.load(std::memory_order_relaxed);
+}
+
+void set_max_digits_read(std::size_t digits) {
+  max_digits = std::min(digits, kMaxNumberDigits);
+}
 
 std::size_t digit_count(std::string_view text) {
   if (text.ends_with("/1")) text.remove_suffix(2);

@@ -114,6 +114,7 @@ Overload extreme(const Type& type, bool is_least) {
   Overload overload;
   overload.parameters = {{"values", &type, true}};
   overload.result = &type;
+  overload.part = &type;
   overload.start = [is_least] { return std::make_unique<Extreme>(is_least); };
   return overload;
 }

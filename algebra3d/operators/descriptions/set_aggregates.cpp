@@ -33,7 +33,7 @@ class SolidList {
 
 class UnionOfSolids {
  public:
-  static constexpr bool kKeepsValues = true;
+  static constexpr bool kKeepsValues = true, kHasParts = true;
 
   void step(const Volume3d& solid) { list_.step(solid); }
   void combine(UnionOfSolids&& later) { list_.combine(std::move(later.list_)); }
@@ -45,7 +45,7 @@ class UnionOfSolids {
 
 class IntersectionOfSolids {
  public:
-  static constexpr bool kKeepsValues = true;
+  static constexpr bool kKeepsValues = true, kHasParts = true;
 
   void step(const Volume3d& solid) { list_.step(solid); }
   void combine(IntersectionOfSolids&& later) { list_.combine(std::move(later.list_)); }
@@ -61,7 +61,7 @@ class IntersectionOfSolids {
 
 class UnionOfPoints {
  public:
-  static constexpr bool kKeepsValues = true;
+  static constexpr bool kKeepsValues = true, kHasParts = true;
 
   void step(const Points3d& set) { points_.insert(points_.end(), set.points().begin(), set.points().end()); }
   void combine(UnionOfPoints&& later) {
@@ -76,6 +76,8 @@ class UnionOfPoints {
 
 class IntersectionOfPoints {
  public:
+  static constexpr bool kHasParts = true;
+
   Status step(const Points3d& set, Context& context) {
     A3D_TRY(context.check_cancelled());
     if (!common_) return common_ = set, Status();
@@ -107,6 +109,10 @@ class Extent final : public AggregateState {
     extend(static_cast<Extent&>(later).box_);
     return {};
   }
+  Status step_part(const Value& part, Context& /*context*/) override {
+    extend(part.get<Box3>());
+    return {};
+  }
   Result<Outcome> finish(Context& /*context*/) override {
     if (box_.is_empty()) return Outcome(Undefined{"there is no defined value with a point"});
     return Outcome(Value::of(box_));
@@ -124,6 +130,7 @@ Overload extent(const Type& type) {
   Overload overload;
   overload.parameters = {{"values", &type, true}};
   overload.result = &TypeOf<Box3>::type();
+  overload.part = overload.result;
   overload.start = [] { return std::make_unique<Extent>(); };
   return overload;
 }

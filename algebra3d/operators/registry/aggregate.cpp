@@ -8,6 +8,7 @@
 #include "algebra3d/operators/registry/detail/guarded.h"
 #include "algebra3d/operators/registry/failed_calls.h"
 #include "base/interruption_scope.h"
+#include "base/propagate.h"
 
 namespace algebra3d {
 namespace {
@@ -53,6 +54,19 @@ Result<Value> Aggregation::finish(Context& context) {
   if (auto* value = std::get_if<Value>(&*outcome)) return std::move(*value);
   report_undefined(*call_.op, std::get<Undefined>(*outcome), context);
   return Value(*call_.overload->result);
+}
+
+Result<Aggregation::Part> Aggregation::finish_part(Context& context) {
+  assert(call_.overload->part != nullptr);
+  A3D_ASSIGN(const Outcome outcome, guarded(*call_.op, [&] { return state_->finish(context); }));
+  const auto* const value = std::get_if<Value>(&outcome);
+  return Part{value != nullptr ? *value : Value(*call_.overload->part), undefined_count_};
+}
+
+Status Aggregation::step_part(const Part& part, Context& context) {
+  undefined_count_ += part.undefined_count;
+  if (!part.result.is_defined()) return {};
+  return guarded(*call_.op, [&] { return state_->step_part(part.result, context); });
 }
 
 // As it was given: a deferred value is loaded again when it is needed.

@@ -50,6 +50,7 @@ class TypedAggregateState final : public AggregateState {
       return ResultOf<decltype(state_.finish())>::outcome(state_.finish());
   }
 
+  static constexpr bool kHasParts = requires { State::kHasParts; };
   bool keeps_values() const override {
     return requires {
       State::kKeepsValues;
@@ -87,7 +88,8 @@ struct ResultOfFinish<Return (State::*)(Rest...) const> {
 ///     void combine(State&& later);          // takes what `later` took, as if its values came after this one's
 ///     R finish();                           // the result of all; called once, at the end
 ///
-/// and, if it keeps all values until the end, a constant kKeepsValues.
+/// and, if it keeps all values until the end, a constant kKeepsValues; if `step` of results of parts of the values, all
+/// of them, gives the result of the values, and undefined for a part says that it has none, a constant kHasParts.
 /// Each may take a `Context&` as well; `step` and `combine` may return a Status, R is T, Maybe<T> or Result of these.
 /// The combined result must not depend on the division of the input into consecutive parts.
 template <typename State>
@@ -97,6 +99,7 @@ Overload aggregate(std::string_view parameter) {
   Overload overload;
   overload.parameters = {{std::string(parameter), &TypeOf<typename Typed::Argument>::type(), true}};
   overload.result = &TypeOf<typename detail::ResultOf<Returned>::Content>::type();
+  if constexpr (Typed::kHasParts) overload.part = overload.result;
   overload.start = []() -> std::unique_ptr<AggregateState> { return std::make_unique<Typed>(); };
   return overload;
 }
@@ -115,6 +118,15 @@ class Aggregation {
   Status combine(Aggregation& later, Context& context);
   /// Returns the result; called once. Reports the reason if it is undefined.
   Result<Value> finish(Context& context);
+
+  /// What another process adds to a run of the same overload, in place of the values of this one.
+  struct Part {
+    Value result;  ///< of the type Overload::part, which must not be null; undefined if there was no value
+    std::uint64_t undefined_count = 0;
+  };
+  /// Called once, in place of `finish`.
+  Result<Part> finish_part(Context& context);
+  Status step_part(const Part& part, Context& context);
 
  private:
   /// The defined values so far, for a report of a failure; none once they are too many.

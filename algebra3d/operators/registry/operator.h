@@ -63,6 +63,8 @@ class AggregateState {
   virtual Status combine(AggregateState& later, Context& context) = 0;
   /// Returns the result; called once, at the end.
   virtual Result<Outcome> finish(Context& context) = 0;
+  /// Adds the values of which `part` is the result: a value of Overload::part, never called where that is null.
+  virtual Status step_part(const Value& part, Context& context) { return step(part, context); }
   /// Whether it keeps all values until the end, so that who keeps them too needs hardly more memory.
   virtual bool keeps_values() const { return false; }
 };
@@ -85,7 +87,9 @@ struct Overload {
   bool is_total = false;              ///< the function never returns undefined
   bool never_fails = false;           ///< the function returns no error, and loads no geometry
   bool is_symmetric = false;          ///< two parameters of one type can be exchanged without effect
-  bool counts_undefined = false;      ///< of an aggregate: reports how many undefined values it left out
+  /// Of an aggregate whose result for some of the values can stand for them: the type of the result. Else null.
+  const Type* part = nullptr;
+  bool counts_undefined = false;  ///< of an aggregate: reports how many undefined values it left out
   /// Of a scalar. Arguments have exactly the parameter types, and are undefined only where accepted. Loads arguments as
   /// needed.
   std::function<Result<Outcome>(std::span<const Value>, Context&)> function;

@@ -256,7 +256,22 @@ Result<Buffer> decompress(std::string_view stored, std::uint64_t body_bytes) {
   return buffer;
 }
 
+/// The limit of digits for values of an origin, within the scope.
+class DigitLimit {
+ public:
+  explicit DigitLimit(Origin origin) : before_(most_digits) {
+    if (origin == Origin::elsewhere) most_digits = max_digits_read();
+  }
+  ~DigitLimit() { most_digits = before_; }
+  DigitLimit(const DigitLimit&) = delete;
+  DigitLimit& operator=(const DigitLimit&) = delete;
+
+ private:
+  std::size_t before_;
+};
+
 Result<Value> decode_body(const Type& type, const Frame& frame, std::string_view stored, Origin origin) {
+  const DigitLimit limit(origin);
   const bool trusted = origin == Origin::own_store;
   if (!frame.is_compressed()) return type.decode(stored, trusted);
   A3D_ASSIGN(const Buffer buffer, decompress(stored, frame.body_bytes));

@@ -74,9 +74,9 @@ Result<Rational> coordinate_from_nested(const NestedList& atom, std::string_view
   if (const auto number = double_of(atom)) return Rational(*number);
   if (atom.is_int()) return Rational(atom.as_int());
   if (atom.is_symbol() && atom.as_symbol().find('/') != std::string::npos) {
-    if (const std::size_t digits = digit_count(atom.as_symbol()); digits > kMaxNumberDigits)
+    if (const std::size_t digits = digit_count(atom.as_symbol()); digits > max_digits_read())
       return Error{ErrorCode::limit_exceeded, "{}: a number has {} digits; at most {} are read and stored", what,
-                   digits, kMaxNumberDigits};
+                   digits, max_digits_read()};
     if (auto number = Rational::parse(atom.as_symbol())) return *std::move(number);
   }
   return expected(what, "a number or a fraction p/q", atom);

@@ -158,6 +158,12 @@ std::optional<Rational> parse_rational(std::string_view text) {
   return is_plain ? Rational::parse(text) : std::nullopt;
 }
 
+bool is_within_digits(std::string_view text) {
+  return digit_count(text) <= most_digits;
+}
+
+constexpr const char* kFewerDigits = "a number of no more digits than are allowed";
+
 thread_local std::size_t longest_number = 0;
 
 /// The three rationals of a point whose doubles are known: a coordinate that is its double is the empty text.
@@ -172,6 +178,8 @@ void write_exact(ByteWriter& writer, const RationalVec3& exact) {
 
 /// Fails with the defect of a coordinate. False if it has none.
 bool tell_defect(ByteReader& reader, std::string_view text, double approx) {
+  reader.require(is_within_digits(text), kFewerDigits);
+  if (!reader.ok()) return true;
   const auto value = text.empty() ? Rational(approx) : parse_rational(text);
   reader.require(value.has_value(), "a number p/q");
   if (value && !text.empty())
@@ -185,7 +193,8 @@ ExactPoint read_exact(ByteReader& reader, const Vec3& approx) {
   std::array<std::string_view, 3> texts;
   ByteReader behind = reader;
   for (std::string_view& text : texts) text = behind.text();
-  auto point = behind.ok() ? point_of_texts(texts, approx) : std::nullopt;
+  const bool is_readable = behind.ok() && std::ranges::all_of(texts, is_within_digits);
+  auto point = is_readable ? point_of_texts(texts, approx) : std::nullopt;
   if (point) {
     reader = behind;
     return *std::move(point);
@@ -246,6 +255,7 @@ std::size_t take_longest_number() {
 
 Rational read_rational(ByteReader& reader) {
   const std::string_view text = reader.text();
+  reader.require(is_within_digits(text), kFewerDigits);
   const auto value = reader.ok() ? parse_rational(text) : std::nullopt;
   reader.require(value.has_value(), "a number p/q");
   return value.value_or(Rational());

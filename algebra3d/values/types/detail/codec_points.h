@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <optional>
 
 #include "algebra3d/kernel/exact/point.h"
@@ -13,6 +15,8 @@ void write_rational(ByteWriter& writer, const Rational& value);
 Rational read_rational(ByteReader& reader);
 /// Number of digits of the longest number that this thread has written since the last call.
 std::size_t take_longest_number();
+/// The most digits of a number that this thread reads.
+inline thread_local std::size_t most_digits = std::numeric_limits<std::size_t>::max();
 
 /// One point: three doubles or three rationals. Reading fails for coordinates that are not finite.
 void write_point(ByteWriter& writer, const ExactPoint& point);
