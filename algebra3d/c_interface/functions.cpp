@@ -1,6 +1,7 @@
 #include "algebra3d/c_interface/detail/functions.h"
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <string>
 #include <utility>
@@ -114,6 +115,25 @@ Result<ResolvedCall> resolved(std::string_view name, std::span<const TypeExpr> t
 const Registry& operators() {
   static const Registry registry = make_registry();
   return registry;
+}
+
+std::string in_host_names(std::string_view message) {
+  const auto is_of_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  const auto is_capital = [](unsigned char c) { return std::isupper(c) != 0; };
+  std::string result;
+  while (!message.empty()) {
+    const auto end = std::ranges::find_if_not(message, is_of_name);
+    const std::string_view word(message.begin(), end);
+    message.remove_prefix(word.size());
+    const bool is_first = result.empty() && message.starts_with(':');
+    const Operator* const op =
+        is_first || std::ranges::any_of(word, is_capital) ? operators().find_operator(word) : nullptr;
+    result += op != nullptr ? std::string_view(op->host_name) : word;
+    if (message.empty()) break;
+    result += message.front();
+    message.remove_prefix(1);
+  }
+  return result;
 }
 
 std::span<const Function> functions() {

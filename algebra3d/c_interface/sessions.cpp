@@ -44,9 +44,12 @@ a3d_status a3d_session::fail(const algebra3d::Error& failure, bool is_of_memory)
       describe(is_memory_limit ? algebra3d::ErrorCode::out_of_memory : failure.code);
   copy_text(kind.sql_state, error.sql_state);
   copy_text(kind.name, error.name);
-  error.remedy = kind.remedy.data();  // a literal
+  // Literals. That of the library is about its language.
+  error.remedy = failure.code == algebra3d::ErrorCode::type_error
+                     ? "Compare the types with those of the parameters of the function."
+                     : kind.remedy.data();
   try {
-    copy_text(failure.text(), error.message);
+    copy_text(algebra3d::c_interface::in_host_names(failure.text()), error.message);
   } catch (...) {
     copy_text(failure.message, error.message);
   }
@@ -123,6 +126,7 @@ const a3d_error* a3d_last_error(const a3d_session* session) {
 size_t a3d_notice_count(a3d_session* session) {
   try {
     session->notices = session->diagnostics.summary();
+    for (std::string& notice : session->notices) notice = algebra3d::c_interface::in_host_names(notice);
   } catch (...) {
     session->notices.clear();
   }

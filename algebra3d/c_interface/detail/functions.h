@@ -1,6 +1,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "algebra3d/c.h"
@@ -18,6 +20,10 @@ struct Function {
   std::vector<a3d_parameter> parameters;
   std::vector<a3d_column> columns;
 };
+
+/// A message with the names that operators have in hosts: at its beginning, before a colon, and wherever they have a
+/// capital letter, so are no words of English.
+std::string in_host_names(std::string_view message);
 
 /// Sorted by name.
 std::span<const Function> functions();
