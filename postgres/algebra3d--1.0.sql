@@ -1,6 +1,8 @@
 -- Written by algebra3d_postgres_generator; do not edit.
 \echo Use "CREATE EXTENSION algebra3d" to load this file. \quit
 
+CREATE FUNCTION box_restriction(internal, oid, internal, integer) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_box_restriction' LANGUAGE C STABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION box_join(internal, oid, internal, smallint, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_box_join' LANGUAGE C STABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION combine_aggregates(internal, internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_combine_aggregates' LANGUAGE C IMMUTABLE PARALLEL SAFE;
 CREATE FUNCTION save_aggregate(internal) RETURNS bytea AS 'MODULE_PATHNAME', 'algebra3d_save_aggregate' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION algebra3d_statistics(OUT decoded bigint, OUT found bigint, OUT memory bigint) AS 'MODULE_PATHNAME', 'algebra3d_statistics' LANGUAGE C VOLATILE PARALLEL RESTRICTED;
@@ -12,6 +14,8 @@ CREATE FUNCTION point3d_out(point3d) RETURNS cstring AS 'MODULE_PATHNAME', 'alge
 CREATE FUNCTION point3d_recv(internal) RETURNS point3d AS 'MODULE_PATHNAME', 'algebra3d_point3d_recv' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION point3d_send(point3d) RETURNS bytea AS 'MODULE_PATHNAME', 'algebra3d_point3d_send' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE TYPE point3d (INPUT = point3d_in, OUTPUT = point3d_out, RECEIVE = point3d_recv, SEND = point3d_send, INTERNALLENGTH = VARIABLE, STORAGE = EXTERNAL);
+CREATE FUNCTION point3d_analyze(internal) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_point3d_analyze' LANGUAGE C VOLATILE STRICT PARALLEL SAFE;
+ALTER TYPE point3d SET (ANALYZE = point3d_analyze);
 CREATE FUNCTION as_text(point3d) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_point3d_as_text' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION point3d_cmp(point3d, point3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_point3d_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION point3d_hash(point3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_point3d_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -36,6 +40,8 @@ CREATE FUNCTION points3d_out(points3d) RETURNS cstring AS 'MODULE_PATHNAME', 'al
 CREATE FUNCTION points3d_recv(internal) RETURNS points3d AS 'MODULE_PATHNAME', 'algebra3d_points3d_recv' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION points3d_send(points3d) RETURNS bytea AS 'MODULE_PATHNAME', 'algebra3d_points3d_send' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE TYPE points3d (INPUT = points3d_in, OUTPUT = points3d_out, RECEIVE = points3d_recv, SEND = points3d_send, INTERNALLENGTH = VARIABLE, STORAGE = EXTERNAL);
+CREATE FUNCTION points3d_analyze(internal) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_points3d_analyze' LANGUAGE C VOLATILE STRICT PARALLEL SAFE;
+ALTER TYPE points3d SET (ANALYZE = points3d_analyze);
 CREATE FUNCTION as_text(points3d) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_points3d_as_text' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION points3d_cmp(points3d, points3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_points3d_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION points3d_hash(points3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_points3d_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -108,6 +114,8 @@ CREATE FUNCTION rect3_out(rect3) RETURNS cstring AS 'MODULE_PATHNAME', 'algebra3
 CREATE FUNCTION rect3_recv(internal) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_rect3_recv' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION rect3_send(rect3) RETURNS bytea AS 'MODULE_PATHNAME', 'algebra3d_rect3_send' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE TYPE rect3 (INPUT = rect3_in, OUTPUT = rect3_out, RECEIVE = rect3_recv, SEND = rect3_send, INTERNALLENGTH = VARIABLE, STORAGE = EXTERNAL);
+CREATE FUNCTION rect3_analyze(internal) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_rect3_analyze' LANGUAGE C VOLATILE STRICT PARALLEL SAFE;
+ALTER TYPE rect3 SET (ANALYZE = rect3_analyze);
 CREATE FUNCTION as_text(rect3) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_rect3_as_text' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION rect3_cmp(rect3, rect3) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_rect3_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION rect3_hash(rect3) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_rect3_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -156,6 +164,8 @@ CREATE FUNCTION surface3d_out(surface3d) RETURNS cstring AS 'MODULE_PATHNAME', '
 CREATE FUNCTION surface3d_recv(internal) RETURNS surface3d AS 'MODULE_PATHNAME', 'algebra3d_surface3d_recv' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION surface3d_send(surface3d) RETURNS bytea AS 'MODULE_PATHNAME', 'algebra3d_surface3d_send' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE TYPE surface3d (INPUT = surface3d_in, OUTPUT = surface3d_out, RECEIVE = surface3d_recv, SEND = surface3d_send, INTERNALLENGTH = VARIABLE, STORAGE = EXTERNAL);
+CREATE FUNCTION surface3d_analyze(internal) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_surface3d_analyze' LANGUAGE C VOLATILE STRICT PARALLEL SAFE;
+ALTER TYPE surface3d SET (ANALYZE = surface3d_analyze);
 CREATE FUNCTION as_text(surface3d) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_surface3d_as_text' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION surface3d_cmp(surface3d, surface3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_surface3d_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION surface3d_hash(surface3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_surface3d_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -180,6 +190,8 @@ CREATE FUNCTION volume3d_out(volume3d) RETURNS cstring AS 'MODULE_PATHNAME', 'al
 CREATE FUNCTION volume3d_recv(internal) RETURNS volume3d AS 'MODULE_PATHNAME', 'algebra3d_volume3d_recv' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION volume3d_send(volume3d) RETURNS bytea AS 'MODULE_PATHNAME', 'algebra3d_volume3d_send' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE TYPE volume3d (INPUT = volume3d_in, OUTPUT = volume3d_out, RECEIVE = volume3d_recv, SEND = volume3d_send, INTERNALLENGTH = VARIABLE, STORAGE = EXTERNAL);
+CREATE FUNCTION volume3d_analyze(internal) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_volume3d_analyze' LANGUAGE C VOLATILE STRICT PARALLEL SAFE;
+ALTER TYPE volume3d SET (ANALYZE = volume3d_analyze);
 CREATE FUNCTION as_text(volume3d) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_volume3d_as_text' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION volume3d_cmp(volume3d, volume3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_volume3d_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION volume3d_hash(volume3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_volume3d_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -204,6 +216,8 @@ CREATE FUNCTION mesh3d_out(mesh3d) RETURNS cstring AS 'MODULE_PATHNAME', 'algebr
 CREATE FUNCTION mesh3d_recv(internal) RETURNS mesh3d AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_recv' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION mesh3d_send(mesh3d) RETURNS bytea AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_send' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE TYPE mesh3d (INPUT = mesh3d_in, OUTPUT = mesh3d_out, RECEIVE = mesh3d_recv, SEND = mesh3d_send, INTERNALLENGTH = VARIABLE, STORAGE = EXTERNAL);
+CREATE FUNCTION mesh3d_analyze(internal) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_analyze' LANGUAGE C VOLATILE STRICT PARALLEL SAFE;
+ALTER TYPE mesh3d SET (ANALYZE = mesh3d_analyze);
 CREATE FUNCTION as_text(mesh3d) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_as_text' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION mesh3d_cmp(mesh3d, mesh3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION mesh3d_hash(mesh3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -1780,58 +1794,58 @@ CREATE FUNCTION z("point" point3d) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra
 COMMENT ON FUNCTION z(point3d) IS 'The z coordinate of a point, or component of a vector, in coordinate units.';
 CREATE FUNCTION z("vector" vector3d) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_z_vector3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE COST 1;
 COMMENT ON FUNCTION z(vector3d) IS 'The z coordinate of a point, or component of a vector, in coordinate units.';
-CREATE OPERATOR @> (LEFTARG = rect3, RIGHTARG = rect3, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = rect3, RIGHTARG = point3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = rect3, RIGHTARG = points3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = rect3, RIGHTARG = surface3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = rect3, RIGHTARG = volume3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = point3d, RIGHTARG = rect3, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = point3d, RIGHTARG = point3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = point3d, RIGHTARG = points3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = point3d, RIGHTARG = surface3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = point3d, RIGHTARG = volume3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = points3d, RIGHTARG = rect3, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = points3d, RIGHTARG = point3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = points3d, RIGHTARG = points3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = points3d, RIGHTARG = surface3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = points3d, RIGHTARG = volume3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = surface3d, RIGHTARG = rect3, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = surface3d, RIGHTARG = point3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = surface3d, RIGHTARG = points3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = surface3d, RIGHTARG = surface3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = surface3d, RIGHTARG = volume3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = volume3d, RIGHTARG = rect3, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = volume3d, RIGHTARG = point3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = volume3d, RIGHTARG = points3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = volume3d, RIGHTARG = surface3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = volume3d, RIGHTARG = volume3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR @> (LEFTARG = region, RIGHTARG = region, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = rect3, RIGHTARG = rect3, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = rect3, RIGHTARG = point3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = rect3, RIGHTARG = points3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = rect3, RIGHTARG = surface3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = rect3, RIGHTARG = volume3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = point3d, RIGHTARG = rect3, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = point3d, RIGHTARG = point3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = point3d, RIGHTARG = points3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = point3d, RIGHTARG = surface3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = point3d, RIGHTARG = volume3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = points3d, RIGHTARG = rect3, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = points3d, RIGHTARG = point3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = points3d, RIGHTARG = points3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = points3d, RIGHTARG = surface3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = points3d, RIGHTARG = volume3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = surface3d, RIGHTARG = rect3, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = surface3d, RIGHTARG = point3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = surface3d, RIGHTARG = points3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = surface3d, RIGHTARG = surface3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = surface3d, RIGHTARG = volume3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = volume3d, RIGHTARG = rect3, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = volume3d, RIGHTARG = point3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = volume3d, RIGHTARG = points3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = volume3d, RIGHTARG = surface3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = volume3d, RIGHTARG = volume3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
-CREATE OPERATOR <@ (LEFTARG = region, RIGHTARG = region, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR @> (LEFTARG = rect3, RIGHTARG = rect3, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = rect3, RIGHTARG = point3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = rect3, RIGHTARG = points3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = rect3, RIGHTARG = surface3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = rect3, RIGHTARG = volume3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = point3d, RIGHTARG = rect3, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = point3d, RIGHTARG = point3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = point3d, RIGHTARG = points3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = point3d, RIGHTARG = surface3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = point3d, RIGHTARG = volume3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = points3d, RIGHTARG = rect3, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = points3d, RIGHTARG = point3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = points3d, RIGHTARG = points3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = points3d, RIGHTARG = surface3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = points3d, RIGHTARG = volume3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = surface3d, RIGHTARG = rect3, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = surface3d, RIGHTARG = point3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = surface3d, RIGHTARG = points3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = surface3d, RIGHTARG = surface3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = surface3d, RIGHTARG = volume3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = volume3d, RIGHTARG = rect3, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = volume3d, RIGHTARG = point3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = volume3d, RIGHTARG = points3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = volume3d, RIGHTARG = surface3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = volume3d, RIGHTARG = volume3d, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR @> (LEFTARG = region, RIGHTARG = region, FUNCTION = contains, COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = rect3, RIGHTARG = rect3, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = rect3, RIGHTARG = point3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = rect3, RIGHTARG = points3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = rect3, RIGHTARG = surface3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = rect3, RIGHTARG = volume3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = point3d, RIGHTARG = rect3, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = point3d, RIGHTARG = point3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = point3d, RIGHTARG = points3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = point3d, RIGHTARG = surface3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = point3d, RIGHTARG = volume3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = points3d, RIGHTARG = rect3, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = points3d, RIGHTARG = point3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = points3d, RIGHTARG = points3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = points3d, RIGHTARG = surface3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = points3d, RIGHTARG = volume3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = surface3d, RIGHTARG = rect3, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = surface3d, RIGHTARG = point3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = surface3d, RIGHTARG = points3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = surface3d, RIGHTARG = surface3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = surface3d, RIGHTARG = volume3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = volume3d, RIGHTARG = rect3, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = volume3d, RIGHTARG = point3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = volume3d, RIGHTARG = points3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = volume3d, RIGHTARG = surface3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = volume3d, RIGHTARG = volume3d, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
+CREATE OPERATOR <@ (LEFTARG = region, RIGHTARG = region, FUNCTION = inside, COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join);
 CREATE OPERATOR <-> (LEFTARG = rect3, RIGHTARG = rect3, FUNCTION = distance, COMMUTATOR = <->);
 CREATE OPERATOR <-> (LEFTARG = rect3, RIGHTARG = point3d, FUNCTION = distance, COMMUTATOR = <->);
 CREATE OPERATOR <-> (LEFTARG = rect3, RIGHTARG = points3d, FUNCTION = distance, COMMUTATOR = <->);
@@ -1870,77 +1884,77 @@ CREATE OPERATOR - (LEFTARG = volume3d, RIGHTARG = volume3d, FUNCTION = differenc
 CREATE OPERATOR + (LEFTARG = vector3d, RIGHTARG = vector3d, FUNCTION = plus, COMMUTATOR = +);
 CREATE OPERATOR - (LEFTARG = vector3d, RIGHTARG = vector3d, FUNCTION = minus);
 CREATE FUNCTION boxes_meet(point3d, point3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_point3d_point3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = point3d, RIGHTARG = point3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = point3d, RIGHTARG = point3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(point3d, points3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_point3d_points3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = point3d, RIGHTARG = points3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = point3d, RIGHTARG = points3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(point3d, rect3) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_point3d_rect3' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = point3d, RIGHTARG = rect3, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = point3d, RIGHTARG = rect3, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(point3d, surface3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_point3d_surface3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = point3d, RIGHTARG = surface3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = point3d, RIGHTARG = surface3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(point3d, volume3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_point3d_volume3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = point3d, RIGHTARG = volume3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = point3d, RIGHTARG = volume3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(point3d, mesh3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_point3d_mesh3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = point3d, RIGHTARG = mesh3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = point3d, RIGHTARG = mesh3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(points3d, point3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_points3d_point3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = points3d, RIGHTARG = point3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = points3d, RIGHTARG = point3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(points3d, points3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_points3d_points3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = points3d, RIGHTARG = points3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = points3d, RIGHTARG = points3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(points3d, rect3) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_points3d_rect3' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = points3d, RIGHTARG = rect3, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = points3d, RIGHTARG = rect3, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(points3d, surface3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_points3d_surface3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = points3d, RIGHTARG = surface3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = points3d, RIGHTARG = surface3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(points3d, volume3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_points3d_volume3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = points3d, RIGHTARG = volume3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = points3d, RIGHTARG = volume3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(points3d, mesh3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_points3d_mesh3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = points3d, RIGHTARG = mesh3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = points3d, RIGHTARG = mesh3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(rect3, point3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_rect3_point3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = rect3, RIGHTARG = point3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = rect3, RIGHTARG = point3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(rect3, points3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_rect3_points3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = rect3, RIGHTARG = points3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = rect3, RIGHTARG = points3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(rect3, rect3) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_rect3_rect3' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = rect3, RIGHTARG = rect3, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = rect3, RIGHTARG = rect3, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(rect3, surface3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_rect3_surface3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = rect3, RIGHTARG = surface3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = rect3, RIGHTARG = surface3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(rect3, volume3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_rect3_volume3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = rect3, RIGHTARG = volume3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = rect3, RIGHTARG = volume3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(rect3, mesh3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_rect3_mesh3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = rect3, RIGHTARG = mesh3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = rect3, RIGHTARG = mesh3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(surface3d, point3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_surface3d_point3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = surface3d, RIGHTARG = point3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = surface3d, RIGHTARG = point3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(surface3d, points3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_surface3d_points3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = surface3d, RIGHTARG = points3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = surface3d, RIGHTARG = points3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(surface3d, rect3) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_surface3d_rect3' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = surface3d, RIGHTARG = rect3, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = surface3d, RIGHTARG = rect3, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(surface3d, surface3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_surface3d_surface3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = surface3d, RIGHTARG = surface3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = surface3d, RIGHTARG = surface3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(surface3d, volume3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_surface3d_volume3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = surface3d, RIGHTARG = volume3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = surface3d, RIGHTARG = volume3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(surface3d, mesh3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_surface3d_mesh3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = surface3d, RIGHTARG = mesh3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = surface3d, RIGHTARG = mesh3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(volume3d, point3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_volume3d_point3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = volume3d, RIGHTARG = point3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = volume3d, RIGHTARG = point3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(volume3d, points3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_volume3d_points3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = volume3d, RIGHTARG = points3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = volume3d, RIGHTARG = points3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(volume3d, rect3) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_volume3d_rect3' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = volume3d, RIGHTARG = rect3, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = volume3d, RIGHTARG = rect3, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(volume3d, surface3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_volume3d_surface3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = volume3d, RIGHTARG = surface3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = volume3d, RIGHTARG = surface3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(volume3d, volume3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_volume3d_volume3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = volume3d, RIGHTARG = volume3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = volume3d, RIGHTARG = volume3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(volume3d, mesh3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_volume3d_mesh3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = volume3d, RIGHTARG = mesh3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = volume3d, RIGHTARG = mesh3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(mesh3d, point3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_mesh3d_point3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = mesh3d, RIGHTARG = point3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = mesh3d, RIGHTARG = point3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(mesh3d, points3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_mesh3d_points3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = mesh3d, RIGHTARG = points3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = mesh3d, RIGHTARG = points3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(mesh3d, rect3) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_mesh3d_rect3' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = mesh3d, RIGHTARG = rect3, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = mesh3d, RIGHTARG = rect3, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(mesh3d, surface3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_mesh3d_surface3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = mesh3d, RIGHTARG = surface3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = mesh3d, RIGHTARG = surface3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(mesh3d, volume3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_mesh3d_volume3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = mesh3d, RIGHTARG = volume3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = mesh3d, RIGHTARG = volume3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION boxes_meet(mesh3d, mesh3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_boxes_meet_mesh3d_mesh3d' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
-CREATE OPERATOR && (LEFTARG = mesh3d, RIGHTARG = mesh3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR && (LEFTARG = mesh3d, RIGHTARG = mesh3d, FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);
 CREATE FUNCTION mesh3d(vertices float8[], faces integer[]) RETURNS mesh3d AS 'MODULE_PATHNAME', 'algebra3d_mesh_of_arrays' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION mesh3d(float8[], integer[]) IS 'A mesh of triangles: three coordinates for each vertex, and three numbers of vertices, from 0, for each face; as rows of 3 or one after the other.';
 CREATE FUNCTION mesh3d(vertices float8[], faces integer[], degrees integer[]) RETURNS mesh3d AS 'MODULE_PATHNAME', 'algebra3d_mesh_of_arrays' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE COST 100;
@@ -1973,3 +1987,395 @@ CREATE CAST (surface3d AS mesh3d) WITH FUNCTION surface_to_mesh(surface3d);
 CREATE CAST (surface3d AS volume3d) WITH FUNCTION surface_to_volume(surface3d);
 CREATE CAST (volume3d AS mesh3d) WITH FUNCTION volume_to_mesh(volume3d);
 CREATE CAST (volume3d AS surface3d) WITH FUNCTION volume_to_surface(volume3d);
+
+CREATE TYPE algebra3d_key;
+CREATE FUNCTION key_in(cstring) RETURNS algebra3d_key AS 'MODULE_PATHNAME', 'algebra3d_key_in' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION key_out(algebra3d_key) RETURNS cstring AS 'MODULE_PATHNAME', 'algebra3d_key_out' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE TYPE algebra3d_key (INPUT = key_in, OUTPUT = key_out, INTERNALLENGTH = 24, ALIGNMENT = int4, STORAGE = plain);
+COMMENT ON TYPE algebra3d_key IS 'Keys of the index on space: boxes of floats, which no column has.';
+CREATE FUNCTION key_union(internal, internal) RETURNS algebra3d_key AS 'MODULE_PATHNAME', 'algebra3d_key_union' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION key_penalty(internal, internal, internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_key_penalty' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION key_picksplit(internal, internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_key_picksplit' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION key_same(algebra3d_key, algebra3d_key, internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_key_same' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION key_sortsupport(internal) RETURNS void AS 'MODULE_PATHNAME', 'algebra3d_key_sortsupport' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION point3d_consistent(internal, point3d, smallint, oid, internal) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_point3d_consistent' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION point3d_compress(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_point3d_compress' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION point3d_distance_of_key(internal, point3d, smallint, oid, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_point3d_distance_of_key' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION box_around(point3d, float8) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_point3d_box_around' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE OPERATOR CLASS point3d_gist_ops DEFAULT FOR TYPE point3d USING gist AS
+  OPERATOR 7 @> (point3d, rect3),
+  OPERATOR 7 @> (point3d, point3d),
+  OPERATOR 7 @> (point3d, points3d),
+  OPERATOR 7 @> (point3d, surface3d),
+  OPERATOR 7 @> (point3d, volume3d),
+  OPERATOR 8 <@ (point3d, rect3),
+  OPERATOR 8 <@ (point3d, point3d),
+  OPERATOR 8 <@ (point3d, points3d),
+  OPERATOR 8 <@ (point3d, surface3d),
+  OPERATOR 8 <@ (point3d, volume3d),
+  OPERATOR 15 <-> (point3d, rect3) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (point3d, point3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (point3d, points3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (point3d, surface3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (point3d, volume3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 3 && (point3d, point3d),
+  OPERATOR 3 && (point3d, points3d),
+  OPERATOR 3 && (point3d, rect3),
+  OPERATOR 3 && (point3d, surface3d),
+  OPERATOR 3 && (point3d, volume3d),
+  OPERATOR 3 && (point3d, mesh3d),
+  FUNCTION 1 point3d_consistent(internal, point3d, smallint, oid, internal),
+  FUNCTION 2 key_union(internal, internal), FUNCTION 3 point3d_compress(internal),
+  FUNCTION 5 key_penalty(internal, internal, internal), FUNCTION 6 key_picksplit(internal, internal),
+  FUNCTION 7 key_same(algebra3d_key, algebra3d_key, internal),
+  FUNCTION 8 (point3d, point3d) point3d_distance_of_key(internal, point3d, smallint, oid, internal),
+  FUNCTION 11 key_sortsupport(internal), STORAGE algebra3d_key;
+CREATE FUNCTION points3d_consistent(internal, points3d, smallint, oid, internal) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_points3d_consistent' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION points3d_compress(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_points3d_compress' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION points3d_distance_of_key(internal, points3d, smallint, oid, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_points3d_distance_of_key' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION box_around(points3d, float8) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_points3d_box_around' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE OPERATOR CLASS points3d_gist_ops DEFAULT FOR TYPE points3d USING gist AS
+  OPERATOR 7 @> (points3d, rect3),
+  OPERATOR 7 @> (points3d, point3d),
+  OPERATOR 7 @> (points3d, points3d),
+  OPERATOR 7 @> (points3d, surface3d),
+  OPERATOR 7 @> (points3d, volume3d),
+  OPERATOR 8 <@ (points3d, rect3),
+  OPERATOR 8 <@ (points3d, point3d),
+  OPERATOR 8 <@ (points3d, points3d),
+  OPERATOR 8 <@ (points3d, surface3d),
+  OPERATOR 8 <@ (points3d, volume3d),
+  OPERATOR 15 <-> (points3d, rect3) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (points3d, point3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (points3d, points3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (points3d, surface3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (points3d, volume3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 3 && (points3d, point3d),
+  OPERATOR 3 && (points3d, points3d),
+  OPERATOR 3 && (points3d, rect3),
+  OPERATOR 3 && (points3d, surface3d),
+  OPERATOR 3 && (points3d, volume3d),
+  OPERATOR 3 && (points3d, mesh3d),
+  FUNCTION 1 points3d_consistent(internal, points3d, smallint, oid, internal),
+  FUNCTION 2 key_union(internal, internal), FUNCTION 3 points3d_compress(internal),
+  FUNCTION 5 key_penalty(internal, internal, internal), FUNCTION 6 key_picksplit(internal, internal),
+  FUNCTION 7 key_same(algebra3d_key, algebra3d_key, internal),
+  FUNCTION 8 (points3d, points3d) points3d_distance_of_key(internal, points3d, smallint, oid, internal),
+  FUNCTION 11 key_sortsupport(internal), STORAGE algebra3d_key;
+CREATE FUNCTION rect3_consistent(internal, rect3, smallint, oid, internal) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_rect3_consistent' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION rect3_compress(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_rect3_compress' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION rect3_distance_of_key(internal, rect3, smallint, oid, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_rect3_distance_of_key' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION box_around(rect3, float8) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_rect3_box_around' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE OPERATOR CLASS rect3_gist_ops DEFAULT FOR TYPE rect3 USING gist AS
+  OPERATOR 7 @> (rect3, rect3),
+  OPERATOR 7 @> (rect3, point3d),
+  OPERATOR 7 @> (rect3, points3d),
+  OPERATOR 7 @> (rect3, surface3d),
+  OPERATOR 7 @> (rect3, volume3d),
+  OPERATOR 8 <@ (rect3, rect3),
+  OPERATOR 8 <@ (rect3, point3d),
+  OPERATOR 8 <@ (rect3, points3d),
+  OPERATOR 8 <@ (rect3, surface3d),
+  OPERATOR 8 <@ (rect3, volume3d),
+  OPERATOR 15 <-> (rect3, rect3) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (rect3, point3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (rect3, points3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (rect3, surface3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (rect3, volume3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 3 && (rect3, point3d),
+  OPERATOR 3 && (rect3, points3d),
+  OPERATOR 3 && (rect3, rect3),
+  OPERATOR 3 && (rect3, surface3d),
+  OPERATOR 3 && (rect3, volume3d),
+  OPERATOR 3 && (rect3, mesh3d),
+  FUNCTION 1 rect3_consistent(internal, rect3, smallint, oid, internal),
+  FUNCTION 2 key_union(internal, internal), FUNCTION 3 rect3_compress(internal),
+  FUNCTION 5 key_penalty(internal, internal, internal), FUNCTION 6 key_picksplit(internal, internal),
+  FUNCTION 7 key_same(algebra3d_key, algebra3d_key, internal),
+  FUNCTION 8 (rect3, rect3) rect3_distance_of_key(internal, rect3, smallint, oid, internal),
+  FUNCTION 11 key_sortsupport(internal), STORAGE algebra3d_key;
+CREATE FUNCTION surface3d_consistent(internal, surface3d, smallint, oid, internal) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_surface3d_consistent' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION surface3d_compress(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_surface3d_compress' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION surface3d_distance_of_key(internal, surface3d, smallint, oid, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_surface3d_distance_of_key' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION box_around(surface3d, float8) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_surface3d_box_around' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE OPERATOR CLASS surface3d_gist_ops DEFAULT FOR TYPE surface3d USING gist AS
+  OPERATOR 7 @> (surface3d, rect3),
+  OPERATOR 7 @> (surface3d, point3d),
+  OPERATOR 7 @> (surface3d, points3d),
+  OPERATOR 7 @> (surface3d, surface3d),
+  OPERATOR 7 @> (surface3d, volume3d),
+  OPERATOR 8 <@ (surface3d, rect3),
+  OPERATOR 8 <@ (surface3d, point3d),
+  OPERATOR 8 <@ (surface3d, points3d),
+  OPERATOR 8 <@ (surface3d, surface3d),
+  OPERATOR 8 <@ (surface3d, volume3d),
+  OPERATOR 15 <-> (surface3d, rect3) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (surface3d, point3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (surface3d, points3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (surface3d, surface3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (surface3d, volume3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 3 && (surface3d, point3d),
+  OPERATOR 3 && (surface3d, points3d),
+  OPERATOR 3 && (surface3d, rect3),
+  OPERATOR 3 && (surface3d, surface3d),
+  OPERATOR 3 && (surface3d, volume3d),
+  OPERATOR 3 && (surface3d, mesh3d),
+  FUNCTION 1 surface3d_consistent(internal, surface3d, smallint, oid, internal),
+  FUNCTION 2 key_union(internal, internal), FUNCTION 3 surface3d_compress(internal),
+  FUNCTION 5 key_penalty(internal, internal, internal), FUNCTION 6 key_picksplit(internal, internal),
+  FUNCTION 7 key_same(algebra3d_key, algebra3d_key, internal),
+  FUNCTION 8 (surface3d, surface3d) surface3d_distance_of_key(internal, surface3d, smallint, oid, internal),
+  FUNCTION 11 key_sortsupport(internal), STORAGE algebra3d_key;
+CREATE FUNCTION volume3d_consistent(internal, volume3d, smallint, oid, internal) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_volume3d_consistent' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION volume3d_compress(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_volume3d_compress' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION volume3d_distance_of_key(internal, volume3d, smallint, oid, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_volume3d_distance_of_key' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION box_around(volume3d, float8) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_volume3d_box_around' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE OPERATOR CLASS volume3d_gist_ops DEFAULT FOR TYPE volume3d USING gist AS
+  OPERATOR 7 @> (volume3d, rect3),
+  OPERATOR 7 @> (volume3d, point3d),
+  OPERATOR 7 @> (volume3d, points3d),
+  OPERATOR 7 @> (volume3d, surface3d),
+  OPERATOR 7 @> (volume3d, volume3d),
+  OPERATOR 8 <@ (volume3d, rect3),
+  OPERATOR 8 <@ (volume3d, point3d),
+  OPERATOR 8 <@ (volume3d, points3d),
+  OPERATOR 8 <@ (volume3d, surface3d),
+  OPERATOR 8 <@ (volume3d, volume3d),
+  OPERATOR 15 <-> (volume3d, rect3) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (volume3d, point3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (volume3d, points3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (volume3d, surface3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 15 <-> (volume3d, volume3d) FOR ORDER BY pg_catalog.float_ops,
+  OPERATOR 3 && (volume3d, point3d),
+  OPERATOR 3 && (volume3d, points3d),
+  OPERATOR 3 && (volume3d, rect3),
+  OPERATOR 3 && (volume3d, surface3d),
+  OPERATOR 3 && (volume3d, volume3d),
+  OPERATOR 3 && (volume3d, mesh3d),
+  FUNCTION 1 volume3d_consistent(internal, volume3d, smallint, oid, internal),
+  FUNCTION 2 key_union(internal, internal), FUNCTION 3 volume3d_compress(internal),
+  FUNCTION 5 key_penalty(internal, internal, internal), FUNCTION 6 key_picksplit(internal, internal),
+  FUNCTION 7 key_same(algebra3d_key, algebra3d_key, internal),
+  FUNCTION 8 (volume3d, volume3d) volume3d_distance_of_key(internal, volume3d, smallint, oid, internal),
+  FUNCTION 11 key_sortsupport(internal), STORAGE algebra3d_key;
+CREATE FUNCTION mesh3d_consistent(internal, mesh3d, smallint, oid, internal) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_consistent' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION mesh3d_compress(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_compress' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION mesh3d_distance_of_key(internal, mesh3d, smallint, oid, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_distance_of_key' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION box_around(mesh3d, float8) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_box_around' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE OPERATOR CLASS mesh3d_gist_ops DEFAULT FOR TYPE mesh3d USING gist AS
+  OPERATOR 3 && (mesh3d, point3d),
+  OPERATOR 3 && (mesh3d, points3d),
+  OPERATOR 3 && (mesh3d, rect3),
+  OPERATOR 3 && (mesh3d, surface3d),
+  OPERATOR 3 && (mesh3d, volume3d),
+  OPERATOR 3 && (mesh3d, mesh3d),
+  FUNCTION 1 mesh3d_consistent(internal, mesh3d, smallint, oid, internal),
+  FUNCTION 2 key_union(internal, internal), FUNCTION 3 mesh3d_compress(internal),
+  FUNCTION 5 key_penalty(internal, internal, internal), FUNCTION 6 key_picksplit(internal, internal),
+  FUNCTION 7 key_same(algebra3d_key, algebra3d_key, internal),
+  FUNCTION 8 (mesh3d, mesh3d) mesh3d_distance_of_key(internal, mesh3d, smallint, oid, internal),
+  FUNCTION 11 key_sortsupport(internal), STORAGE algebra3d_key;
+CREATE FUNCTION support_meet(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_support_meet' LANGUAGE C STRICT PARALLEL SAFE;
+CREATE FUNCTION support_inside(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_support_inside' LANGUAGE C STRICT PARALLEL SAFE;
+CREATE FUNCTION support_encloses(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_support_encloses' LANGUAGE C STRICT PARALLEL SAFE;
+CREATE FUNCTION support_near(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_support_near' LANGUAGE C STRICT PARALLEL SAFE;
+ALTER FUNCTION contains(rect3, rect3) SUPPORT support_encloses;
+ALTER FUNCTION contains(rect3, point3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(rect3, points3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(rect3, surface3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(rect3, volume3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(point3d, rect3) SUPPORT support_encloses;
+ALTER FUNCTION contains(point3d, point3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(point3d, points3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(point3d, surface3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(point3d, volume3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(points3d, rect3) SUPPORT support_encloses;
+ALTER FUNCTION contains(points3d, point3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(points3d, points3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(points3d, surface3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(points3d, volume3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(surface3d, rect3) SUPPORT support_encloses;
+ALTER FUNCTION contains(surface3d, point3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(surface3d, points3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(surface3d, surface3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(surface3d, volume3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(volume3d, rect3) SUPPORT support_encloses;
+ALTER FUNCTION contains(volume3d, point3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(volume3d, points3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(volume3d, surface3d) SUPPORT support_encloses;
+ALTER FUNCTION contains(volume3d, volume3d) SUPPORT support_encloses;
+ALTER FUNCTION covered_by(rect3, rect3) SUPPORT support_inside;
+ALTER FUNCTION covered_by(rect3, point3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(rect3, points3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(rect3, surface3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(rect3, volume3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(point3d, rect3) SUPPORT support_inside;
+ALTER FUNCTION covered_by(point3d, point3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(point3d, points3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(point3d, surface3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(point3d, volume3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(points3d, rect3) SUPPORT support_inside;
+ALTER FUNCTION covered_by(points3d, point3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(points3d, points3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(points3d, surface3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(points3d, volume3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(surface3d, rect3) SUPPORT support_inside;
+ALTER FUNCTION covered_by(surface3d, point3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(surface3d, points3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(surface3d, surface3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(surface3d, volume3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(volume3d, rect3) SUPPORT support_inside;
+ALTER FUNCTION covered_by(volume3d, point3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(volume3d, points3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(volume3d, surface3d) SUPPORT support_inside;
+ALTER FUNCTION covered_by(volume3d, volume3d) SUPPORT support_inside;
+ALTER FUNCTION covers(rect3, rect3) SUPPORT support_encloses;
+ALTER FUNCTION covers(rect3, point3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(rect3, points3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(rect3, surface3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(rect3, volume3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(point3d, rect3) SUPPORT support_encloses;
+ALTER FUNCTION covers(point3d, point3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(point3d, points3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(point3d, surface3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(point3d, volume3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(points3d, rect3) SUPPORT support_encloses;
+ALTER FUNCTION covers(points3d, point3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(points3d, points3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(points3d, surface3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(points3d, volume3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(surface3d, rect3) SUPPORT support_encloses;
+ALTER FUNCTION covers(surface3d, point3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(surface3d, points3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(surface3d, surface3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(surface3d, volume3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(volume3d, rect3) SUPPORT support_encloses;
+ALTER FUNCTION covers(volume3d, point3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(volume3d, points3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(volume3d, surface3d) SUPPORT support_encloses;
+ALTER FUNCTION covers(volume3d, volume3d) SUPPORT support_encloses;
+ALTER FUNCTION inside(rect3, rect3) SUPPORT support_inside;
+ALTER FUNCTION inside(rect3, point3d) SUPPORT support_inside;
+ALTER FUNCTION inside(rect3, points3d) SUPPORT support_inside;
+ALTER FUNCTION inside(rect3, surface3d) SUPPORT support_inside;
+ALTER FUNCTION inside(rect3, volume3d) SUPPORT support_inside;
+ALTER FUNCTION inside(point3d, rect3) SUPPORT support_inside;
+ALTER FUNCTION inside(point3d, point3d) SUPPORT support_inside;
+ALTER FUNCTION inside(point3d, points3d) SUPPORT support_inside;
+ALTER FUNCTION inside(point3d, surface3d) SUPPORT support_inside;
+ALTER FUNCTION inside(point3d, volume3d) SUPPORT support_inside;
+ALTER FUNCTION inside(points3d, rect3) SUPPORT support_inside;
+ALTER FUNCTION inside(points3d, point3d) SUPPORT support_inside;
+ALTER FUNCTION inside(points3d, points3d) SUPPORT support_inside;
+ALTER FUNCTION inside(points3d, surface3d) SUPPORT support_inside;
+ALTER FUNCTION inside(points3d, volume3d) SUPPORT support_inside;
+ALTER FUNCTION inside(surface3d, rect3) SUPPORT support_inside;
+ALTER FUNCTION inside(surface3d, point3d) SUPPORT support_inside;
+ALTER FUNCTION inside(surface3d, points3d) SUPPORT support_inside;
+ALTER FUNCTION inside(surface3d, surface3d) SUPPORT support_inside;
+ALTER FUNCTION inside(surface3d, volume3d) SUPPORT support_inside;
+ALTER FUNCTION inside(volume3d, rect3) SUPPORT support_inside;
+ALTER FUNCTION inside(volume3d, point3d) SUPPORT support_inside;
+ALTER FUNCTION inside(volume3d, points3d) SUPPORT support_inside;
+ALTER FUNCTION inside(volume3d, surface3d) SUPPORT support_inside;
+ALTER FUNCTION inside(volume3d, volume3d) SUPPORT support_inside;
+ALTER FUNCTION intersects(rect3, rect3) SUPPORT support_meet;
+ALTER FUNCTION intersects(rect3, point3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(rect3, points3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(rect3, surface3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(rect3, volume3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(point3d, rect3) SUPPORT support_meet;
+ALTER FUNCTION intersects(point3d, point3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(point3d, points3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(point3d, surface3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(point3d, volume3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(points3d, rect3) SUPPORT support_meet;
+ALTER FUNCTION intersects(points3d, point3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(points3d, points3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(points3d, surface3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(points3d, volume3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(surface3d, rect3) SUPPORT support_meet;
+ALTER FUNCTION intersects(surface3d, point3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(surface3d, points3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(surface3d, surface3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(surface3d, volume3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(volume3d, rect3) SUPPORT support_meet;
+ALTER FUNCTION intersects(volume3d, point3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(volume3d, points3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(volume3d, surface3d) SUPPORT support_meet;
+ALTER FUNCTION intersects(volume3d, volume3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(rect3, rect3) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(rect3, point3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(rect3, points3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(rect3, surface3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(rect3, volume3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(point3d, rect3) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(point3d, point3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(point3d, points3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(point3d, surface3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(point3d, volume3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(points3d, rect3) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(points3d, point3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(points3d, points3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(points3d, surface3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(points3d, volume3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(surface3d, rect3) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(surface3d, point3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(surface3d, points3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(surface3d, surface3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(surface3d, volume3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(volume3d, rect3) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(volume3d, point3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(volume3d, points3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(volume3d, surface3d) SUPPORT support_meet;
+ALTER FUNCTION overlaps_with(volume3d, volume3d) SUPPORT support_meet;
+ALTER FUNCTION touches(rect3, rect3) SUPPORT support_meet;
+ALTER FUNCTION touches(rect3, point3d) SUPPORT support_meet;
+ALTER FUNCTION touches(rect3, points3d) SUPPORT support_meet;
+ALTER FUNCTION touches(rect3, surface3d) SUPPORT support_meet;
+ALTER FUNCTION touches(rect3, volume3d) SUPPORT support_meet;
+ALTER FUNCTION touches(point3d, rect3) SUPPORT support_meet;
+ALTER FUNCTION touches(point3d, point3d) SUPPORT support_meet;
+ALTER FUNCTION touches(point3d, points3d) SUPPORT support_meet;
+ALTER FUNCTION touches(point3d, surface3d) SUPPORT support_meet;
+ALTER FUNCTION touches(point3d, volume3d) SUPPORT support_meet;
+ALTER FUNCTION touches(points3d, rect3) SUPPORT support_meet;
+ALTER FUNCTION touches(points3d, point3d) SUPPORT support_meet;
+ALTER FUNCTION touches(points3d, points3d) SUPPORT support_meet;
+ALTER FUNCTION touches(points3d, surface3d) SUPPORT support_meet;
+ALTER FUNCTION touches(points3d, volume3d) SUPPORT support_meet;
+ALTER FUNCTION touches(surface3d, rect3) SUPPORT support_meet;
+ALTER FUNCTION touches(surface3d, point3d) SUPPORT support_meet;
+ALTER FUNCTION touches(surface3d, points3d) SUPPORT support_meet;
+ALTER FUNCTION touches(surface3d, surface3d) SUPPORT support_meet;
+ALTER FUNCTION touches(surface3d, volume3d) SUPPORT support_meet;
+ALTER FUNCTION touches(volume3d, rect3) SUPPORT support_meet;
+ALTER FUNCTION touches(volume3d, point3d) SUPPORT support_meet;
+ALTER FUNCTION touches(volume3d, points3d) SUPPORT support_meet;
+ALTER FUNCTION touches(volume3d, surface3d) SUPPORT support_meet;
+ALTER FUNCTION touches(volume3d, volume3d) SUPPORT support_meet;
+ALTER FUNCTION within_distance(rect3, rect3, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(rect3, point3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(rect3, points3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(rect3, surface3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(rect3, volume3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(point3d, rect3, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(point3d, point3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(point3d, points3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(point3d, surface3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(point3d, volume3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(points3d, rect3, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(points3d, point3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(points3d, points3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(points3d, surface3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(points3d, volume3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(surface3d, rect3, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(surface3d, point3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(surface3d, points3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(surface3d, surface3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(surface3d, volume3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(volume3d, rect3, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(volume3d, point3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(volume3d, points3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(volume3d, surface3d, float8) SUPPORT support_near;
+ALTER FUNCTION within_distance(volume3d, volume3d, float8) SUPPORT support_near;

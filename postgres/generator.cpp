@@ -12,6 +12,7 @@
 
 #include "algebra3d/c.h"
 #include "exported.h"
+#include "strategies.h"
 
 namespace {
 
@@ -27,9 +28,20 @@ std::string key_of(const SqlFunction& sql) {
 /// Types with a box, for `&&`.
 constexpr std::array<std::string_view, 6> kTypesWithBoxes = {"point3d",   "points3d", "rect3",
                                                              "surface3d", "volume3d", "mesh3d"};
+bool has_box(std::string_view type) {
+  return std::ranges::find(kTypesWithBoxes, type) != kTypesWithBoxes.end();
+}
+
 /// Types with vertices and faces, and the functions that give these as arrays.
 constexpr std::array<std::string_view, 3> kMeshTypes = {"mesh3d", "surface3d", "volume3d"};
 constexpr std::array<std::string_view, 3> kArrays = {"vertex_array", "face_array", "degree_array"};
+
+/// What an operator class of the index calls for a type.
+constexpr std::array<std::array<std::string_view, 2>, 5> kIndexCalls = {{{"consistent", "is_consistent"},
+                                                                         {"analyze", "analyze_boxes"},
+                                                                         {"compress", "compress_value"},
+                                                                         {"distance_of_key", "distance_of_key"},
+                                                                         {"box_around", "box_around"}}};
 
 std::string array_symbol(std::string_view array, std::string_view type) {
   return "algebra3d_" + std::string(array) + "_" + std::string(type);
@@ -71,6 +83,9 @@ void write_c(std::ostream& out, const std::vector<SqlFunction>& functions) {
     for (const std::string_view array : kArrays) write_call(out, array_symbol(array, type), array, {type});
   for (const std::string_view a : kTypesWithBoxes)
     for (const std::string_view b : kTypesWithBoxes) write_call(out, boxes_symbol(a, b), "boxes_meet", {a, b});
+  for (const std::string_view type : kTypesWithBoxes)
+    for (const auto& [name, call] : kIndexCalls)
+      write_call(out, "algebra3d_" + std::string(type) + "_" + std::string(name), call, {type});
   for (const SqlFunction& sql : functions) {
     if (sql.function->has_parts != 0)
       out << "DECLARED(" << sql.symbol << "_restore);\nDatum " << sql.symbol << "_restore(PG_FUNCTION_ARGS) {\n"
@@ -98,6 +113,10 @@ void write_type(std::ostream& out, std::string_view type) {
   function(name + "_send", name, "bytea", "IMMUTABLE");
   out << "CREATE TYPE " << name << " (INPUT = " << name << "_in, OUTPUT = " << name << "_out, RECEIVE = " << name
       << "_recv, SEND = " << name << "_send, INTERNALLENGTH = VARIABLE, STORAGE = EXTERNAL);\n";
+  if (has_box(type)) {
+    function(name + "_analyze", "internal", "boolean", "VOLATILE");
+    out << "ALTER TYPE " << name << " SET (ANALYZE = " << name << "_analyze);\n";
+  }
   function("as_text", name, "text", "IMMUTABLE");
   function(name + "_cmp", name + ", " + name, "integer", "IMMUTABLE");
   function(name + "_hash", name, "integer", "IMMUTABLE");
@@ -192,16 +211,25 @@ struct Symbol {
   std::vector<std::string_view> is_for = {};
 };
 
-void write_operators(std::ostream& out, const std::vector<SqlFunction>& functions) {
+/// An operator of SQL.
+struct MadeOperator {
+  std::string_view symbol;
+  std::string left, right;
+};
+
+/// Returns the operators.
+std::vector<MadeOperator> write_operators(std::ostream& out, const std::vector<SqlFunction>& functions) {
+  std::vector<MadeOperator> made;
   const std::vector<std::string_view> sets = {"points3d", "surface3d", "volume3d"};
-  const std::vector<Symbol> symbols = {{"@>", "contains", "COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel"},
-                                       {"<@", "inside", "COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel"},
-                                       {"<->", "distance", "COMMUTATOR = <->"},
-                                       {"+", "union_of", "COMMUTATOR = +", sets},
-                                       {"*", "intersection", "COMMUTATOR = *", sets},
-                                       {"-", "difference", "", sets},
-                                       {"+", "plus", "COMMUTATOR = +", {"vector3d"}},
-                                       {"-", "minus", "", {"vector3d"}}};
+  const std::vector<Symbol> symbols = {
+      {"@>", "contains", "COMMUTATOR = <@, RESTRICT = box_restriction, JOIN = box_join"},
+      {"<@", "inside", "COMMUTATOR = @>, RESTRICT = box_restriction, JOIN = box_join"},
+      {"<->", "distance", "COMMUTATOR = <->"},
+      {"+", "union_of", "COMMUTATOR = +", sets},
+      {"*", "intersection", "COMMUTATOR = *", sets},
+      {"-", "difference", "", sets},
+      {"+", "plus", "COMMUTATOR = +", {"vector3d"}},
+      {"-", "minus", "", {"vector3d"}}};
   for (const Symbol& symbol : symbols)
     for (const SqlFunction& sql : functions) {
       if (sql.function->name != symbol.function || sql.sql_types.size() != 2) continue;
@@ -213,17 +241,85 @@ void write_operators(std::ostream& out, const std::vector<SqlFunction>& function
       out << "CREATE OPERATOR " << symbol.symbol << " (LEFTARG = " << sql.sql_types[0]
           << ", RIGHTARG = " << sql.sql_types[1] << ", FUNCTION = " << symbol.function
           << (symbol.options.empty() ? "" : ", ") << symbol.options << ");\n";
+      made.push_back({symbol.symbol, sql.sql_types[0], sql.sql_types[1]});
     }
   for (const std::string_view a : kTypesWithBoxes)
     for (const std::string_view b : kTypesWithBoxes)
       out << "CREATE FUNCTION boxes_meet(" << a << ", " << b << ") RETURNS boolean AS 'MODULE_PATHNAME', '"
           << boxes_symbol(a, b) << "' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;\n"
           << "CREATE OPERATOR && (LEFTARG = " << a << ", RIGHTARG = " << b
-          << ", FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = contsel, JOIN = contjoinsel);\n";
+          << ", FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);\n";
+  for (const std::string_view a : kTypesWithBoxes)
+    for (const std::string_view b : kTypesWithBoxes) made.push_back({"&&", std::string(a), std::string(b)});
+  return made;
+}
+
+/// The operator classes of the index on space.
+void write_index(std::ostream& out, const std::vector<MadeOperator>& operators) {
+  const std::map<std::string_view, std::string> strategies = {{"&&", std::to_string(STRATEGY_MEETS)},
+                                                              {"@>", std::to_string(STRATEGY_ENCLOSES)},
+                                                              {"<@", std::to_string(STRATEGY_IS_INSIDE)},
+                                                              {"<->", std::to_string(STRATEGY_DISTANCE)}};
+  const auto function = [&](const std::string& signature, std::string_view result, std::string_view symbol) {
+    out << "CREATE FUNCTION " << signature << " RETURNS " << result << " AS 'MODULE_PATHNAME', 'algebra3d_" << symbol
+        << "' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;\n";
+  };
+  out << "\nCREATE TYPE algebra3d_key;\n";
+  function("key_in(cstring)", "algebra3d_key", "key_in");
+  function("key_out(algebra3d_key)", "cstring", "key_out");
+  out << "CREATE TYPE algebra3d_key (INPUT = key_in, OUTPUT = key_out, INTERNALLENGTH = 24, ALIGNMENT = int4, STORAGE "
+         "= "
+         "plain);\n"
+         "COMMENT ON TYPE algebra3d_key IS 'Keys of the index on space: boxes of floats, which no column has.';\n";
+  function("key_union(internal, internal)", "algebra3d_key", "key_union");
+  function("key_penalty(internal, internal, internal)", "internal", "key_penalty");
+  function("key_picksplit(internal, internal)", "internal", "key_picksplit");
+  function("key_same(algebra3d_key, algebra3d_key, internal)", "internal", "key_same");
+  function("key_sortsupport(internal)", "void", "key_sortsupport");
+  for (const std::string_view each : kTypesWithBoxes) {
+    const std::string type(each);
+    function(type + "_consistent(internal, " + type + ", smallint, oid, internal)", "boolean", type + "_consistent");
+    function(type + "_compress(internal)", "internal", type + "_compress");
+    function(type + "_distance_of_key(internal, " + type + ", smallint, oid, internal)", "float8",
+             type + "_distance_of_key");
+    function("box_around(" + type + ", float8)", "rect3", type + "_box_around");
+    out << "CREATE OPERATOR CLASS " << type << "_gist_ops DEFAULT FOR TYPE " << type << " USING gist AS\n";
+    for (const MadeOperator& made : operators) {
+      const auto strategy = strategies.find(made.symbol);
+      if (strategy == strategies.end() || made.left != type || !has_box(made.right)) continue;
+      out << "  OPERATOR " << strategy->second << " " << made.symbol << " (" << type << ", " << made.right << ")"
+          << (made.symbol == "<->" ? " FOR ORDER BY pg_catalog.float_ops" : "") << ",\n";
+    }
+    out << "  FUNCTION 1 " << type << "_consistent(internal, " << type << ", smallint, oid, internal),\n"
+        << "  FUNCTION 2 key_union(internal, internal), FUNCTION 3 " << type << "_compress(internal),\n"
+        << "  FUNCTION 5 key_penalty(internal, internal, internal), FUNCTION 6 key_picksplit(internal, internal),\n"
+        << "  FUNCTION 7 key_same(algebra3d_key, algebra3d_key, internal),\n"
+        << "  FUNCTION 8 (" << type << ", " << type << ") " << type << "_distance_of_key(internal, " << type
+        << ", smallint, oid, internal),\n"
+        << "  FUNCTION 11 key_sortsupport(internal), STORAGE algebra3d_key;\n";
+  }
+}
+
+/// The functions by which predicates use an index.
+void write_supports(std::ostream& out, const std::vector<SqlFunction>& functions) {
+  const std::array<std::string_view, 5> supports = {"", "support_meet", "support_inside", "support_encloses",
+                                                    "support_near"};
+  for (const std::string_view support : supports)
+    if (!support.empty())
+      out << "CREATE FUNCTION " << support << "(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_" << support
+          << "' LANGUAGE C STRICT PARALLEL SAFE;\n";
+  for (const SqlFunction& sql : functions)
+    if (sql.function->boxes != A3D_BOXES_NONE && has_box(sql.sql_types[0]) && has_box(sql.sql_types[1]))
+      out << "ALTER FUNCTION " << sql.signature() << " SUPPORT "
+          << supports.at(static_cast<std::size_t>(sql.function->boxes)) << ";\n";
 }
 
 /// What is not a function of the registry.
 void write_beginning(std::ostream& out) {
+  out << "CREATE FUNCTION box_restriction(internal, oid, internal, integer) RETURNS float8 AS 'MODULE_PATHNAME', "
+         "'algebra3d_box_restriction' LANGUAGE C STABLE STRICT PARALLEL SAFE;\n"
+         "CREATE FUNCTION box_join(internal, oid, internal, smallint, internal) RETURNS float8 AS 'MODULE_PATHNAME', "
+         "'algebra3d_box_join' LANGUAGE C STABLE STRICT PARALLEL SAFE;\n";
   out << "CREATE FUNCTION combine_aggregates(internal, internal) RETURNS internal AS 'MODULE_PATHNAME', "
          "'algebra3d_combine_aggregates' LANGUAGE C IMMUTABLE PARALLEL SAFE;\n"
          "CREATE FUNCTION save_aggregate(internal) RETURNS bytea AS 'MODULE_PATHNAME', 'algebra3d_save_aggregate' "
@@ -283,8 +379,10 @@ void write_sql(std::ostream& out, const std::vector<SqlFunction>& functions) {
     write_function(out, sql, sql.function->name);
     if (const std::string_view name = constructor_of(sql.function->name); !name.empty()) write_function(out, sql, name);
   }
-  write_operators(out, functions);
+  const std::vector<MadeOperator> operators = write_operators(out, functions);
   write_meshes(out);
+  write_index(out, operators);
+  write_supports(out, functions);
 }
 
 }  // namespace

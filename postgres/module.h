@@ -40,6 +40,8 @@ a3d_value* owned_value(a3d_value* value);
  */
 a3d_status run_aside(a3d_status (*work)(void*), void* argument);
 
+/* The name that the library has for a type of the extension. */
+const char* name_of_type(Oid type, MemoryContext memory);
 /* Whether values of a type are stored as the body of the binary form alone: they are small, and have no header. */
 bool is_stored_short(const char* type);
 /* The value that stored bytes have, which are trusted. Owned by the current memory context. */
@@ -60,6 +62,8 @@ a3d_value* value_of_datum(Datum datum, const char* type);
 Datum datum_of_value(a3d_value* value);
 /* Bytes of the library as a varlena; frees them. */
 Datum varlena_of_bytes(a3d_bytes* bytes);
+/* The box and the number of elements of a value of a type with a box. Of a stored value its first bytes are read. */
+a3d_header header_of_datum(Datum datum, const char* type);
 /* A value as an expanded object, which owns it too; and the value of such a datum, null for another. */
 Datum expanded_datum(a3d_value* value);
 a3d_value* expanded_value(Datum datum);
@@ -79,6 +83,12 @@ Datum restore_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key);
 Datum vertex_array(FunctionCallInfo fcinfo, const char* type);
 Datum face_array(FunctionCallInfo fcinfo, const char* type);
 Datum degree_array(FunctionCallInfo fcinfo, const char* type);
+/* Of the index on space (index.c, support.c). */
+Datum compress_value(FunctionCallInfo fcinfo, const char* type);
+Datum is_consistent(FunctionCallInfo fcinfo, const char* type);
+Datum distance_of_key(FunctionCallInfo fcinfo, const char* type);
+Datum box_around(FunctionCallInfo fcinfo, const char* type);
+Datum analyze_boxes(FunctionCallInfo fcinfo, const char* type);
 Datum boxes_meet(FunctionCallInfo fcinfo, const char* type_a, const char* type_b);
 
 Datum read_value(FunctionCallInfo fcinfo, const char* type);

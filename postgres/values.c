@@ -1,11 +1,14 @@
 /* Values of the library as data of PostgreSQL: the binary form in a varlena, base64 or a value list as text. */
 #include "module.h"
 
+#include <access/htup_details.h>
+#include <catalog/pg_type.h>
 #include <common/base64.h>
 #include <libpq/pqformat.h>
 #include <mb/pg_wchar.h>
 #include <utils/builtins.h>
 #include <utils/memutils.h>
+#include <utils/syscache.h>
 
 #include "settings.h"
 
@@ -51,6 +54,15 @@ a3d_value* value_of_bytes(const char* type, const char* bytes, size_t size) {
   if (!is_stored_short(type)) return decoded(type, bytes, size, 0);
   check_status(a3d_decode_body(backend_session(), type, bytes, size, 1, &result));
   return owned_value(result);
+}
+
+const char* name_of_type(Oid type, MemoryContext memory) {
+  HeapTuple tuple = SearchSysCache1(TYPEOID, ObjectIdGetDatum(type));
+  char* name;
+  if (!HeapTupleIsValid(tuple)) elog(ERROR, "there is no type %u", type);
+  name = MemoryContextStrdup(memory, NameStr(((Form_pg_type)GETSTRUCT(tuple))->typname));
+  ReleaseSysCache(tuple);
+  return name;
 }
 
 /* ---- Plain values ---- */
@@ -211,7 +223,7 @@ Datum text_of_value(FunctionCallInfo fcinfo, const char* type) {
 
 /* ---- Boxes ---- */
 
-static a3d_header header_of_datum(Datum datum, const char* type) {
+a3d_header header_of_datum(Datum datum, const char* type) {
   a3d_header result;
   const a3d_value* value = is_stored_short(type) ? value_of_datum(datum, type) : expanded_value(datum);
   if (value != NULL) {
@@ -233,11 +245,29 @@ Datum boxes_meet(FunctionCallInfo fcinfo, const char* type_a, const char* type_b
 
 /* ---- Order ---- */
 
+/* Sorting and hashing call these functions again and again in one memory context, so what they take is released by
+ * them: it is allocated between enter_scratch and leave_scratch. After an error the next call releases it. */
+static MemoryContext scratch;
+
+static MemoryContext enter_scratch(void) {
+  if (scratch == NULL)
+    scratch = AllocSetContextCreate(TopMemoryContext, "algebra3d comparison", ALLOCSET_DEFAULT_SIZES);
+  MemoryContextReset(scratch);
+  return MemoryContextSwitchTo(scratch);
+}
+
+static void leave_scratch(MemoryContext before) {
+  MemoryContextSwitchTo(before);
+  MemoryContextReset(scratch);
+}
+
 static int compared(FunctionCallInfo fcinfo, const char* type) {
-  int order;
+  MemoryContext before = enter_scratch();
   a3d_value* a = value_of_datum(PG_GETARG_DATUM(0), type);
   a3d_value* b = value_of_datum(PG_GETARG_DATUM(1), type);
+  int order;
   check_status(a3d_compare(backend_session(), a, b, &order));
+  leave_scratch(before);
   return order;
 }
 
@@ -246,13 +276,18 @@ Datum compare_values(FunctionCallInfo fcinfo, const char* type) {
 }
 
 /* Different boxes are found without the rest of the values. Equal solids may have different numbers of triangles. */
+static bool have_equal_boxes(FunctionCallInfo fcinfo, const char* type) {
+  MemoryContext before = enter_scratch();
+  a3d_header a = header_of_datum(PG_GETARG_DATUM(0), type), b = header_of_datum(PG_GETARG_DATUM(1), type);
+  bool are_equal = true;
+  for (int axis = 0; axis < 3; ++axis)
+    are_equal = are_equal && a.min[axis] == b.min[axis] && a.max[axis] == b.max[axis];
+  leave_scratch(before);
+  return are_equal;
+}
+
 static bool are_equal(FunctionCallInfo fcinfo, const char* type) {
-  if (!is_stored_short(type)) {
-    a3d_header a = header_of_datum(PG_GETARG_DATUM(0), type), b = header_of_datum(PG_GETARG_DATUM(1), type);
-    for (int axis = 0; axis < 3; ++axis)
-      if (a.min[axis] != b.min[axis] || a.max[axis] != b.max[axis]) return false;
-  }
-  return compared(fcinfo, type) == 0;
+  return (is_stored_short(type) || have_equal_boxes(fcinfo, type)) && compared(fcinfo, type) == 0;
 }
 
 Datum compare_equal(FunctionCallInfo fcinfo, const char* type) {
@@ -280,7 +315,9 @@ Datum compare_not_less(FunctionCallInfo fcinfo, const char* type) {
 }
 
 Datum hash_value(FunctionCallInfo fcinfo, const char* type) {
+  MemoryContext before = enter_scratch();
   uint64_t hash;
   check_status(a3d_hash(backend_session(), value_of_datum(PG_GETARG_DATUM(0), type), &hash));
+  leave_scratch(before);
   PG_RETURN_INT32((int32)(hash ^ (hash >> 32)));
 }

@@ -34,6 +34,25 @@ a3d_kind kind_of(OperatorKind kind) {
   return kind == OperatorKind::table ? A3D_TABLE : kind == OperatorKind::aggregate ? A3D_AGGREGATE : A3D_SCALAR;
 }
 
+a3d_boxes boxes_of(const Operator& op, const Overload& overload) {
+  if (overload.parameters.size() < 2 || !overload.parameters[0].type->is_spatial() ||
+      !overload.parameters[1].type->is_spatial())
+    return A3D_BOXES_NONE;
+  switch (op.boxes) {
+    case BoxCondition::meet:
+      return A3D_BOXES_MEET;
+    case BoxCondition::first_is_inside:
+      return A3D_BOXES_INSIDE;
+    case BoxCondition::first_encloses:
+      return A3D_BOXES_ENCLOSES;
+    case BoxCondition::are_near:
+      return A3D_BOXES_NEAR;
+    case BoxCondition::none:
+      break;
+  }
+  return A3D_BOXES_NONE;
+}
+
 /// Names of types are literals, and all other texts those of the registry.
 Function described(const Operator& op, const Overload& overload) {
   Function function;
@@ -62,6 +81,7 @@ Function described(const Operator& op, const Overload& overload) {
   description.is_symmetric = overload.is_symmetric ? 1 : 0;
   description.reads_files = op.reads_files ? 1 : 0;
   description.writes_files = op.writes_files ? 1 : 0;
+  description.boxes = boxes_of(op, overload);
   description.has_parts = overload.part != nullptr ? 1 : 0;
   description.keeps_values = overload.start != nullptr && overload.start()->keeps_values() ? 1 : 0;
   return function;

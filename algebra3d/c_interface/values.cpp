@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include "algebra3d/c_interface/detail/functions.h"
@@ -6,6 +7,7 @@
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/utf8.h"
 #include "algebra3d/values/types/value_text.h"
+#include "base/hilbert.h"
 #include "base/propagate.h"
 
 namespace algebra3d::c_interface {
@@ -182,6 +184,14 @@ a3d_status a3d_header_of_bytes(a3d_session* session, const char* bytes, size_t s
         return decode_header({bytes, size});
       },
       [&](const GeometryHeader& header) { write(header, result); });
+}
+
+void a3d_hilbert_places(const uint32_t coordinates[3], uint64_t places[2]) {
+  constexpr std::uint32_t kUpper = 20, kLower = 12;
+  const auto [x, y, z] = std::array{coordinates[0], coordinates[1], coordinates[2]};
+  constexpr std::uint32_t kMask = (1U << kLower) - 1;
+  places[0] = hilbert_code<kUpper>(x >> kLower, y >> kLower, z >> kLower);
+  places[1] = hilbert_code<kLower>(x & kMask, y & kMask, z & kMask);
 }
 
 a3d_status a3d_compare(a3d_session* session, const a3d_value* a, const a3d_value* b, int* result) {

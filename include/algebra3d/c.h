@@ -178,6 +178,10 @@ a3d_status a3d_header_of(a3d_session* session, const a3d_value* value, a3d_heade
 #define A3D_HEADER_BYTES 96
 a3d_status a3d_header_of_bytes(a3d_session* session, const char* bytes, size_t size, a3d_header* result);
 
+/* Places on Hilbert's curve: numbers of boxes in an order in which neighbours are near each other. Of three unsigned
+ * coordinates: the place of their upper 20 bits, then that of the lower 12 bits in there. */
+void a3d_hilbert_places(const uint32_t coordinates[3], uint64_t places[2]);
+
 /* The canonical order of two values of one type: below 0, 0 or above 0; undefined comes first. Equal values have equal
  * hashes. */
 a3d_status a3d_compare(a3d_session* session, const a3d_value* a, const a3d_value* b, int* result);
@@ -195,6 +199,15 @@ typedef enum a3d_cost {
   A3D_ARRANGEMENT = 5, /* with the sizes and the intersections */
   A3D_FILE = 6         /* with the size of a file */
 } a3d_cost;
+
+/* What a true result says about the boxes of the first two arguments. Empty values may satisfy it without a box. */
+typedef enum a3d_boxes {
+  A3D_BOXES_NONE = 0,
+  A3D_BOXES_MEET = 1,
+  A3D_BOXES_INSIDE = 2,   /* the second one encloses the first */
+  A3D_BOXES_ENCLOSES = 3, /* the first one encloses the second */
+  A3D_BOXES_NEAR = 4      /* their distance is at most the third argument */
+} a3d_boxes;
 
 typedef struct a3d_column {
   const char* name;
@@ -229,6 +242,7 @@ typedef struct a3d_function {
   int writes_files;
   int has_parts;    /* an aggregate whose runs can be saved: see a3d_save_aggregate */
   int keeps_values; /* an aggregate whose runs hold all their values until the end */
+  a3d_boxes boxes;  /* of a predicate */
 } a3d_function;
 
 /* All functions, sorted by name; those of one name in the order of docs/operators.md. A session must have been opened.

@@ -15,25 +15,41 @@ namespace {
 using IsFunction = std::function<bool(const std::string& name)>;
 using PlaceKind = algebra3d::SyntaxPattern::PlaceKind;
 
-/// An operator, and how it limits its first operand and its second one.
-struct IndexedOperator {
-  std::string_view name;
+/// How an operator limits its first operand and its second one.
+struct IndexUses {
   IndexUse of_first, of_second;
 };
 
-constexpr std::array kIndexedOperators{IndexedOperator{"intersects", IndexUse::meets, IndexUse::meets},
-                                       IndexedOperator{"touches", IndexUse::meets, IndexUse::meets},
-                                       IndexedOperator{"overlaps", IndexUse::meets, IndexUse::meets},
-                                       IndexedOperator{"inside", IndexUse::is_inside, IndexUse::contains},
-                                       IndexedOperator{"coveredBy", IndexUse::is_inside, IndexUse::contains},
-                                       IndexedOperator{"contains", IndexUse::contains, IndexUse::is_inside},
-                                       IndexedOperator{"covers", IndexUse::contains, IndexUse::is_inside},
-                                       IndexedOperator{"withinDistance", IndexUse::is_near, IndexUse::is_near},
-                                       IndexedOperator{"=", IndexUse::equals, IndexUse::equals},
-                                       IndexedOperator{"<", IndexUse::at_most, IndexUse::at_least},
-                                       IndexedOperator{"<=", IndexUse::at_most, IndexUse::at_least},
-                                       IndexedOperator{">", IndexUse::at_least, IndexUse::at_most},
-                                       IndexedOperator{">=", IndexUse::at_least, IndexUse::at_most}};
+struct IndexedComparison {
+  std::string_view name;
+  IndexUses uses;
+};
+constexpr std::array kComparisons{IndexedComparison{"=", {IndexUse::equals, IndexUse::equals}},
+                                  IndexedComparison{"<", {IndexUse::at_most, IndexUse::at_least}},
+                                  IndexedComparison{"<=", {IndexUse::at_most, IndexUse::at_least}},
+                                  IndexedComparison{">", {IndexUse::at_least, IndexUse::at_most}},
+                                  IndexedComparison{">=", {IndexUse::at_least, IndexUse::at_most}}};
+
+std::optional<IndexUses> index_uses(const std::string& name, const algebra3d::Registry& registry) {
+  if (const auto* const known = std::ranges::find(kComparisons, name, &IndexedComparison::name);
+      known != kComparisons.end())
+    return known->uses;
+  using algebra3d::BoxCondition;
+  const algebra3d::Operator* const op = registry.find_operator(name);
+  switch (op == nullptr ? BoxCondition::none : op->boxes) {
+    case BoxCondition::meet:
+      return IndexUses{IndexUse::meets, IndexUse::meets};
+    case BoxCondition::first_is_inside:
+      return IndexUses{IndexUse::is_inside, IndexUse::contains};
+    case BoxCondition::first_encloses:
+      return IndexUses{IndexUse::contains, IndexUse::is_inside};
+    case BoxCondition::are_near:
+      return IndexUses{IndexUse::is_near, IndexUse::is_near};
+    case BoxCondition::none:
+      break;
+  }
+  return std::nullopt;
+}
 
 /// The expressions that an operator is applied to; none if some argument is something else.
 std::vector<ExpressionPtr> operands_of(const Application& application) {
@@ -63,8 +79,8 @@ bool is_call_of_function(const Expression& expression, const IsFunction& is_func
 
 std::optional<IndexCondition> index_condition(const Application& application, const algebra3d::Registry& registry,
                                               const IsFunction& is_function) {
-  const auto* const known = std::ranges::find(kIndexedOperators, application.name, &IndexedOperator::name);
-  if (known == kIndexedOperators.end()) return std::nullopt;
+  const std::optional<IndexUses> known = index_uses(application.name, registry);
+  if (!known) return std::nullopt;
   const std::vector<ExpressionPtr> operands = operands_of(application);
   const bool has_limit = known->of_first == IndexUse::is_near;
   if (operands.size() != (has_limit ? 3U : 2U)) return std::nullopt;

@@ -113,6 +113,7 @@ void register_distances(Registry& registry) {
       .doc = "True if the distance of two sets is at most a limit, in coordinate units.",
       .detail = std::string(kMeaningOfDistance) + " False if a set is empty or the limit is negative.",
       .exactness = Exactness::exact,
+      .boxes = BoxCondition::are_near,
       .sources = {"larsen2000", "ericson2005"},
       .overloads = all_pairs<WithinMaker>(),
       .examples = {{{kCubeOfTwo, kFarCube, "5"}, "TRUE"},

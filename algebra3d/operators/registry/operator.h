@@ -154,6 +154,16 @@ enum class Cost : std::uint8_t {
 };
 std::string_view describe(Cost cost);
 
+/// What TRUE says about the boxes of the first two arguments, so that an index of boxes finds candidates. Empty values,
+/// which have none, are candidates in any case.
+enum class BoxCondition : std::uint8_t {
+  none,
+  meet,
+  first_is_inside,  ///< the second one encloses the first
+  first_encloses,
+  are_near,  ///< their distance is at most the third argument
+};
+
 /// A family of operators, for lists and pages.
 struct Family {
   std::string name;           ///< "set operations"
@@ -177,6 +187,7 @@ struct Operator {
   Exactness exactness = Exactness::not_numeric;
   FrameUse frame_use = FrameUse::none;
   Cost cost = Cost::unknown;  ///< by default that of the family
+  BoxCondition boxes = BoxCondition::none;
   bool is_pure = true;        ///< no side effect, and equal results for equal arguments; so no file access
   bool reads_files = false;   ///< an undefined result means that a file yields no value
   bool writes_files = false;

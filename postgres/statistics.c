@@ -1,0 +1,346 @@
+/* Statistics of boxes: ANALYZE divides a sample into groups of boxes of similar place and size, by halving along the
+ * widest of six extents: that of the centres and that of the sizes, in three dimensions. Within a group centres are
+ * taken as evenly distributed, and sizes as equal. */
+#include "statistics.h"
+
+#include <math.h>
+
+#include <access/htup_details.h>
+#include <catalog/pg_statistic.h>
+#include <catalog/pg_type.h>
+#include <commands/vacuum.h>
+#include <nodes/nodeFuncs.h>
+#include <utils/builtins.h>
+#include <utils/lsyscache.h>
+#include <utils/memutils.h>
+#include <utils/selfuncs.h>
+#include <utils/syscache.h>
+
+#include "strategies.h"
+
+/* Of private use, as pg_statistic.h has it. The numbers: rows of the sample, those of them with an empty value, then
+ * the groups. */
+#define STATISTIC_KIND_BOXES 21300
+#define GROUPS_PER_TARGET 5
+
+/* A group: a box of centres, and half the size of its boxes. */
+typedef struct Group {
+  float4 rows;
+  float4 min[3], max[3], half[3];
+} Group;
+#define NUMBERS_OF_GROUP (sizeof(Group) / sizeof(float4))
+
+typedef struct Histogram {
+  double rows, empty_rows; /* of the sample, without NULL */
+  const Group* groups;
+  int count;
+  AttStatsSlot slot;
+} Histogram;
+
+/* ---- ANALYZE ---- */
+
+typedef struct Sampled {
+  float8 numbers[6]; /* centre, half size */
+} Sampled;
+
+typedef struct Gathered {
+  const char* type;
+  Group* groups;
+  int count, most;
+} Gathered;
+
+static int order_axis;
+
+static int compare_sampled(const void* a, const void* b) {
+  const double x = ((const Sampled*)a)->numbers[order_axis], y = ((const Sampled*)b)->numbers[order_axis];
+  return x < y ? -1 : x > y;
+}
+
+static double spread(const Sampled* rows, int count, int axis) {
+  double least = INFINITY, greatest = -INFINITY;
+  for (int i = 0; i < count; ++i) {
+    least = Min(least, rows[i].numbers[axis]);
+    greatest = Max(greatest, rows[i].numbers[axis]);
+  }
+  return greatest - least;
+}
+
+static Group group_of(const Sampled* rows, int count) {
+  Group group = {.rows = (float4)count};
+  for (int axis = 0; axis < 3; ++axis) {
+    double least = INFINITY, greatest = -INFINITY, sum = 0;
+    for (int i = 0; i < count; ++i) {
+      least = Min(least, rows[i].numbers[axis]);
+      greatest = Max(greatest, rows[i].numbers[axis]);
+      sum += rows[i].numbers[3 + axis];
+    }
+    group.min[axis] = (float4)least;
+    group.max[axis] = (float4)greatest;
+    group.half[axis] = (float4)(sum / count);
+  }
+  return group;
+}
+
+/* Makes so many groups of the rows, at most. */
+static void divide(Gathered* result, Sampled* rows, int count, int groups) {
+  int widest = 0;
+  double width = -1;
+  if (count == 0) return;
+  for (int axis = 0; axis < 6; ++axis) {
+    const double found = spread(rows, count, axis);
+    if (found > width) {
+      width = found;
+      widest = axis;
+    }
+  }
+  if (groups <= 1 || count == 1 || width == 0) {
+    result->groups[result->count++] = group_of(rows, count);
+    return;
+  }
+  order_axis = widest;
+  qsort(rows, count, sizeof *rows, compare_sampled);
+  divide(result, rows, count / 2, groups / 2);
+  divide(result, rows + count / 2, count - count / 2, groups - groups / 2);
+}
+
+static void compute_statistics(VacAttrStatsP stats, AnalyzeAttrFetchFunc fetch, int row_count, double total) {
+  Gathered* gathered = stats->extra_data;
+  Sampled* rows = palloc(Max(1, row_count) * sizeof *rows);
+  int count = 0, nulls = 0, empty = 0;
+  double width = 0;
+  float4* numbers;
+  MemoryContext row_memory = AllocSetContextCreate(CurrentMemoryContext, "algebra3d sample", ALLOCSET_DEFAULT_SIZES);
+  for (int i = 0; i < row_count; ++i) {
+    bool is_null;
+    Datum datum = fetch(stats, i, &is_null);
+    MemoryContext before;
+    a3d_header box;
+    vacuum_delay_point();
+    if (is_null) {
+      ++nulls;
+      continue;
+    }
+    width += VARSIZE_ANY(DatumGetPointer(datum));
+    before = MemoryContextSwitchTo(row_memory);
+    box = header_of_datum(datum, gathered->type);
+    MemoryContextSwitchTo(before);
+    MemoryContextReset(row_memory);
+    if (box.min[0] > box.max[0]) {
+      ++empty;
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      rows[count].numbers[axis] = box.min[axis] / 2 + box.max[axis] / 2;
+      rows[count].numbers[3 + axis] = box.max[axis] / 2 - box.min[axis] / 2;
+    }
+    ++count;
+  }
+  if (row_count == 0) return;
+  stats->stats_valid = true;
+  stats->stanullfrac = (float4)nulls / (float4)row_count;
+  stats->stawidth = nulls < row_count ? (int32)(width / (row_count - nulls)) : 0;
+  stats->stadistinct = -1.0F + stats->stanullfrac;
+  if (count + empty == 0) return;
+  gathered->groups = palloc(gathered->most * sizeof(Group));
+  divide(gathered, rows, count, gathered->most);
+  numbers = MemoryContextAlloc(stats->anl_context, 2 * sizeof(float4) + gathered->count * sizeof(Group));
+  numbers[0] = (float4)(count + empty);
+  numbers[1] = (float4)empty;
+  memcpy(numbers + 2, gathered->groups, gathered->count * sizeof(Group));
+  stats->stakind[0] = STATISTIC_KIND_BOXES;
+  stats->stanumbers[0] = numbers;
+  stats->numnumbers[0] = 2 + (int)(gathered->count * NUMBERS_OF_GROUP);
+}
+
+Datum analyze_boxes(FunctionCallInfo fcinfo, const char* type) {
+  VacAttrStats* stats = (VacAttrStats*)PG_GETARG_POINTER(0);
+  Gathered* gathered = palloc0(sizeof *gathered);
+  if (stats->attr->attstattarget < 0) stats->attr->attstattarget = default_statistics_target;
+  gathered->type = type;
+  gathered->most = Max(1, GROUPS_PER_TARGET * stats->attr->attstattarget);
+  stats->compute_stats = compute_statistics;
+  stats->minrows = 300 * stats->attr->attstattarget;
+  stats->extra_data = gathered;
+  PG_RETURN_BOOL(true);
+}
+
+/* ---- Shares ---- */
+
+static bool read_histogram(const VariableStatData* variable, Oid function, Histogram* result) {
+  if (!HeapTupleIsValid(variable->statsTuple) || !statistic_proc_security_check((VariableStatData*)variable, function))
+    return false;
+  if (!get_attstatsslot(&result->slot, variable->statsTuple, STATISTIC_KIND_BOXES, InvalidOid, ATTSTATSSLOT_NUMBERS))
+    return false;
+  result->rows = result->slot.numbers[0];
+  result->empty_rows = result->slot.numbers[1];
+  result->groups = (const Group*)(result->slot.numbers + 2);
+  result->count = (int)((result->slot.nnumbers - 2) / NUMBERS_OF_GROUP);
+  return true;
+}
+
+static double null_share(const VariableStatData* variable) {
+  return HeapTupleIsValid(variable->statsTuple) ? ((Form_pg_statistic)GETSTRUCT(variable->statsTuple))->stanullfrac : 0;
+}
+
+/* The share of the even distribution from `min` to `max` that lies between two numbers. */
+static double share_between(double min, double max, double low, double high) {
+  if (low > high) return 0;
+  if (max <= min) return low <= min && min <= high;
+  return Max(0, Min(max, high) - Max(min, low)) / (max - min);
+}
+
+/* How far the centre of a box of half size `half` may be from a centre with `other_half`, so that the condition holds.
+ */
+static double reach(StrategyNumber strategy, double half, double other_half, double limit) {
+  switch (strategy) {
+    case STRATEGY_ENCLOSES:
+      return half - other_half;
+    case STRATEGY_IS_INSIDE:
+      return other_half - half;
+    default:
+      return half + other_half + limit;
+  }
+}
+
+static double share_for_box(const Histogram* histogram, StrategyNumber strategy, const a3d_header* box, double limit) {
+  double rows = 0;
+  if (box->min[0] > box->max[0]) return strategy == STRATEGY_ENCLOSES ? 1 : 0;
+  for (int i = 0; i < histogram->count; ++i) {
+    const Group* group = &histogram->groups[i];
+    double share = group->rows;
+    for (int axis = 0; axis < 3 && share > 0; ++axis) {
+      const double centre = box->min[axis] / 2 + box->max[axis] / 2;
+      const double far = reach(strategy, group->half[axis], box->max[axis] / 2 - box->min[axis] / 2, limit);
+      share *= share_between(group->min[axis], group->max[axis], centre - far, centre + far);
+    }
+    rows += share;
+  }
+  if (strategy == STRATEGY_IS_INSIDE) rows += histogram->empty_rows;
+  return histogram->rows > 0 ? rows / histogram->rows : 0;
+}
+
+/* The probability that the difference of two evenly distributed numbers is at most `far`: a quarter of a plane, cut by
+ * the rectangle of the two ranges. */
+static double share_below(double a, double b, double c, double d, double far) {
+  const double parts[4] = {far - (a - d), far - (b - d), far - (a - c), far - (b - c)};
+  double sum = 0;
+  for (int i = 0; i < 4; ++i) {
+    const double positive = Max(0, parts[i]);
+    sum += (i == 0 || i == 3 ? 1 : -1) * positive * positive / 2;
+  }
+  return Min(1, Max(0, sum / ((b - a) * (d - c))));
+}
+
+static double share_of_pairs(double a, double b, double c, double d, double far) {
+  if (far < 0 || a - d > far || c - b > far) return 0;
+  if (b - a <= 1e-6 * (d - c)) return share_between(c, d, a / 2 + b / 2 - far, a / 2 + b / 2 + far);
+  if (d - c <= 1e-6 * (b - a)) return share_between(a, b, c / 2 + d / 2 - far, c / 2 + d / 2 + far);
+  return Max(0, share_below(a, b, c, d, far) - share_below(a, b, c, d, -far));
+}
+
+static double share_for_pairs(const Histogram* left, const Histogram* right, StrategyNumber strategy, double limit) {
+  double pairs = 0;
+  for (int i = 0; i < left->count; ++i)
+    for (int j = 0; j < right->count; ++j) {
+      const Group *a = &left->groups[i], *b = &right->groups[j];
+      double share = (double)a->rows * b->rows;
+      for (int axis = 0; axis < 3 && share > 0; ++axis)
+        share *= share_of_pairs(a->min[axis], a->max[axis], b->min[axis], b->max[axis],
+                                reach(strategy, a->half[axis], b->half[axis], limit));
+      pairs += share;
+    }
+  return left->rows > 0 && right->rows > 0 ? pairs / (left->rows * right->rows) : 0;
+}
+
+/* ---- What the planner asks ---- */
+
+#define SHARE_WITHOUT_STATISTICS 0.001
+
+static double limit_of(Node* limit) {
+  if (limit == NULL || !IsA(limit, Const) || ((Const*)limit)->constisnull) return 0;
+  return DatumGetFloat8(((Const*)limit)->constvalue);
+}
+
+static bool box_of_constant(Node* node, a3d_header* result) {
+  const Const* constant = (const Const*)node;
+  if (!IsA(node, Const) || constant->constisnull) return false;
+  *result = header_of_datum(constant->constvalue, name_of_type(constant->consttype, CurrentMemoryContext));
+  return true;
+}
+
+static StrategyNumber commuted(StrategyNumber strategy) {
+  if (strategy == STRATEGY_ENCLOSES) return STRATEGY_IS_INSIDE;
+  return strategy == STRATEGY_IS_INSIDE ? STRATEGY_ENCLOSES : strategy;
+}
+
+double restriction_share(PlannerInfo* root, StrategyNumber strategy, List* arguments, Node* limit, int relation,
+                         Oid function) {
+  VariableStatData variable;
+  Node* other;
+  bool is_on_left;
+  Histogram histogram;
+  double share = SHARE_WITHOUT_STATISTICS;
+  if (!get_restriction_variable(root, list_make2(linitial(arguments), lsecond(arguments)), relation, &variable, &other,
+                                &is_on_left))
+    return share;
+  if (IsA(other, Const) && ((Const*)other)->constisnull) {
+    ReleaseVariableStats(variable);
+    return 0;
+  }
+  if (read_histogram(&variable, function, &histogram)) {
+    a3d_header box;
+    const StrategyNumber own = is_on_left ? strategy : commuted(strategy);
+    /* A query that is not known yet is taken as one of the rows. */
+    share = box_of_constant(other, &box) ? share_for_box(&histogram, own, &box, limit_of(limit))
+                                         : share_for_pairs(&histogram, &histogram, own, limit_of(limit));
+    share *= 1 - null_share(&variable);
+    free_attstatsslot(&histogram.slot);
+  }
+  ReleaseVariableStats(variable);
+  return share;
+}
+
+double join_share(PlannerInfo* root, StrategyNumber strategy, List* arguments, Node* limit, SpecialJoinInfo* join,
+                  Oid function) {
+  VariableStatData left, right;
+  bool is_reversed;
+  Histogram of_left, of_right;
+  double share = SHARE_WITHOUT_STATISTICS;
+  get_join_variables(root, list_make2(linitial(arguments), lsecond(arguments)), join, &left, &right, &is_reversed);
+  if (read_histogram(&left, function, &of_left)) {
+    if (read_histogram(&right, function, &of_right)) {
+      share = share_for_pairs(&of_left, &of_right, strategy, limit_of(limit)) * (1 - null_share(&left)) *
+              (1 - null_share(&right));
+      free_attstatsslot(&of_right.slot);
+    }
+    free_attstatsslot(&of_left.slot);
+  }
+  ReleaseVariableStats(left);
+  ReleaseVariableStats(right);
+  return share;
+}
+
+static StrategyNumber strategy_of(Oid symbol) {
+  const char* name = get_opname(symbol);
+  if (name != NULL && strcmp(name, "@>") == 0) return STRATEGY_ENCLOSES;
+  if (name != NULL && strcmp(name, "<@") == 0) return STRATEGY_IS_INSIDE;
+  return STRATEGY_MEETS;
+}
+
+PG_FUNCTION_INFO_V1(algebra3d_box_restriction);
+Datum algebra3d_box_restriction(PG_FUNCTION_ARGS);
+Datum algebra3d_box_restriction(PG_FUNCTION_ARGS) {
+  const Oid symbol = PG_GETARG_OID(1);
+  const double share = restriction_share((PlannerInfo*)PG_GETARG_POINTER(0), strategy_of(symbol),
+                                         (List*)PG_GETARG_POINTER(2), NULL, PG_GETARG_INT32(3), get_opcode(symbol));
+  PG_RETURN_FLOAT8(Min(1, Max(0, share)));
+}
+
+PG_FUNCTION_INFO_V1(algebra3d_box_join);
+Datum algebra3d_box_join(PG_FUNCTION_ARGS);
+Datum algebra3d_box_join(PG_FUNCTION_ARGS) {
+  const Oid symbol = PG_GETARG_OID(1);
+  const double share = join_share((PlannerInfo*)PG_GETARG_POINTER(0), strategy_of(symbol), (List*)PG_GETARG_POINTER(2),
+                                  NULL, (SpecialJoinInfo*)PG_GETARG_POINTER(4), get_opcode(symbol));
+  PG_RETURN_FLOAT8(Min(1, Max(0, share)));
+}

@@ -1,0 +1,134 @@
+/* What the planner is told about predicates: which index finds the rows for which they may hold. */
+#include "module.h"
+
+#include <float.h>
+#include <math.h>
+
+#include <access/stratnum.h>
+#include <catalog/pg_type.h>
+#include <nodes/makefuncs.h>
+#include <nodes/nodeFuncs.h>
+#include <nodes/supportnodes.h>
+#include <optimizer/optimizer.h>
+#include <parser/parse_func.h>
+#include <utils/lsyscache.h>
+
+#include "statistics.h"
+#include "strategies.h"
+
+/* column OPERATOR other, if the index has that operator. */
+static Node* condition(const SupportRequestIndexCondition* request, StrategyNumber strategy, Node* column,
+                       Node* other) {
+  const Oid symbol = get_opfamily_member(request->opfamily, exprType(column), exprType(other), strategy);
+  if (!OidIsValid(symbol)) return NULL;
+  return (Node*)make_opclause(symbol, BOOLOID, false, (Expr*)column, (Expr*)other, InvalidOid, InvalidOid);
+}
+
+typedef struct Arguments {
+  Node *column, *other, *limit;
+} Arguments;
+
+static List* arguments_of(Node* call) {
+  return is_funcclause(call) ? ((FuncExpr*)call)->args : is_opclause(call) ? ((OpExpr*)call)->args : NIL;
+}
+
+/* The arguments of a predicate, if those beside the column are known before the index is read. */
+static bool find_arguments(const SupportRequestIndexCondition* request, Arguments* result) {
+  List* given = arguments_of(request->node);
+  if (list_length(given) < 2 || request->indexarg > 1) return false;
+  result->column = list_nth(given, request->indexarg);
+  result->other = list_nth(given, 1 - request->indexarg);
+  result->limit = list_length(given) > 2 ? list_nth(given, 2) : NULL;
+  if (!is_pseudo_constant_for_index(request->root, result->other, request->index)) return false;
+  return result->limit == NULL || is_pseudo_constant_for_index(request->root, result->limit, request->index);
+}
+
+/* The share of the rows for which the condition on the boxes holds is that of the predicate, about. */
+static Datum estimate(SupportRequestSelectivity* request, StrategyNumber strategy) {
+  Node* limit = list_length(request->args) > 2 ? (Node*)lthird(request->args) : NULL;
+  if (list_length(request->args) < 2) PG_RETURN_POINTER(NULL);
+  request->selectivity =
+      request->is_join
+          ? join_share(request->root, strategy, request->args, limit, request->sjinfo, request->funcid)
+          : restriction_share(request->root, strategy, request->args, limit, request->varRelid, request->funcid);
+  request->selectivity = Min(1, Max(0, request->selectivity));
+  PG_RETURN_POINTER(request);
+}
+
+/* of_first, of_second: what a predicate says of the box of its first or second argument. */
+static Datum support(FunctionCallInfo fcinfo, StrategyNumber of_first, StrategyNumber of_second) {
+  Node* given = (Node*)PG_GETARG_POINTER(0);
+  SupportRequestIndexCondition* request;
+  Arguments arguments;
+  Node* made;
+  if (IsA(given, SupportRequestSelectivity)) return estimate((SupportRequestSelectivity*)given, of_first);
+  if (!IsA(given, SupportRequestIndexCondition)) PG_RETURN_POINTER(NULL);
+  request = (SupportRequestIndexCondition*)given;
+  if (!find_arguments(request, &arguments)) PG_RETURN_POINTER(NULL);
+  made = condition(request, request->indexarg == 0 ? of_first : of_second, arguments.column, arguments.other);
+  if (made == NULL) PG_RETURN_POINTER(NULL);
+  request->lossy = true;
+  PG_RETURN_POINTER(list_make1(made));
+}
+
+PG_FUNCTION_INFO_V1(algebra3d_support_meet);
+Datum algebra3d_support_meet(PG_FUNCTION_ARGS);
+Datum algebra3d_support_meet(PG_FUNCTION_ARGS) {
+  return support(fcinfo, STRATEGY_MEETS, STRATEGY_MEETS);
+}
+
+PG_FUNCTION_INFO_V1(algebra3d_support_inside);
+Datum algebra3d_support_inside(PG_FUNCTION_ARGS);
+Datum algebra3d_support_inside(PG_FUNCTION_ARGS) {
+  return support(fcinfo, STRATEGY_IS_INSIDE, STRATEGY_ENCLOSES);
+}
+
+PG_FUNCTION_INFO_V1(algebra3d_support_encloses);
+Datum algebra3d_support_encloses(PG_FUNCTION_ARGS);
+Datum algebra3d_support_encloses(PG_FUNCTION_ARGS) {
+  return support(fcinfo, STRATEGY_ENCLOSES, STRATEGY_IS_INSIDE);
+}
+
+/* within_distance(a, b, d): the box of one meets the box around the other one that is larger by d on all sides. */
+PG_FUNCTION_INFO_V1(algebra3d_support_near);
+Datum algebra3d_support_near(PG_FUNCTION_ARGS);
+Datum algebra3d_support_near(PG_FUNCTION_ARGS) {
+  Node* given = (Node*)PG_GETARG_POINTER(0);
+  SupportRequestIndexCondition* request;
+  Arguments arguments;
+  Oid types[2], box_around, box_type;
+  Node* made;
+  List* name;
+  if (IsA(given, SupportRequestSelectivity)) return estimate((SupportRequestSelectivity*)given, STRATEGY_MEETS);
+  if (!IsA(given, SupportRequestIndexCondition)) PG_RETURN_POINTER(NULL);
+  request = (SupportRequestIndexCondition*)given;
+  if (!find_arguments(request, &arguments) || arguments.limit == NULL) PG_RETURN_POINTER(NULL);
+  types[0] = exprType(arguments.other);
+  types[1] = FLOAT8OID;
+  name = list_make2(makeString(get_namespace_name(get_func_namespace(request->funcid))), makeString("box_around"));
+  box_around = LookupFuncName(name, 2, types, true);
+  if (!OidIsValid(box_around)) PG_RETURN_POINTER(NULL);
+  box_type = get_func_rettype(box_around);
+  made = condition(request, STRATEGY_MEETS, arguments.column,
+                   (Node*)makeFuncExpr(box_around, box_type, list_make2(arguments.other, arguments.limit), InvalidOid,
+                                       InvalidOid, COERCE_EXPLICIT_CALL));
+  if (made == NULL) PG_RETURN_POINTER(NULL);
+  request->lossy = true;
+  PG_RETURN_POINTER(list_make1(made));
+}
+
+/* The box of a value, larger by a length on all sides; that of an empty value, or by a negative length, meets nothing
+ * and is NULL. */
+Datum box_around(FunctionCallInfo fcinfo, const char* type) {
+  a3d_header header = header_of_datum(PG_GETARG_DATUM(0), type);
+  const double length = PG_GETARG_FLOAT8(1);
+  a3d_value* box = NULL;
+  double bounds[6];
+  if (header.min[0] > header.max[0] || !(length >= 0)) PG_RETURN_NULL();
+  for (int axis = 0; axis < 3; ++axis) {
+    bounds[2 * axis] = Max(nextafter(header.min[axis] - length, -HUGE_VAL), -DBL_MAX);
+    bounds[2 * axis + 1] = Min(nextafter(header.max[axis] + length, HUGE_VAL), DBL_MAX);
+  }
+  check_status(a3d_decode_body(backend_session(), "rect3", (const char*)bounds, sizeof bounds, 1, &box));
+  return datum_of_value(owned_value(box));
+}
