@@ -205,7 +205,7 @@ void register_imports(Registry& registry) {
                     without_files(overload<&check_stl_bytes>("bytes"), Cost::arrangement)},
       .examples = {{{"'no such file.stl'"}, "TRUE", "(contains _ 'No such file')"},
                    {{"(toSTL " + kUnitCube + ")"}, "'ok'"},
-                   {{"(hex2bytes '')"}, "'the bytes: the file is empty'"},
+                   {{"(hex2bytes '')"}, "'the bytes: empty file; expected an STL file'"},
                    {{"(text undefined)"}, "undefined"}},
       .errors = {{{"5"}, "checkSTL: expected (text) or (bytes), got (int)"}},
   });

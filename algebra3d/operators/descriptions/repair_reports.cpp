@@ -158,7 +158,7 @@ void register_repair_reports(Registry& registry) {
       .examples = {{{"(text undefined)"}, "0", "(count _)"},
                    {{"'no such file.stl'"}, "0", "(count _)"},
                    {{"(toSTL " + kUnitCube + ")"}, "0", "(count _)"},
-                   {{kOpenBox, "'holes=0'"}, "0", "(count _)"}},
+                   {{kOpenBox, "'holes=0'"}, "TRUE", "(> (count _) 0)"}},
       .errors = {{{"5"}, "repairReport: expected (text), (text text), (bytes) or (bytes text), got (int)"}},
   });
 }
