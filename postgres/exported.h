@@ -19,8 +19,9 @@ inline constexpr std::array<std::string_view, 9> kTypes = {"point3d", "points3d"
                                                            "region",  "surface3d", "volume3d", "mesh3d"};
 
 inline const std::map<std::string_view, std::string_view>& plain_types() {
-  static const std::map<std::string_view, std::string_view> types = {
-      {"int", "bigint"}, {"real", "float8"}, {"bool", "boolean"}, {"string", "text"}, {"text", "text"}};
+  static const std::map<std::string_view, std::string_view> types = {{"int", "bigint"},   {"real", "float8"},
+                                                                     {"bool", "boolean"}, {"string", "text"},
+                                                                     {"text", "text"},    {"bytes", "bytea"}};
   return types;
 }
 
@@ -89,6 +90,11 @@ inline bool has_own_type(const a3d_function& function) {
                      [](const a3d_parameter& parameter) { return is_own(parameter.type); });
 }
 
+/// What reads and writes files for others, as bytes.
+inline bool is_about_files(std::string_view family) {
+  return family == "mesh files" || family == "well-known binary";
+}
+
 inline bool has_known_types(const a3d_function& function) {
   const auto results = results_of(function);
   return std::ranges::none_of(results, [](std::string_view type) { return sql_type(type).empty(); }) &&
@@ -103,7 +109,7 @@ inline bool is_generic(std::string_view family) {
 
 inline bool is_exported(const a3d_function& function) {
   return function.reads_files == 0 && function.writes_files == 0 && !is_generic(function.family) &&
-         has_own_type(function) && has_known_types(function);
+         (has_own_type(function) || is_about_files(function.family)) && has_known_types(function);
 }
 
 inline std::vector<SqlFunction> exported() {

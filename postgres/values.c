@@ -81,6 +81,9 @@ a3d_value* value_of_datum(Datum datum, const char* type) {
     char* utf8 = pg_server_to_any(VARDATA_ANY(given), VARSIZE_ANY_EXHDR(given), PG_UTF8);
     size_t size = utf8 == VARDATA_ANY(given) ? VARSIZE_ANY_EXHDR(given) : strlen(utf8);
     check_status(a3d_make_text(session, type, utf8, size, &result));
+  } else if (strcmp(type, "bytes") == 0) {
+    bytea* given = DatumGetByteaPP(datum);
+    check_status(a3d_make_bytes(session, VARDATA_ANY(given), VARSIZE_ANY_EXHDR(given), &result));
   } else {
     result = expanded_value(datum);
     return result != NULL ? result : kept_value(datum, type);
@@ -128,6 +131,12 @@ Datum datum_of_value(a3d_value* value) {
     char* converted = pg_any_to_server(characters, size, PG_UTF8);
     return PointerGetDatum(converted == characters ? cstring_to_text_with_len(characters, size)
                                                    : cstring_to_text(converted));
+  }
+  if (strcmp(type, "bytes") == 0) {
+    size_t size;
+    const char* bytes = a3d_bytes_of(value, &size);
+    /* A bytea is a varlena like a text. */
+    return PointerGetDatum(cstring_to_text_with_len(bytes, size));
   }
   return is_stored_short(type) ? short_datum(value) : expanded_datum(value);
 }

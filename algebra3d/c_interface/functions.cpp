@@ -69,7 +69,7 @@ Function described(const Operator& op, const Overload& overload) {
   description.doc = op.doc.c_str();
   description.detail = op.detail.c_str();
   description.kind = kind_of(overload.kind());
-  description.cost = cost_of(op.cost);
+  description.cost = cost_of(op.cost_of(overload));
   description.parameter_count = function.parameters.size();
   description.parameters = function.parameters.data();
   description.result_type = overload.result == nullptr ? nullptr : overload.result->name().data();
@@ -77,10 +77,10 @@ Function described(const Operator& op, const Overload& overload) {
   description.columns = function.columns.data();
   description.gives_elements = overload.gives_elements ? 1 : 0;
   description.has_one_row = overload.has_one_row ? 1 : 0;
-  description.is_pure = op.is_pure ? 1 : 0;
+  description.is_pure = op.is_pure_in(overload) ? 1 : 0;
   description.is_symmetric = overload.is_symmetric ? 1 : 0;
-  description.reads_files = op.reads_files ? 1 : 0;
-  description.writes_files = op.writes_files ? 1 : 0;
+  description.reads_files = op.reads_files_in(overload) ? 1 : 0;
+  description.writes_files = op.writes_files_in(overload) ? 1 : 0;
   description.boxes = boxes_of(op, overload);
   description.has_parts = overload.part != nullptr ? 1 : 0;
   description.keeps_values = overload.start != nullptr && overload.start()->keeps_values() ? 1 : 0;

@@ -3,6 +3,7 @@
 
 #include "algebra3d/c_interface/detail/functions.h"
 #include "algebra3d/c_interface/detail/session.h"
+#include "algebra3d/values/types/bytes.h"
 #include "algebra3d/values/types/codec.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/utf8.h"
@@ -90,6 +91,11 @@ a3d_status a3d_make_text(a3d_session* session, const char* type, const char* tex
   });
 }
 
+a3d_status a3d_make_bytes(a3d_session* session, const char* bytes, size_t size, a3d_value** result) {
+  return made(session, result,
+              [&](Context&) -> Result<Value> { return Value::of<Bytes>(Bytes{std::string(bytes, size)}); });
+}
+
 int64_t a3d_int_of(const a3d_value* value) {
   return value->content.get<std::int64_t>();
 }
@@ -106,6 +112,12 @@ const char* a3d_text_of(const a3d_value* value, size_t* size) {
   const std::string& characters = characters_of(value->content);
   *size = characters.size();
   return characters.c_str();
+}
+
+const char* a3d_bytes_of(const a3d_value* value, size_t* size) {
+  const std::string& content = value->content.get<Bytes>().content;
+  *size = content.size();
+  return content.c_str();
 }
 
 a3d_status a3d_encode(a3d_session* session, const a3d_value* value, a3d_bytes* result) {

@@ -125,11 +125,17 @@ a3d_status a3d_make_int(a3d_session* session, int64_t number, a3d_value** result
 a3d_status a3d_make_real(a3d_session* session, double number, a3d_value** result);
 a3d_status a3d_make_bool(a3d_session* session, int truth, a3d_value** result);
 a3d_status a3d_make_text(a3d_session* session, const char* type, const char* text, size_t size, a3d_value** result);
-/* Of defined values of exactly these types. The text lives as long as the value. */
+/* A value of the type bytes: any bytes, such as the content of a file. (a3d_bytes above are bytes of the library's
+ * own.)
+ */
+a3d_status a3d_make_bytes(a3d_session* session, const char* bytes, size_t size, a3d_value** result);
+/* Of defined values of exactly these types. The text and the bytes live as long as the value; both end with a zero that
+ * `size` does not count. */
 int64_t a3d_int_of(const a3d_value* value);
 double a3d_real_of(const a3d_value* value);
 int a3d_bool_of(const a3d_value* value);
 const char* a3d_text_of(const a3d_value* value, size_t* size);
+const char* a3d_bytes_of(const a3d_value* value, size_t* size);
 
 /* A mesh3d of points (x, y, z of each, finite) and faces with 3 corners each; or, where `degrees` is not null, with as
  * many as it says. Corners are numbers of points from 0. Errors: invalid_value with the place: a coordinate that is not

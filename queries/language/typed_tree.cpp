@@ -160,7 +160,7 @@ class ValueCallNode final : public ValueNode {
     return true;
   }
   bool never_fails() const override {
-    return call_.overload->never_fails && call_.op->is_pure &&
+    return call_.overload->never_fails && call_.op->is_pure_in(*call_.overload) &&
            std::ranges::all_of(arguments_, [](const TypedPtr& argument) { return argument->never_fails(); });
   }
 

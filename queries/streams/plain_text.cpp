@@ -123,6 +123,7 @@ Result<NestedList> list_of_text(const Type& type, std::string_view text) {
   if (name == "string") return NestedList(std::string(text));
   text = without_blanks(text);
   if (text == "undefined") return NestedList::symbol("undefined");
+  if (name == "bytes") return NestedList::text(std::string(text));
   if (name == "int" || name == "real") return number_list(name == "int", text);
   if (name == "bool") {
     const auto value = parse_bool(text);

@@ -18,9 +18,9 @@ PlainKind plain_kind(std::string_view text);
 /// True for a number that is a text to plain_kind only because it is beyond the range of int or real.
 bool is_number_beyond_range(std::string_view text);
 
-/// Converts a text to a value list of `type`: the text itself for string, text and types that are written as a string
-/// (instant); TRUE or FALSE for bool; a number, also `007` and `+5`, for int and real; a nested list for all others.
-/// Errors: invalid_value "expected an int, found "x"".
+/// Converts a text to a value list of `type`: the text itself for string, text, bytes (hexadecimal digits) and types
+/// that are written as a string (instant); TRUE or FALSE for bool; a number, also `007` and `+5`, for int and real; a
+/// nested list for all others. Errors: invalid_value "expected an int, found "x"".
 algebra3d::Result<algebra3d::NestedList> list_of_text(const algebra3d::Type& type, std::string_view text);
 
 /// The text for messages: in quotes, on one line, shortened if it is long.

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "algebra3d/values/constructions/mesh_conversions.h"
+#include "algebra3d/values/conversions/wkb.h"
+#include "algebra3d/values/types/bytes.h"
 #include "algebra3d/values/types/mesh3d.h"
 #include "algebra3d/values/types/moving_region.h"
 #include "algebra3d/values/types/planar.h"
@@ -103,6 +105,7 @@ LargeValues::LargeValues(std::size_t size, Coordinates coordinates) {
     for (std::size_t i = 0; i < whole.points().size(); ++i) points.push_back(whole.points().point(i));
     add(Value::of(Points3d(std::move(points))));
     add(Value::of(Volume3d::trusted(whole)));
+    add(Value::of(Bytes{*wkb_of_solid(whole, Srid::none)}));
     add(Value::of(Surface3d::trusted(mesh_of(shape, shape.triangles.size() / 2, coordinates))));
     add(Value::of(Region::trusted(star(size, centre, 1, coordinates))));
     add(Value::of(growing_star(size / 4, centre, 0, coordinates)));

@@ -77,6 +77,7 @@ class Writer {
     const NestedList list = *NestedList::parse(result);
     if (algebra3d_postgres::is_own(type)) return "as_text(" + seen->sql + ") = " + algebra3d_postgres::quoted(result);
     if (list.is_string()) return seen->sql + " = " + algebra3d_postgres::quoted(list.as_string());
+    if (type == "bytes") return seen->sql + " = " + bytes_literal(list) + "::bytea";
     if (list.is_text()) return seen->sql + " = " + algebra3d_postgres::quoted(list.as_text());
     return seen->sql + " = " + result;
   }
@@ -97,9 +98,13 @@ class Writer {
   static std::string literal(const ExampleTerm& term) {
     const NestedList& list = term.value;
     if (term.kind == Kind::no_value || list.is_undefined()) return "NULL";
+    if (term.type->name() == "bytes") return bytes_literal(list);
     if (list.is_string()) return algebra3d_postgres::quoted(list.as_string());
     if (list.is_text()) return algebra3d_postgres::quoted(list.as_text());
     return algebra3d_postgres::quoted(list.print());
+  }
+  static std::string bytes_literal(const NestedList& digits) {
+    return algebra3d_postgres::quoted("\\x" + digits.as_text());
   }
 
   Registry registry_;

@@ -19,7 +19,7 @@ Registry make_registry() {
   register_comparison(registry);
   registry.begin_family({"logic", "Truth values.", Cost::constant});
   register_logic(registry);
-  registry.begin_family({"strings and texts", "Searches in strings and texts.", Cost::linear});
+  registry.begin_family({"strings and texts", "Searches in strings and texts; bytes as texts.", Cost::linear});
   register_strings(registry);
   registry.begin_family({"points, vectors and planes",
                          "Points, vectors and planes from numbers, and their coordinates.", Cost::constant});
@@ -85,6 +85,7 @@ Registry make_registry() {
   register_imports(registry);
   register_exports(registry);
   register_repair_reports(registry);
+  register_mesh_bytes(registry);
   registry.begin_family({"rounding", "Solids with short coordinates.", Cost::arrangement});
   register_rounding(registry);
   registry.begin_family(
@@ -96,6 +97,9 @@ Registry make_registry() {
   register_json_members(registry);
   register_geojson_features(registry);
   register_make_regions(registry);
+  registry.begin_family(
+      {"well-known binary", "Geometries as PostGIS and GDAL exchange them (WKB and EWKB).", Cost::linear});
+  register_well_known_binary(registry);
   registry.begin_family({"time", "Instants, durations and intervals.", Cost::constant});
   register_time(registry);
   registry.begin_family({"moving regions", "Regions that move over time.", Cost::linear});

@@ -57,5 +57,7 @@ Registry make_registry();
 [[gnu::cold]] void register_repair_reports(Registry& registry);
 [[gnu::cold]] void register_geojson_features(Registry& registry);
 [[gnu::cold]] void register_directories(Registry& registry);
+[[gnu::cold]] void register_mesh_bytes(Registry& registry);
+[[gnu::cold]] void register_well_known_binary(Registry& registry);
 
 }  // namespace algebra3d

@@ -11,9 +11,12 @@
 #include "algebra3d/kernel/repair/amount.h"
 #include "algebra3d/kernel/repair/repair_report.h"
 #include "algebra3d/operators/descriptions/all.h"
+#include "algebra3d/operators/descriptions/detail/file_bytes.h"
+#include "algebra3d/operators/descriptions/detail/sample_values.h"
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/operators/registry/rows.h"
 #include "algebra3d/values/conversions/import_solid.h"
+#include "algebra3d/values/types/bytes.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
 #include "base/diagnostics.h"
@@ -91,11 +94,16 @@ std::vector<ReportRow> rows_of(const ImportedSolid& imported) {
   return rows;
 }
 
-Result<ReportRows> report(Context& context, const Text& file, const Text& words) {
+Result<RepairOptions> repair_options_of(const Text& words) {
   Result<RepairOptions> options = parse_repair_options(words.content);
   if (!options) return std::move(options).error().about("repairReport");
+  return options;
+}
+
+Result<ReportRows> report(Context& context, const Text& file, const Text& words) {
+  A3D_ASSIGN(const RepairOptions options, repair_options_of(words));
   A3D_ASSIGN(const std::filesystem::path path, context.resolve(file.content));
-  A3D_ASSIGN(const ImportedSolid imported, import_solid(path, nullptr, *options, context.monitor()));
+  A3D_ASSIGN(const ImportedSolid imported, import_solid(path, nullptr, options, context.monitor()));
   if (!imported.solid)
     context.diagnostics.report("repairReport: " + imported.text_about(file.content), {},
                                Diagnostics::About::unreadable);
@@ -105,6 +113,22 @@ Result<ReportRows> report(Context& context, const Text& file, const Text& words)
 Result<ReportRows> report_without_options(Context& context, const Text& file) {
   return report(context, file, {});
 }
+
+Result<ReportRows> report_on_bytes(Context& context, const Bytes& bytes, const Text& words) {
+  A3D_ASSIGN(const RepairOptions options, repair_options_of(words));
+  A3D_ASSIGN(const ImportedSolid imported, solid_of_bytes(context, bytes, nullptr, options));
+  if (!imported.solid) context.diagnostics.report_undefined("repairReport: " + imported.text_about(kBytesName));
+  return ReportRows(rows_of(imported));
+}
+
+Result<ReportRows> report_on_bytes_without_options(Context& context, const Bytes& bytes) {
+  return report_on_bytes(context, bytes, {});
+}
+
+// An open box: a cube without its lid, of which the repair makes a solid again.
+const std::string kOpenBox =
+    "(toOFF (mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0) (0 0 1) (1 0 1) (1 1 1) (0 1 1)) ((3 2 1 0) (0 1 5 4) (1 2 6 5) "
+    "(2 3 7 6) (3 0 4 7)))))";
 
 }  // namespace
 
@@ -120,13 +144,22 @@ void register_repair_reports(Registry& registry) {
           "triangles, the part outside the solid, and the area added; `distance`: the largest distances of these "
           "from the solid and from the triangles; `volume`: before, if the triangles were closed, and after. Where "
           "is the place of the first defect or change. No rows for a valid solid; none, with a diagnostic, for a "
-          "file that cannot be read. Options as for importSTL.",
+          "file that cannot be read. Options as for importSTL. Bytes are the content of such a file.",
       .is_pure = false,
       .reads_files = true,
       .overloads = {table<&report_without_options>({"Phase", "What", "Count", "Where", "Amount"}, "file"),
-                    table<&report>({"Phase", "What", "Count", "Where", "Amount"}, "file", "options")},
-      .examples = {{{"(text undefined)"}, "0", "(count _)"}, {{"'no such file.stl'"}, "0", "(count _)"}},
-      .errors = {{{"5"}, "repairReport: expected (text) or (text text), got (int)"}},
+                    table<&report>({"Phase", "What", "Count", "Where", "Amount"}, "file", "options"),
+                    without_files(
+                        table<&report_on_bytes_without_options>({"Phase", "What", "Count", "Where", "Amount"}, "bytes"),
+                        Cost::arrangement),
+                    without_files(
+                        table<&report_on_bytes>({"Phase", "What", "Count", "Where", "Amount"}, "bytes", "options"),
+                        Cost::arrangement)},
+      .examples = {{{"(text undefined)"}, "0", "(count _)"},
+                   {{"'no such file.stl'"}, "0", "(count _)"},
+                   {{"(toSTL " + kUnitCube + ")"}, "0", "(count _)"},
+                   {{kOpenBox, "'holes=0'"}, "TRUE", "(> (count _) 0)"}},
+      .errors = {{{"5"}, "repairReport: expected (text), (text text), (bytes) or (bytes text), got (int)"}},
   });
 }
 

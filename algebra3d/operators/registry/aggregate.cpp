@@ -52,7 +52,7 @@ Result<Value> Aggregation::finish(Context& context) {
     return std::move(outcome).error();
   }
   if (auto* value = std::get_if<Value>(&*outcome)) return std::move(*value);
-  report_undefined(*call_.op, std::get<Undefined>(*outcome), context);
+  report_undefined(call_, std::get<Undefined>(*outcome), context);
   return Value(*call_.overload->result);
 }
 

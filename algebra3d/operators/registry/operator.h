@@ -75,6 +75,18 @@ struct Parameter {
   bool accepts_undefined = false;  ///< the function is called with an undefined argument too
 };
 
+/// The growth of the time of a call, for query planners of hosts and for people.
+enum class Cost : std::uint8_t {
+  unknown,      ///< unset; no registered operator has it
+  constant,     ///< independent of sizes: numbers, boxes, what is known without the geometry
+  linear,       ///< with the sizes of the arguments and the result
+  sorting,      ///< as sorting them
+  pairs,        ///< with the product of the sizes
+  arrangement,  ///< with the sizes and the intersections: makes an exact arrangement
+  file,         ///< with the size of a file that is read or written
+};
+std::string_view describe(Cost cost);
+
 /// One signature of an operator over values, with its implementation: `function`, `start` or `rows`, by the operator's
 /// kind. Made from C++ functions and classes by `overload<...>`, `table<...>` (overload.h) and `aggregate<...>`
 /// (aggregate.h), or by hand for implementations over any type.
@@ -89,7 +101,11 @@ struct Overload {
   bool is_symmetric = false;          ///< two parameters of one type can be exchanged without effect
   /// Of an aggregate whose result for some of the values can stand for them: the type of the result. Else null.
   const Type* part = nullptr;
-  bool counts_undefined = false;  ///< of an aggregate: reports how many undefined values it left out
+  bool counts_undefined = false;      ///< of an aggregate: reports how many undefined values it left out
+  /// Of an operator that reads or writes files: this overload takes or gives their content, so it accesses no file, and
+  /// it is pure.
+  bool is_without_files = false;
+  Cost cost = Cost::unknown;  ///< by default that of the operator
   /// Of a scalar. Arguments have exactly the parameter types, and are undefined only where accepted. Loads arguments as
   /// needed.
   std::function<Result<Outcome>(std::span<const Value>, Context&)> function;
@@ -142,18 +158,6 @@ struct QueryError {
   std::string message;
 };
 
-/// The growth of the time of a call, for query planners of hosts and for people.
-enum class Cost : std::uint8_t {
-  unknown,      ///< unset; no registered operator has it
-  constant,     ///< independent of sizes: numbers, boxes, what is known without the geometry
-  linear,       ///< with the sizes of the arguments and the result
-  sorting,      ///< as sorting them
-  pairs,        ///< with the product of the sizes
-  arrangement,  ///< with the sizes and the intersections: makes an exact arrangement
-  file,         ///< with the size of a file that is read or written
-};
-std::string_view describe(Cost cost);
-
 /// What TRUE says about the boxes of the first two arguments, so that an index of boxes finds candidates. Empty values,
 /// which have none, are candidates in any case.
 enum class BoxCondition : std::uint8_t {
@@ -188,8 +192,8 @@ struct Operator {
   FrameUse frame_use = FrameUse::none;
   Cost cost = Cost::unknown;  ///< by default that of the family
   BoxCondition boxes = BoxCondition::none;
-  bool is_pure = true;        ///< no side effect, and equal results for equal arguments; so no file access
-  bool reads_files = false;   ///< an undefined result means that a file yields no value
+  bool is_pure = true;  ///< no side effect, and equal results for equal arguments; so no file access (but see Overload)
+  bool reads_files = false;  ///< an undefined result means that a file yields no value
   bool writes_files = false;
   bool changes_relations = false;         ///< stored ones
   std::vector<std::string> sources = {};  ///< keys of docs/references.md
@@ -209,6 +213,11 @@ struct Operator {
   /// The kind of its first overload; overloads of an aggregate are all aggregates.
   OperatorKind kind() const;
   bool accepts_undefined() const;
+  // What an overload of this operator does.
+  bool is_pure_in(const Overload& overload) const { return is_pure || overload.is_without_files; }
+  bool reads_files_in(const Overload& overload) const { return reads_files && !overload.is_without_files; }
+  bool writes_files_in(const Overload& overload) const { return writes_files && !overload.is_without_files; }
+  Cost cost_of(const Overload& overload) const { return overload.cost == Cost::unknown ? cost : overload.cost; }
   /// All forms of the syntax: "_ rect2region, rect2region(_)".
   std::string written() const;
   std::vector<std::string> all_signatures() const;

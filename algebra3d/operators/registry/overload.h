@@ -278,4 +278,11 @@ inline Overload symmetric(Overload overload) {
   return overload;
 }
 
+/// Marks an overload of an operator on files as one that takes their content instead.
+inline Overload without_files(Overload overload, Cost cost) {
+  overload.is_without_files = true;
+  overload.cost = cost;
+  return overload;
+}
+
 }  // namespace algebra3d

@@ -159,10 +159,10 @@ std::size_t double_edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-void report_undefined(const Operator& op, const Undefined& undefined, Context& context) {
+void report_undefined(const ResolvedCall& call, const Undefined& undefined, Context& context) {
   using About = Diagnostics::About;
-  context.diagnostics.report(op.name + ": " + undefined.reason, {},
-                             op.reads_files ? About::unreadable : About::undefined);
+  context.diagnostics.report(call.op->name + ": " + undefined.reason, {},
+                             call.op->reads_files_in(*call.overload) ? About::unreadable : About::undefined);
 }
 
 Registry::Registry() : made_overloads_(std::make_shared<detail::MadeOverloads>()) {}
@@ -267,7 +267,7 @@ Result<Value> Registry::call(const ResolvedCall& call, std::span<Value> argument
     return std::move(outcome).error();
   }
   if (auto* value = std::get_if<Value>(&*outcome)) return std::move(*value);
-  report_undefined(*call.op, std::get<Undefined>(*outcome), context);
+  report_undefined(call, std::get<Undefined>(*outcome), context);
   return Value(*overload.result);
 }
 
@@ -280,7 +280,7 @@ Result<RowSourcePtr> Registry::rows(const ResolvedCall& call, std::span<Value> a
   }
   if (auto* rows = std::get_if<RowSourcePtr>(&*outcome))
     return RowSourcePtr(std::make_unique<RepeatableRows>(std::move(*rows), call, arguments));
-  report_undefined(*call.op, std::get<Undefined>(*outcome), context);
+  report_undefined(call, std::get<Undefined>(*outcome), context);
   return no_rows();
 }
 

@@ -17,14 +17,14 @@ namespace detail {
 class MadeOverloads;
 }
 
-/// Reports the reason of an undefined result of an operator, as "NAME: reason".
-void report_undefined(const Operator& op, const Undefined& undefined, Context& context);
-
 /// An overload that accepts the given types, possibly after conversions (conversion.h).
 struct ResolvedCall {
   const Operator* op = nullptr;
   const Overload* overload = nullptr;
 };
+
+/// Reports the reason of an undefined result of a call, as "NAME: reason".
+void report_undefined(const ResolvedCall& call, const Undefined& undefined, Context& context);
 
 /// All types and operators of a process. Filled once at the start by calls such as `register_measure(registry)`; then
 /// concurrent reading is safe. Types and operators keep their addresses.

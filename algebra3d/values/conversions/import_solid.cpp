@@ -111,7 +111,10 @@ Result<ImportedSolid> import_solid(Result<MeshFile> read, const RepairOptions& o
 }
 
 Result<ImportedSurface> import_surface(const std::filesystem::path& path, const Monitor& monitor) {
-  auto read = read_mesh_file(path, nullptr, monitor.cancel());
+  return import_surface(read_mesh_file(path, nullptr, monitor.cancel()), monitor);
+}
+
+Result<ImportedSurface> import_surface(Result<MeshFile> read, const Monitor& monitor) {
   if (!read.ok()) return refused_surface_or_failed(std::move(read).error());
   auto made = surface_from_soup(read->soup, {}, monitor);
   if (!made.ok()) return refused_surface_or_failed(std::move(made).error());

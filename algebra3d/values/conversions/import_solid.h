@@ -76,4 +76,7 @@ struct ImportedSurface {
 /// Reads a mesh file as a surface (surface_from_soup).
 Result<ImportedSurface> import_surface(const std::filesystem::path& path, const Monitor& monitor = {});
 
+/// As above, for a mesh file that has been read, or could not be read.
+Result<ImportedSurface> import_surface(Result<MeshFile> read, const Monitor& monitor = {});
+
 }  // namespace algebra3d

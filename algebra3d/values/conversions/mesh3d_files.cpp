@@ -16,6 +16,7 @@
 #include "algebra3d/kernel/exact/point_table.h"
 #include "algebra3d/kernel/halfedge/mesh_attributes.h"
 #include "algebra3d/kernel/halfedge/nonmanifold_text.h"
+#include "algebra3d/values/conversions/detail/soup_mesh.h"
 #include "algebra3d/values/conversions/mesh_file.h"
 #include "algebra3d/values/types/utf8.h"
 #include "base/diagnostics.h"
@@ -231,23 +232,31 @@ Result<PolygonMesh> mesh_of(PolygonSoup soup, const std::string& name) {
     return Error{ErrorCode::limit_exceeded, "{} corners of faces; a mesh may have {}", soup.corners.size(),
                  PolygonMesh::kMaxHalfedges}
         .about(name);
-  PolygonLayout layout(LargeVector<std::uint32_t>(soup.face_starts.begin(), soup.face_starts.end()));
-  return PolygonMesh(PointArray(std::move(soup.points)), std::move(layout),
-                     LargeVector<std::uint32_t>(soup.corners.begin(), soup.corners.end()));
+  return mesh_of_soup(std::move(soup));
 }
 
-Result<ImportedMesh> read_mesh3d(const std::filesystem::path& path, const Monitor& monitor) {
-  A3D_ASSIGN(MeshFacets read, read_mesh_facets(path, nullptr, monitor.cancel()));
+Result<ImportedMesh> mesh3d_of(Result<MeshFacets> given, const std::string& name) {
+  A3D_ASSIGN(MeshFacets read, std::move(given));
   ImportedMesh result;
   result.remarks = std::move(read.remarks);
   if (read.wrong_count) result.remarks.push_back(read.wrong_count->text());
-  A3D_ASSIGN(PolygonSoup soup, polygons_of(std::move(read.facets), path.string()));
+  A3D_ASSIGN(PolygonSoup soup, polygons_of(std::move(read.facets), name));
   MeshAttributes attributes;
   if (soup.attributes != nullptr) attributes = attributes_of_file(*soup.attributes);
   soup.attributes.reset();
-  A3D_ASSIGN(PolygonMesh mesh, mesh_of(std::move(soup), path.string()));
+  A3D_ASSIGN(PolygonMesh mesh, mesh_of(std::move(soup), name));
   if (std::string text = nonmanifold_text(mesh); !text.empty()) result.remarks.push_back(std::move(text));
   result.mesh = Mesh3d(std::move(mesh), std::move(attributes));
+  return result;
+}
+
+/// A fault of the file is an outcome; a fault of the statement stays an error.
+Result<ImportedMesh> imported_or_refused(Result<ImportedMesh> read) {
+  if (read.ok()) return read;
+  if (read.error().code == ErrorCode::interrupted || read.error().code == ErrorCode::out_of_memory)
+    return std::move(read).error();
+  ImportedMesh result;
+  result.refusal = std::move(read).error();
   return result;
 }
 
@@ -314,13 +323,12 @@ void report_rounding(Context& context, const std::string& command, const Polygon
 }  // namespace
 
 Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Monitor& monitor) {
-  Result<ImportedMesh> read = read_mesh3d(path, monitor);
-  if (read.ok()) return read;
-  if (read.error().code == ErrorCode::interrupted || read.error().code == ErrorCode::out_of_memory)
-    return std::move(read).error();
-  ImportedMesh result;
-  result.refusal = std::move(read).error();
-  return result;
+  return imported_or_refused(mesh3d_of(read_mesh_facets(path, nullptr, monitor.cancel()), path.string()));
+}
+
+Result<ImportedMesh> import_mesh(std::string_view bytes, const std::string& name,
+                                 const mesh_formats::MeshFormat* format, const Monitor& monitor) {
+  return imported_or_refused(mesh3d_of(read_mesh_facets(bytes, name, format, monitor.cancel()), name));
 }
 
 Result<ExportedSolid> export_mesh(Context& context, const std::string& command, const Mesh3d& mesh,

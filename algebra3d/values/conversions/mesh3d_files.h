@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "algebra3d/base/error.h"
@@ -24,6 +25,10 @@ struct ImportedMesh {
 /// The attributes of an OBJ file become attributes of the mesh with the names of mesh_attributes.h.
 /// The format is detected (MeshFormats::detect). Errors: interrupted, out_of_memory.
 Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Monitor& monitor = {});
+/// As above, for the bytes of a file of the given format or, if that is null, of the detected one; `name` is for
+/// messages.
+Result<ImportedMesh> import_mesh(std::string_view bytes, const std::string& name,
+                                 const mesh_formats::MeshFormat* format, const Monitor& monitor = {});
 
 /// Writes the vertices and faces in their order; in a format of triangles, the triangles of the faces: who
 /// wants those of `triangulated` passes a mesh of triangles. A diagnostic counts the vertices that are rounded: to

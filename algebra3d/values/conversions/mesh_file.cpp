@@ -65,8 +65,12 @@ Result<FileContent> content_of(const std::filesystem::path& path, const std::ato
 Result<MeshFacets> read_mesh_facets(const std::filesystem::path& path, const MeshFormat* format,
                                     const std::atomic<bool>* cancel) {
   A3D_ASSIGN(const FileContent file, content_of(path, cancel));
-  return read_facets(file.bytes(), path.string(), format, cancel, mesh_formats::known_mesh_formats(),
-                     Extras::attributes);
+  return read_mesh_facets(file.bytes(), path.string(), format, cancel);
+}
+
+Result<MeshFacets> read_mesh_facets(std::string_view bytes, const std::string& name, const MeshFormat* format,
+                                    const std::atomic<bool>* cancel) {
+  return read_facets(bytes, name, format, cancel, mesh_formats::known_mesh_formats(), Extras::attributes);
 }
 
 Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshFormat* format,

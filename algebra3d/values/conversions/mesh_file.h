@@ -48,6 +48,10 @@ Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const mesh_fo
 Result<MeshFacets> read_mesh_facets(const std::filesystem::path& path, const mesh_formats::MeshFormat* format,
                                     const std::atomic<bool>* cancel = nullptr);
 
+/// As above, for the bytes of a file; `name` as for read_mesh.
+Result<MeshFacets> read_mesh_facets(std::string_view bytes, const std::string& name,
+                                    const mesh_formats::MeshFormat* format, const std::atomic<bool>* cancel = nullptr);
+
 /// `read_mesh_file` for the bytes of a file; `name` is for messages, and to find the format if the content is
 /// ambiguous.
 Result<MeshFile> read_mesh(std::string_view bytes, const std::string& name, const mesh_formats::MeshFormat* format,

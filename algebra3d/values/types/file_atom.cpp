@@ -22,7 +22,7 @@ bool is_file_atom(const NestedList& list) {
   return list.is_symbol() && is_file_atom(list.as_symbol());
 }
 
-Result<std::string> file_atom_content(const NestedList& atom, const Context& context) {
+Result<std::string> file_atom_bytes(const NestedList& atom, const Context& context) {
   std::string_view path = atom.as_symbol();
   path.remove_prefix(kFileAtomBegin.size());
   path.remove_suffix(kFileAtomEnd.size());
@@ -43,6 +43,11 @@ Result<std::string> file_atom_content(const NestedList& atom, const Context& con
   std::ifstream stream(file, std::ios::binary);
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (error || !stream) return Error{ErrorCode::io_error, "file atom '{}': the file cannot be read", path};
+  return bytes;
+}
+
+Result<std::string> file_atom_content(const NestedList& atom, const Context& context) {
+  A3D_ASSIGN(const std::string bytes, file_atom_bytes(atom, context));
   return base64(bytes);
 }
 

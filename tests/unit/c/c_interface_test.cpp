@@ -506,12 +506,56 @@ TEST(CInterface, WrongUseIsAnError) {
   EXPECT_EQ(a3d_make_undefined(session.get(), "solid", &value), A3D_ERROR);
   EXPECT_EQ(session.error(), "there is no type 'solid'");
   EXPECT_EQ(a3d_make_text(session.get(), "text", "a\xff", 2, &value), A3D_ERROR);
+  EXPECT_EQ(a3d_make_text(session.get(), "bytes", "00", 2, &value), A3D_ERROR);
+  EXPECT_EQ(session.error(), "expected string or text, got bytes");
   EXPECT_EQ(a3d_make_real(session.get(), std::numeric_limits<double>::quiet_NaN(), &value), A3D_ERROR);
   EXPECT_EQ(session.parsed("point3d", "(1 2"), nullptr);
   EXPECT_EQ(session.sql_state(), "22P02");
   const std::string long_name(1000, 'x');
   EXPECT_EQ(session.found(long_name.c_str(), {}), nullptr);
   EXPECT_EQ(session.error().size(), 300U);
+}
+
+TEST(CInterface, bytes_go_in_and_out) {
+  const CSession session;
+  const std::string given("\0\xff\x1f\0", 4);
+  a3d_value* value = nullptr;
+  const a3d_status status = a3d_make_bytes(session.get(), given.data(), given.size(), &value);
+  const Owner bytes = CSession::owned(status, value);
+  ASSERT_NE(bytes, nullptr);
+  EXPECT_STREQ(a3d_type_of(bytes.get()), "bytes");
+  std::size_t size = 0;
+  const char* const kept = a3d_bytes_of(bytes.get(), &size);
+  EXPECT_EQ(std::string(kept, size), given);
+  EXPECT_EQ(session.text(bytes), "'00ff1f00'");
+}
+
+TEST(CInterface, files_are_read_from_bytes_without_the_file_system) {
+  const CSession session;
+  std::vector<Owner> arguments;
+  arguments.push_back(session.cube("(0 0 0)", "(1 2 3)"));
+  const Owner file = session.call("to_stl", arguments);
+  ASSERT_NE(file, nullptr) << session.error();
+  std::size_t size = 0;
+  a3d_bytes_of(file.get(), &size);
+  EXPECT_EQ(size, 84U + 12 * 50);
+  arguments.clear();
+  arguments.emplace_back(a3d_retain(file.get()));
+  const Owner solid = session.call("import_stl", arguments);
+  ASSERT_NE(solid, nullptr) << session.error();
+  arguments.clear();
+  arguments.emplace_back(a3d_retain(solid.get()));
+  EXPECT_EQ(session.text(session.call("volume", arguments)), "6.0");
+
+  const a3d_function* const of_bytes = session.found("import_stl", {"bytes", "text"});
+  const a3d_function* const of_file = session.found("import_stl", {"text", "text"});
+  ASSERT_TRUE(of_bytes != nullptr && of_file != nullptr);
+  EXPECT_EQ(of_bytes->is_pure, 1);
+  EXPECT_EQ(of_bytes->reads_files, 0);
+  EXPECT_EQ(of_bytes->cost, A3D_ARRANGEMENT);
+  EXPECT_EQ(of_file->is_pure, 0);
+  EXPECT_EQ(of_file->reads_files, 1);
+  EXPECT_EQ(of_file->cost, A3D_FILE);
 }
 
 }  // namespace

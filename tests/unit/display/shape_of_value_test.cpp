@@ -240,7 +240,7 @@ TEST(ShapeOfValue, all_spatial_types_but_moving_ones_are_drawable) {
       EXPECT_EQ(shape->box, value->header().box) << type->name();
     }
   }
-  EXPECT_EQ(others, (std::set<std::string_view>{"int", "real", "bool", "string", "text", "instant", "duration",
+  EXPECT_EQ(others, (std::set<std::string_view>{"int", "real", "bool", "string", "text", "bytes", "instant", "duration",
                                                 "interval", "tid", "uregion", "mregion"}));
 }
 

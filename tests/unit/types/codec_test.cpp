@@ -1,5 +1,6 @@
 // The binary form: round trips, the page that describes it, and bytes that were damaged.
 #include "algebra3d/values/types/codec.h"
+#include "algebra3d/values/types/bytes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,6 +93,9 @@ const std::vector<std::pair<const Type*, std::string_view>>& samples() {
       {&TypeOf<bool>::type(), "TRUE"},
       {&TypeOf<std::string>::type(), "\"gr\xC3\xBC\xC3\x9F\""},
       {&TypeOf<Text>::type(), "'many words, many words, many words, many words, many words, many words, many words'"},
+      {&TypeOf<Bytes>::type(), "''"},
+      {&TypeOf<Bytes>::type(),
+       "'00ff0000000000000000000000000000000000000000000000000000000000000000000000000000000000001d'"},
       {&TypeOf<Point3d>::type(), "(1/3 2.5 -7)"},
       {&TypeOf<Vector3d>::type(), "(1 2 3)"},
       {&TypeOf<Plane3d>::type(), "(1 0 0 2)"},

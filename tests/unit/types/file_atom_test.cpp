@@ -1,4 +1,5 @@
 #include "algebra3d/values/types/file_atom.h"
+#include "algebra3d/values/types/bytes.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -48,6 +49,14 @@ TEST_F(FileAtom, becomes_the_content_of_the_file) {
   EXPECT_EQ(content((folder_ / "a b.txt").string()), "Zm9vYmFy");
   std::ofstream(folder_ / "empty").flush();
   EXPECT_EQ(content("empty"), "");
+}
+
+TEST_F(FileAtom, becomes_bytes) {
+  std::ofstream(folder_ / "a", std::ios::binary) << std::string("\0\xff", 2);
+  const auto value = value_from_nested(TypeOf<Bytes>::type(), file_atom("a"), context_);
+  ASSERT_TRUE(value.ok());
+  EXPECT_EQ(value->to_nested().print(), "'00ff'");
+  EXPECT_FALSE(value_from_nested(TypeOf<Bytes>::type(), file_atom("b"), context_).ok());
 }
 
 TEST_F(FileAtom, of_what_is_no_file_is_an_error) {

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/values/types/bytes.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
 #include "algebra3d/values/types/value.h"
@@ -20,9 +21,9 @@ namespace {
 
 const Type& type_named(std::string_view name) {
   const std::vector<const Type*> types{
-      &TypeOf<std::int64_t>::type(), &TypeOf<double>::type(),  &TypeOf<bool>::type(),     &TypeOf<std::string>::type(),
-      &TypeOf<Text>::type(),         &TypeOf<Point3d>::type(), &TypeOf<Points3d>::type(), &TypeOf<Vector3d>::type(),
-      &TypeOf<Plane3d>::type(),      &TypeOf<Box3>::type()};
+      &TypeOf<std::int64_t>::type(), &TypeOf<double>::type(),  &TypeOf<bool>::type(),    &TypeOf<std::string>::type(),
+      &TypeOf<Text>::type(),         &TypeOf<Bytes>::type(),   &TypeOf<Point3d>::type(), &TypeOf<Points3d>::type(),
+      &TypeOf<Vector3d>::type(),     &TypeOf<Plane3d>::type(), &TypeOf<Box3>::type()};
   for (const auto* type : types)
     if (type->name() == name) return *type;
   ADD_FAILURE() << "no type " << name;
@@ -80,6 +81,7 @@ const std::vector<Ascending>& ascending_values() {
        {{"\"\""}, {"\"A\""}, {"\"Z\""}, {"\"a\""}, {"\"aa\""}, {"\"b\""}, {"\"\xC3\xA4\""}, {"\"\xE2\x82\xAC\""}}},
       {"text",
        {{"''", "<text></text--->"}, {"'\n'"}, {"'a'", "<text>a</text--->"}, {"'it\\'s'", "<text>it's</text--->"}}},
+      {"bytes", {{"''"}, {"'00'"}, {"'0001'"}, {"'7f'"}, {"'80'", "'\\\\x80'"}, {"'fFfe'", "'FFFE'"}, {"'ffff'"}}},
       {"point3d",
        {{"(-7/5 9 9)", "(-14/10 9 9)"},
         {"(-1.4 0 0)"},  // the double lies above -7/5: its error is +8.9e-17
@@ -177,6 +179,7 @@ TEST(small_types, print_as_the_language_says) {
       {"bool", "TRUE", "TRUE"},
       {"string", R"("a\"b\\c\d")", R"("a\"b\\c\\d")"},
       {"text", "<text>it's</text--->", "'it\\'s'"},
+      {"bytes", "'00ABfe'", "'00abfe'"},
       {"point3d", "(1 -2 0.5)", "(1.0 -2.0 0.5)"},
       {"point3d", "(1/3 -14/10 6/3)", "(1/3 -7/5 2.0)"},
       {"point3d", "(-0.0 0/5 2/4)", "(0.0 0.0 0.5)"},
@@ -204,6 +207,10 @@ TEST(small_types, malformed_lists_are_errors_that_say_what_was_expected) {
       {"string", "'a'", "string: expected a string in double quotes, got 'a'"},
       {"string", "a", "string: expected a string in double quotes, got a"},
       {"text", "\"a\"", "text: expected a text in single quotes, got \"a\""},
+      {"bytes", "\"00\"", "bytes: expected hexadecimal digits in single quotes, got \"00\""},
+      {"bytes", "'0'", "bytes: character 2: found the end of the text, expected a hexadecimal digit"},
+      {"bytes", "'00 01'", "bytes: character 3: found white space, expected a hexadecimal digit"},
+      {"bytes", "'0x00'", "bytes: character 2: found 'x', expected a hexadecimal digit"},
       {"point3d", "(1 2)", "point3d: expected (x y z), got (1 2)"},
       {"point3d", "(1 2 3 4)", "point3d: expected (x y z), got (1 2 3 4)"},
       {"point3d", "5", "point3d: expected (x y z), got 5"},
@@ -319,6 +326,7 @@ TEST(small_types, bodies_have_the_documented_bytes) {
   EXPECT_EQ(hex(value_of("bool", "TRUE")), "01");
   EXPECT_EQ(hex(value_of("string", "\"ab\"")), "6162");
   EXPECT_EQ(hex(value_of("text", "''")), "");
+  EXPECT_EQ(hex(value_of("bytes", "'00ff80'")), "00ff80");
   EXPECT_EQ(hex(value_of("point3d", "(1 0 1)")), "00" + one + zero + one);
   EXPECT_EQ(hex(value_of("vector3d", "(1/3 0 1)")), "01" + third + zero + one + "03312f33" + "00" + "00");
   EXPECT_EQ(hex(value_of("plane3d", "(1 0 0 1)")), "00" + one + zero + zero + one);
