@@ -12,17 +12,19 @@ SELECT name, size(solid) AS triangles, round(volume(solid)::numeric, 2) AS volum
 
 -- The box around all parts, and the parts that are nearest to the origin:
 SELECT as_text(extent(solid)) FROM parts;
-SELECT name, round((solid <-> point3d(0, 0, 0))::numeric, 3) AS distance FROM parts ORDER BY 2, 1 LIMIT 3;
+SELECT name, round((solid <-> point3d(0, 0, 0))::numeric, 3) AS distance FROM parts WHERE NOT is_empty(solid)
+  ORDER BY 2, 1 LIMIT 3;
 
 -- Which small parts overlap where their files put them: boxes first (&&), then the solids themselves.
 SELECT count(*) AS pairs FROM parts a JOIN parts b ON a.name < b.name AND a.solid && b.solid AND intersects(a.solid, b.solid)
   WHERE size(a.solid) < 500 AND size(b.solid) < 500;
 
--- A hole through a part: what is left of it, as a table of bodies.
+-- A hole through the largest small part: its volume before and after, and the bodies that are left.
 CREATE TEMP TABLE drilled AS
-  SELECT difference(solid, create_cylinder(centroid(solid), 1, 1000, 24)) AS solid FROM parts WHERE size(solid) < 500
+  SELECT name, solid AS whole, solid - create_cylinder(centroid(solid), 2, 1000, 24) AS solid FROM parts WHERE size(solid) < 500
   ORDER BY volume(solid) DESC, name LIMIT 1;
-SELECT c.*  FROM drilled, components(solid) c LIMIT 3;
+SELECT name, volume(whole) AS before, volume(solid) AS after FROM drilled;
+SELECT size(body) AS triangles, as_text(bbox(body)) AS box FROM drilled, components(solid) body LIMIT 3;
 
 -- What yields no value says why, and is NULL:
 SELECT create_cube('(0 0 0)', '(1 1 0)') IS NULL AS missing;
