@@ -1,4 +1,5 @@
-# The Debian packages algebra3d (the program) and libalgebra3d-dev (the libraries):
+# The Debian packages algebra3d (the program), libalgebra3d-dev (the libraries) and, where the headers of that server are
+# installed, postgresql-15-algebra3d (the extension):
 #
 #   cmake --build build/release && cpack --config build/release/CPackConfig.cmake -B FOLDER
 #
@@ -84,4 +85,25 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "exact solids and a database of them
  (algebra3d::geometry); half-edge meshes (algebra3d::mesh); databases of
  solids with a query language (algebra3d::database). For CMake and
  pkg-config; C++20, static.")
+
+# The server finds an extension in its own folders, which are named after its version.
+get_property(postgres_version GLOBAL PROPERTY ALGEBRA3D_POSTGRES_VERSION)
+if(postgres_version)
+  list(APPEND CPACK_COMPONENTS_ALL package_for_postgres)
+  install(FILES packaging/copyright ${help_folder}/changelog.gz
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/postgresql-${postgres_version}-algebra3d
+          COMPONENT package_for_postgres EXCLUDE_FROM_ALL)
+  install(FILES docs/postgresql.md docs/postgresql_functions.md docs/operators.md
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/postgresql-${postgres_version}-algebra3d
+          COMPONENT package_for_postgres EXCLUDE_FROM_ALL)
+  set(CPACK_DEBIAN_PACKAGE_FOR_POSTGRES_PACKAGE_NAME postgresql-${postgres_version}-algebra3d)
+  set(CPACK_DEBIAN_PACKAGE_FOR_POSTGRES_PACKAGE_SECTION database)
+  set(CPACK_DEBIAN_PACKAGE_FOR_POSTGRES_PACKAGE_DEPENDS postgresql-${postgres_version})
+  set(CPACK_DEBIAN_PACKAGE_FOR_POSTGRES_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_COMPONENT_PACKAGE_FOR_POSTGRES_DESCRIPTION "exact solids as values in PostgreSQL ${postgres_version}
+ An extension with types for solids, surfaces, meshes, points and boxes in
+ space, and functions over them: exact set operations, measures, distances,
+ spatial relations, subdivision and simplification of meshes. Statements can
+ be cancelled at any moment. In a database: CREATE EXTENSION algebra3d.")
+endif()
 include(CPack)

@@ -1,0 +1,243 @@
+#!/usr/bin/env python3
+"""The extension of PostgreSQL beside PostGIS with SFCGAL, in one private server (scripts/postgres) that is made for the run.
+
+Usage: bench/postgis_bench.py PROGRAM [--whole] [--rows N]
+
+PROGRAM lies in the build whose extension is measured. Needs postgresql-15-postgis-3 and postgresql-15-postgis-3-scripts.
+Prints a table of medians of wall time for each call, and how often each was measured. PostGIS's answers that take more than
+30 seconds are quoted from an earlier measurement on a machine of the same kind ("quoted"), but for one of them, which
+tells whether these still hold; --whole measures all of them, which takes an hour. N are the rows of COPY (10,000).
+
+Spheres are geodesic: the faces of an icosahedron, each divided by a frequency, with corners on the unit sphere. The
+second of a pair is rotated about (1, sqrt 2, sqrt 3) by sqrt(2)/7 rad and moved by 0.3 in x.
+"""
+
+import argparse
+import math
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tests" / "postgres"))
+from connection import Connection  # noqa: E402
+
+# Seconds of PostGIS 3.3.2 with SFCGAL 1.4.1, processor time, median of three or fewer runs.
+QUOTED = {"union 320": 67, "intersection 320": 66, "difference 320": 69, "union 5120": None, "volume 1280": 335, "distance 5120": 25.0}
+# Is measured although it takes more than 30 seconds.
+CONFIRMED = "union 320"
+
+
+def sphere(frequency):
+    """Points and triangles; 20 * frequency^2 of these."""
+    t = (1 + math.sqrt(5)) / 2
+    corners = [(-1, t, 0), (1, t, 0), (-1, -t, 0), (1, -t, 0), (0, -1, t), (0, 1, t), (0, -1, -t), (0, 1, -t), (t, 0, -1), (t, 0, 1),
+               (-t, 0, -1), (-t, 0, 1)]
+    faces = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2), (10, 7, 6), (7, 1, 8),
+             (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10), (8, 6, 7), (9, 8, 1)]
+    numbers, points, triangles = {}, [], []
+
+    def number(face, weights):
+        # Weights of the corners, equal on the edge that two faces share.
+        key = tuple(sorted((corner, weight) for corner, weight in zip(face, weights) if weight))
+        if key not in numbers:
+            point = [sum(corners[corner][axis] * weight for corner, weight in key) for axis in range(3)]
+            length = math.sqrt(sum(c * c for c in point))
+            numbers[key] = len(points)
+            points.append(tuple(c / length for c in point))
+        return numbers[key]
+
+    for face in faces:
+        for i in range(frequency):
+            for j in range(frequency - i):
+                k = frequency - i - j
+                a, b, c = number(face, (k, i, j)), number(face, (k - 1, i + 1, j)), number(face, (k - 1, i, j + 1))
+                triangles.append((a, b, c))
+                if k > 1:
+                    triangles.append((b, number(face, (k - 2, i + 1, j + 1)), c))
+    return points, triangles
+
+
+def turned(points):
+    """Rotated and moved as the second of a pair is."""
+    axis = [c / math.sqrt(6) for c in (1, math.sqrt(2), math.sqrt(3))]
+    cos, sin = math.cos(math.sqrt(2) / 7), math.sin(math.sqrt(2) / 7)
+    result = []
+    for p in points:
+        dot = sum(a * c for a, c in zip(axis, p))
+        cross = (axis[1] * p[2] - axis[2] * p[1], axis[2] * p[0] - axis[0] * p[2], axis[0] * p[1] - axis[1] * p[0])
+        q = [c * cos + x * sin + a * dot * (1 - cos) for c, x, a in zip(p, cross, axis)]
+        result.append((q[0] + 0.3, q[1], q[2]))
+    return result
+
+
+def beside(points):
+    return [(x + 2.01, y, z) for x, y, z in points]
+
+
+def value_list(points, triangles):
+    return "(" + " ".join("(" + " ".join("(%r %r %r)" % points[c] for c in t) + ")" for t in triangles) + ")"
+
+
+def well_known_text(points, triangles):
+    rings = ("((" + ",".join("%r %r %r" % points[c] for c in (*t, t[0])) + "))" for t in triangles)
+    return "POLYHEDRALSURFACE Z (" + ",".join(rings) + ")"
+
+
+class Bench:
+    def __init__(self, connection, is_whole):
+        self.connection = connection
+        self.is_whole = is_whole
+        self.lines = []
+
+    def run(self, sql):
+        answer = self.connection.query(sql)
+        if answer.sql_state:
+            raise RuntimeError(f"{answer.sql_state} {answer.message[:300]}: {sql[:300]}")
+        return answer
+
+    def seconds(self, sql, runs, per_statement=1):
+        """The median for each call, and the answer of the last."""
+        times = []
+        for _ in range(runs):
+            answer = self.run(sql)
+            times.append((answer.ended - answer.began) / per_statement)
+        return statistics.median(times), answer
+
+    def row(self, name, ours, peer=None, key=None, runs=9, peer_runs=5, calls=1):
+        """Measures `ours`, a statement with `calls` calls, and `peer`, with one, or quotes it."""
+        self.seconds(ours, 1)
+        own, answer = self.seconds(ours, runs, calls)
+        how, their = "", None
+        if key is not None and key in QUOTED and not self.is_whole and key != CONFIRMED:
+            their, how = QUOTED[key], "quoted"
+        elif peer is not None:
+            runs_of_peer = 1 if key in QUOTED else peer_runs
+            their, _ = self.seconds(peer, runs_of_peer)
+            how = f"median of {runs_of_peer}" if runs_of_peer > 1 else "once"
+        self.line(name, own, their, f"{runs} runs of {calls}", how)
+        return answer
+
+    def line(self, name, own, their, how, peer_how):
+        ratio = "" if their is None else f"{their / own:,.{0 if their > 10 * own else 1}f}"
+        cells = (name, shown(own), "" if their is None else shown(their), ratio, how, peer_how)
+        self.lines.append("| " + " | ".join(cells) + " |")
+        print(self.lines[-1], flush=True)
+
+
+def shown(seconds):
+    if seconds >= 1:
+        return f"{seconds:.3g} s"
+    return f"{seconds * 1000:.3g} ms"
+
+
+def prepare(bench):
+    bench.run("SET client_min_messages = warning; CREATE EXTENSION IF NOT EXISTS postgis; CREATE EXTENSION IF NOT EXISTS postgis_sfcgal")
+    bench.run("CREATE TABLE shapes (triangles int, which text, solid volume3d, geom geometry)")
+    for frequency in (2, 4, 8, 16):
+        points, triangles = sphere(frequency)
+        for which, moved in (("first", points), ("second", turned(points)), ("beside", beside(points))):
+            bench.run(f"INSERT INTO shapes VALUES ({len(triangles)}, '{which}', '{value_list(moved, triangles)}', "
+                      f"'{well_known_text(moved, triangles)}')")
+    bench.run("ANALYZE shapes")
+
+
+def pairs(call, triangles, second="second", calls=1, column="solid"):
+    a, b = f"a.{column}", f"b.{column}"
+    return f"SELECT count({call.format(a=a, b=b)}) FROM shapes a, shapes b, generate_series(1, {calls}) WHERE " \
+           f"a.triangles = {triangles} AND b.triangles = {triangles} AND a.which = 'first' AND b.which = '{second}'"
+
+
+def measure_operations(bench):
+    for name, ours, peer in (("union", "union_of({a}, {b})", "ST_3DUnion({a}, {b})"),
+                             ("intersection", "intersection({a}, {b})", "ST_3DIntersection({a}, {b})"),
+                             ("difference", "difference({a}, {b})", "ST_3DDifference({a}, {b})")):
+        bench.row(f"{name} of two spheres of 80 triangles", pairs(ours, 80, calls=200),
+                  pairs(peer, 80, column="geom"), peer_runs=3, calls=200)
+        bench.row(f"{name} of two spheres of 320 triangles", pairs(ours, 320, calls=100),
+                  pairs(peer, 320, column="geom"), key=f"{name} 320", calls=100)
+    bench.row("union of two spheres of 5,120 triangles", pairs("union_of({a}, {b})", 5120, calls=10), key="union 5120", calls=10)
+
+
+def measure_numbers(bench):
+    for triangles, calls, key in ((80, 1000, None), (320, 1000, None), (1280, 500, "volume 1280")):
+        one = f"FROM shapes WHERE triangles = {triangles} AND which = 'first'"
+        bench.row(f"volume of {triangles:,} triangles", f"SELECT sum(volume(solid)) FROM shapes, generate_series(1, {calls}) "
+                  f"WHERE triangles = {triangles} AND which = 'first'", f"SELECT ST_Volume(ST_MakeSolid(geom)) {one}", key=key, calls=calls,
+                  peer_runs=3 if triangles == 80 else 1)
+    for triangles, key in ((320, None), (1280, None), (5120, "distance 5120")):
+        bench.row(f"distance of two spheres of {triangles:,} triangles", pairs("distance({a}, {b})", triangles, "beside", 20),
+                  pairs("ST_3DDistance({a}, {b})", triangles, "beside", column="geom"), calls=20,
+                  key=key, peer_runs=3)
+
+
+def measure_copy(bench, folder, rows):
+    bench.run(f"CREATE TABLE ours (i int, v volume3d); CREATE TABLE theirs (i int, v geometry);"
+              f"INSERT INTO ours SELECT i, round_coordinates(translate(solid, vector3d(i / 3.0, 0, 0))) FROM shapes, generate_series(1, {rows}) i "
+              f"WHERE triangles = 1280 AND which = 'first';"
+              f"INSERT INTO theirs SELECT i, ST_Translate(geom, i / 3.0, 0, 0) FROM shapes, generate_series(1, {rows}) i "
+              f"WHERE triangles = 1280 AND which = 'first'; CHECKPOINT")
+    for name, statement in (("out", "COPY {table} TO '{file}' (FORMAT binary)"),
+                            ("in, ours with proof", "TRUNCATE back_{table}; COPY back_{table} FROM '{file}' (FORMAT binary)")):
+        times = {"ours": [], "theirs": []}
+        bench.run("CREATE TABLE IF NOT EXISTS back_ours (LIKE ours); CREATE TABLE IF NOT EXISTS back_theirs (LIKE theirs)")
+        for _ in range(3):
+            for table in times:  # in turns
+                times[table].append(bench.seconds(statement.format(table=table, file=f"{folder}/{table}.copy"), 1)[0])
+        bench.line(f"COPY BINARY {name}, {rows:,} solids of 1,280 triangles", statistics.median(times["ours"]),
+                   statistics.median(times["theirs"]), "3 runs in turns", "3 runs in turns")
+    sizes = bench.run("SELECT pg_total_relation_size('back_ours'), pg_total_relation_size('back_theirs')").rows[0]
+    files = [os.path.getsize(f"{folder}/{table}.copy") for table in ("ours", "theirs")]
+    print(f"tables: ours {int(sizes[0]) / 1e6:,.1f} MB, PostGIS {int(sizes[1]) / 1e6:,.1f} MB (ratio {int(sizes[1]) / int(sizes[0]):.2f}); "
+          f"files of COPY: {files[0] / 1e6:,.1f} MB and {files[1] / 1e6:,.1f} MB")
+    same = bench.run("SELECT count(*) FROM ours JOIN back_ours b USING (i) WHERE ours.v = b.v").value
+    print(f"of {rows:,} rows {same} came back equal")
+
+
+TWO_PARTS = {
+    "ours": "WITH s AS (SELECT create_cube('(0 0 0)', '(3 3 1)') - create_cube('(1 0 0)', '(2 2 1)') AS clamp, "
+            "create_cube('(-1 -1 0)', '(4 0.2 1)') AS bar) SELECT volume(clamp * bar), (SELECT count(*) FROM components(clamp * bar)) FROM s",
+    "PostGIS": "WITH s AS (SELECT ST_MakeSolid(ST_Extrude('POLYGON((0 0,1 0,1 2,2 2,2 0,3 0,3 3,0 3,0 0))', 0, 0, 1)) AS clamp, "
+               "ST_MakeSolid(ST_Extrude('POLYGON((-1 -1,4 -1,4 0.2,-1 0.2,-1 -1))', 0, 0, 1)) AS bar) "
+               "SELECT ST_Volume(ST_MakeSolid(ST_3DIntersection(clamp, bar))) FROM s"}
+
+
+def ask_for_two_parts(connection):
+    for name, sql in TWO_PARTS.items():
+        answer = connection.query(sql)
+        print(f"volume of an intersection in two parts, {name}: " +
+              (f"{answer.sql_state} {answer.message[:120]}" if answer.sql_state else " in ".join(answer.rows[0]) + (
+                  " parts" if name == "ours" else "")))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--whole", action="store_true")
+    parser.add_argument("--rows", type=int, default=10000)
+    options = parser.parse_args()
+    if not pathlib.Path("/usr/share/postgresql/15/extension/postgis_sfcgal.control").exists():
+        print("left out: postgresql-15-postgis-3 and postgresql-15-postgis-3-scripts are not installed")
+        return
+    with tempfile.TemporaryDirectory(prefix="a3dgis-", dir="/var/tmp") as folder:
+        script = [ROOT / "scripts" / "postgres", "--build", pathlib.Path(options.program).resolve().parent, "--folder", folder]
+        subprocess.run([*script, "start"], check=True)
+        try:
+            connection = Connection(folder)
+            bench = Bench(connection, options.whole)
+            prepare(bench)
+            print("| work | ours | PostGIS | ratio | ours measured | PostGIS measured |\n|---|---:|---:|---:|---|---|")
+            measure_operations(bench)
+            measure_numbers(bench)
+            measure_copy(bench, folder, options.rows)
+            ask_for_two_parts(connection)
+            connection.close()
+        finally:
+            subprocess.run([*script, "stop"], check=True)
+
+
+if __name__ == "__main__":
+    main()
