@@ -370,6 +370,47 @@ void write_meshes(std::ostream& out) {
           << from << "3d);\n";
 }
 
+/// Files of the server, for those who may read them.
+void write_files(std::ostream& out) {
+  struct Made {
+    std::string_view signature, result_and_body, comment;
+  };
+  constexpr std::array<Made, 6> kMade = {
+      {{"server_file(path text)",
+        "bytea AS 'MODULE_PATHNAME', 'algebra3d_server_file' LANGUAGE C VOLATILE STRICT PARALLEL SAFE COST 10000",
+        "The content of a regular file of the server; relative names begin in its data folder."},
+       {"server_files(folder text)",
+        "SETOF text AS 'MODULE_PATHNAME', 'algebra3d_server_files' LANGUAGE C VOLATILE STRICT PARALLEL SAFE COST 10000",
+        "The names of the STL, OBJ and OFF files in a folder of the server, sorted."},
+       {"import_stl_file(path text)",
+        "volume3d LANGUAGE SQL VOLATILE STRICT PARALLEL SAFE COST 10000 RETURN import_stl(server_file(path))",
+        "The solid in a mesh file of the server, repaired if necessary."},
+       {"import_stl_file(path text, options text)",
+        "volume3d LANGUAGE SQL VOLATILE STRICT PARALLEL SAFE COST 10000 RETURN import_stl(server_file(path), options)",
+        "The solid in a mesh file of the server, repaired if necessary."},
+       {"import_mesh_file(path text)",
+        "mesh3d LANGUAGE SQL VOLATILE STRICT PARALLEL SAFE COST 10000 RETURN import_mesh(server_file(path))",
+        "The vertices and polygons in a mesh file of the server, as they are."},
+       {"import_folder(folder text)",
+        "TABLE (file text, solid volume3d) LANGUAGE SQL VOLATILE STRICT PARALLEL SAFE COST 10000 ROWS 100 BEGIN ATOMIC "
+        "SELECT name, import_stl(server_file(folder || '/' || name)) FROM server_files(folder) name; END",
+        "The solids in the STL, OBJ and OFF files in a folder of the server, a row for each file; NULL where there is "
+        "none."}}};
+  for (const Made& made : kMade) {
+    const std::string types = [&] {
+      std::string text(made.signature);
+      for (const std::string_view parameter : {"path ", "folder ", "options "})
+        for (std::size_t at = text.find(parameter); at != std::string::npos; at = text.find(parameter))
+          text.erase(at, parameter.size());
+      return text;
+    }();
+    out << "CREATE FUNCTION " << made.signature << " RETURNS " << made.result_and_body << ";\n"
+        << "COMMENT ON FUNCTION " << types << " IS " << quoted(made.comment) << ";\n"
+        << "REVOKE ALL ON FUNCTION " << types << " FROM PUBLIC;\nGRANT EXECUTE ON FUNCTION " << types
+        << " TO pg_read_server_files;\n";
+  }
+}
+
 void write_sql(std::ostream& out, const std::vector<SqlFunction>& functions) {
   out << "-- Written by algebra3d_postgres_generator; do not edit.\n"
          "\\echo Use \"CREATE EXTENSION algebra3d\" to load this file. \\quit\n\n";
@@ -381,6 +422,7 @@ void write_sql(std::ostream& out, const std::vector<SqlFunction>& functions) {
   }
   const std::vector<MadeOperator> operators = write_operators(out, functions);
   write_meshes(out);
+  write_files(out);
   write_index(out, operators);
   write_supports(out, functions);
 }
