@@ -33,7 +33,7 @@ Result<SubdivisionInput> input_of(Context& /*context*/, const char* /*name*/, co
   return SubdivisionInput{mesh.mesh()};
 }
 
-std::string counted(std::size_t count, const char* one, const char* more) {
+std::string counted_nouns(std::size_t count, const char* one, const char* more) {
   return fmt::format("{} {}", count, count == 1 ? one : more);
 }
 
@@ -51,8 +51,8 @@ Result<SubdivisionInput> input_of(Context& context, const char* name, const T& g
   auto divided = divided_contacts(mesh, kIsSolid ? ContactsOf::solids : ContactsOf::surfaces);
   if (!divided.ok()) return named(name, divided.error());
   context.diagnostics.report(fmt::format("{}: divided the {} at {} and {}, where {}", name,
-                                         kIsSolid ? "solid" : "surface", counted(divided->edge_count, "edge", "edges"),
-                                         counted(divided->vertex_count, "vertex", "vertices"),
+                                         kIsSolid ? "solid" : "surface", counted_nouns(divided->edge_count, "edge", "edges"),
+                                         counted_nouns(divided->vertex_count, "vertex", "vertices"),
                                          kIsSolid ? "bodies touch" : "it is not manifold"));
   return SubdivisionInput{std::move(divided->mesh), true};
 }
