@@ -135,6 +135,8 @@ Datum datum_of_value(a3d_value* value) {
   if (strcmp(type, "bytes") == 0) {
     size_t size;
     const char* bytes = a3d_bytes_of(value, &size);
+    if (size > MaxAllocSize - VARHDRSZ)
+      ereport(ERROR, errcode(ERRCODE_PROGRAM_LIMIT_EXCEEDED), errmsg("%zu bytes are more than a bytea can have", size));
     /* A bytea is a varlena like a text. */
     return PointerGetDatum(cstring_to_text_with_len(bytes, size));
   }

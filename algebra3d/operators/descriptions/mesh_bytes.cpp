@@ -128,6 +128,7 @@ void register_bytes_of(Registry& registry, const MeshFormat& format) {
       .overloads = {to_overload<Volume3d>(format, "solid"), to_overload<Surface3d>(format, "surface"),
                     to_overload<Mesh3d>(format, "mesh")},
       .examples = {{{kUnitCube}, "1.0", read_back(format)},
+                   {{kCubeOfTwo}, "TRUE", "(isdefined _)"},
                    {{"(surface3d (((0 0 0) (1 0 0) (0 1 0))))"}, "0.5", "(area (importSurface _))"},
                    {{"(mesh3d (((0 0 0) (1 0 0) (0 1 0) (0 0 1)) ((2 1 0) (0 1 3) (1 2 3) (2 0 3))))"},
                     "TRUE",

@@ -19,6 +19,7 @@
 #include "algebra3d/values/types/planar.h"
 #include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
+#include "base/interruption_scope.h"
 #include "base/propagate.h"
 #include "base/text.h"
 
@@ -156,19 +157,22 @@ Maybe<std::int64_t> srid_of_digits(const Text& text) {
 /// Tells that corners were rounded. `reason`: why the result is no valid value; empty if it is one.
 void report_wkb_rounding(Context& context, std::size_t count, const char* noun, const std::string& reason) {
   if (count > 0)
-    context.diagnostics.report(fmt::format("toWKB: rounded {} to doubles{}", counted(count, noun), reason));
+    context.diagnostics.report(fmt::format("toWKB: rounded {} to doubles{}", algebra3d::counted(count, noun), reason));
 }
 
 /// Why the mesh with rounded vertices is no value of type T; empty if it is one.
 template <typename T>
 Result<std::string> rounding_fault(Context& context, const TriangleMesh& mesh) {
   std::vector<TriangleMesh::Triangle> triangles;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) triangles.push_back(mesh.triangle(FaceId(f)));
+  triangles.reserve(mesh.face_count());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    poll_interruption_at(f);
+    triangles.push_back(mesh.triangle(FaceId(f)));
+  }
   WeldedTriangles welded = weld(mesh.points().approx(), triangles);
   A3D_ASSIGN(const auto proved,
              T::prove(TriangleMesh(std::move(welded.points), welded.triangles), {.cancel = context.cancel}));
-  return proved ? std::string()
-                : "; they do not bound what they did, roundCoordinates finds doubles that do: " + proved.reason();
+  return proved ? std::string() : "; the result is not valid, that of roundCoordinates is: " + proved.reason();
 }
 
 // The WKB of a value, with diagnostics of what was rounded.
@@ -196,7 +200,10 @@ Result<std::string> wkb_of(Context& context, const Mesh3d& mesh, Srid srid) {
 }
 Result<std::string> wkb_of(Context& context, const Points3d& points, Srid srid) {
   std::size_t exact = 0;
-  for (const ExactPoint& point : points.points()) exact += point.is_double() ? 0 : 1;
+  for (std::size_t i = 0; i < points.points().size(); ++i) {
+    poll_interruption_at(i);
+    exact += points.points()[i].is_double() ? 0 : 1;
+  }
   report_wkb_rounding(context, exact, "point", {});
   return wkb_of_points(points.points(), srid);
 }
@@ -376,6 +383,7 @@ void register_well_known_binary(Registry& registry) {
           "or region. A SRID of 0 is none.",
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
+      .cost = Cost::sorting,
       .sources = {"ogc06103", "postgis2022"},
       .overloads = to_overloads<Volume3d, Surface3d, Mesh3d, Points3d, Point3d, Region>(
           {"solid", "surface", "mesh", "points", "point", "region"}),

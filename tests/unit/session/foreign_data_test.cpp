@@ -206,6 +206,8 @@ const Reading kReading[] = {
     {"(OBJECT T () (rel (tuple ((A (arel (tuple ((B text)))))))) ((((<file>victim</file--->) "
      "(<file>victim.csv</file--->)))) ())",
      "files outside of its folder: '{0}/victim', '{0}/victim.csv'"},
+    {"(OBJECT T () bytes <file>victim</file---> ())", "files outside of its folder: '{}/victim'"},
+    {"(DERIVED T (const bytes value <file>victim</file--->))", "files outside of its folder: '{}/victim'"},
     {"(DERIVED T (importSTL 'victim'))", "files outside of its folder: '{}/victim'"},
     {"(DERIVED T (importOBJ 'foreign/../victim'))", "files outside of its folder: '{}/victim'"},
     {"(DERIVED T (importOFF 'foreign/link'))", "files outside of its folder: '{}/victim'"},
