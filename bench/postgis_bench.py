@@ -4,7 +4,7 @@
 Usage: bench/postgis_bench.py PROGRAM [--whole] [--rows N]
 
 PROGRAM lies in the build whose extension is measured. Needs postgresql-15-postgis-3 and postgresql-15-postgis-3-scripts.
-Prints a table of medians of wall time for each call, and how often each was measured. Answers of PostGIS that take more than a
+Prints a table of medians of the backend's processor time for each call, which other work on the machine changes little, and how often each was measured. Answers of PostGIS that take more than a
 few seconds are measured once; those that take minutes are quoted from an earlier measurement on a machine of the same
 kind ("quoted"), and measured with --whole. N are the rows of COPY (10,000).
 
@@ -101,9 +101,15 @@ class Bench:
         """The median for each call, and the answer of the last."""
         times = []
         for _ in range(runs):
+            begin = self.processor_seconds()
             answer = self.run(sql)
-            times.append((answer.ended - answer.began) / per_statement)
+            times.append((self.processor_seconds() - begin) / per_statement)
         return statistics.median(times), answer
+
+    def processor_seconds(self):
+        """Of all threads of the backend."""
+        tasks = pathlib.Path(f"/proc/{self.connection.pid}/task").iterdir()
+        return sum(int((task / "schedstat").read_text().split()[0]) for task in tasks) / 1e9
 
     def row(self, name, ours, peer=None, key=None, runs=9, peer_runs=5, calls=1):
         """Measures `ours`, a statement with `calls` calls, and `peer`, with one, or quotes it."""
