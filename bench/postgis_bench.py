@@ -4,7 +4,8 @@
 Usage: bench/postgis_bench.py PROGRAM [--whole] [--rows N]
 
 PROGRAM lies in the build whose extension is measured. Needs postgresql-15-postgis-3 and postgresql-15-postgis-3-scripts.
-Prints a table of medians of the backend's processor time for each call, which other work on the machine changes little, and how often each was measured. Answers of PostGIS that take more than a
+Prints a table of medians of the processor time that a backend takes for each call, which other work on the machine changes
+little, and how often each was measured. Answers of PostGIS that take more than a
 few seconds are measured once; those that take minutes are quoted from an earlier measurement on a machine of the same
 kind ("quoted"), and measured with --whole. N are the rows of COPY (10,000).
 
