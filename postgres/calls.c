@@ -41,12 +41,15 @@ static const a3d_function* function_of(FunctionCallInfo fcinfo, const FunctionKe
   return function;
 }
 
-/* Arguments of more points and triangles together make a call of linear cost long. */
+/* Arguments of more points and triangles together make a call of linear cost long, or a greater number, which may say
+ * how many are made. */
 #define MOST_ELEMENTS_AT_ONCE 1000
+#define GREATEST_NUMBER_AT_ONCE 50
 
 /* Fills in the arguments; whether the call may take long. */
 static bool prepare(Call* c, FunctionCallInfo fcinfo, const FunctionKey* key) {
   size_t elements = 0;
+  bool is_long_by_number = false;
   a3d_header header;
   c->session = backend_session();
   c->function = function_of(fcinfo, key);
@@ -59,9 +62,12 @@ static bool prepare(Call* c, FunctionCallInfo fcinfo, const FunctionKey* key) {
       continue;
     }
     c->arguments[i] = value_of_datum(PG_GETARG_DATUM(i), key->types[i]);
+    if (strcmp(key->types[i], "int") == 0 && DatumGetInt64(PG_GETARG_DATUM(i)) > GREATEST_NUMBER_AT_ONCE)
+      is_long_by_number = true;
     if (a3d_header_of(c->session, c->arguments[i], &header) == A3D_OK) elements += header.count;
   }
-  return c->function->cost > A3D_LINEAR || (c->function->cost == A3D_LINEAR && elements > MOST_ELEMENTS_AT_ONCE);
+  return c->function->cost > A3D_LINEAR ||
+         (c->function->cost == A3D_LINEAR && (elements > MOST_ELEMENTS_AT_ONCE || is_long_by_number));
 }
 
 Datum call_scalar(FunctionCallInfo fcinfo, const FunctionKey* key) {

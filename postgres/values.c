@@ -65,6 +65,12 @@ const char* name_of_type(Oid type, MemoryContext memory) {
   return name;
 }
 
+/* Whether reading, printing or comparing the value may take more than some milliseconds. */
+static bool is_large(const a3d_value* value) {
+  a3d_header header;
+  return a3d_header_of(backend_session(), value, &header) == A3D_OK && header.count > 1000;
+}
+
 /* ---- Plain values ---- */
 
 a3d_value* value_of_datum(Datum datum, const char* type) {
@@ -145,11 +151,24 @@ Datum datum_of_value(a3d_value* value) {
 
 /* ---- Text and messages ---- */
 
+typedef struct Parsing {
+  a3d_session* session;
+  const char* type;
+  const char* text;
+  size_t size;
+  a3d_value* result;
+} Parsing;
+
+static a3d_status parse(void* given) {
+  Parsing* p = given;
+  return a3d_parse(p->session, p->type, p->text, p->size, &p->result);
+}
+
 static a3d_value* parsed(const char* type, const char* given) {
-  a3d_value* result = NULL;
   char* utf8 = pg_server_to_any(given, strlen(given), PG_UTF8);
-  check_status(a3d_parse(backend_session(), type, utf8, strlen(utf8), &result));
-  return owned_value(result);
+  Parsing parsing = {backend_session(), type, utf8, strlen(utf8), NULL};
+  check_status(parsing.size > MOST_BYTES_AT_ONCE / 4 ? run_aside(parse, &parsing) : parse(&parsing));
+  return owned_value(parsing.result);
 }
 
 Datum read_value(FunctionCallInfo fcinfo, const char* type) {
@@ -175,10 +194,23 @@ Datum read_value(FunctionCallInfo fcinfo, const char* type) {
   return datum_of_value(value);
 }
 
+typedef struct Printing {
+  a3d_session* session;
+  const a3d_value* value;
+  a3d_bytes bytes;
+} Printing;
+
+static a3d_status print(void* given) {
+  Printing* p = given;
+  return a3d_print(p->session, p->value, &p->bytes);
+}
+
 static char* list_text(a3d_value* value) {
+  Printing printing = {backend_session(), value, {0}};
   a3d_bytes bytes;
   char* result;
-  check_status(a3d_print(backend_session(), value, &bytes));
+  check_status(is_large(value) ? run_aside(print, &printing) : print(&printing));
+  bytes = printing.bytes;
   if (bytes.size >= MaxAllocSize) {
     a3d_free_bytes(&bytes);
     ereport(ERROR, errcode(ERRCODE_PROGRAM_LIMIT_EXCEEDED), errmsg("a value list of 1 GB or more is no text"),
@@ -272,14 +304,32 @@ static void leave_scratch(MemoryContext before) {
   MemoryContextReset(scratch);
 }
 
+typedef struct Comparing {
+  a3d_session* session;
+  const a3d_value *a, *b;
+  int order;
+  uint64_t hash;
+} Comparing;
+
+static a3d_status compare(void* given) {
+  Comparing* c = given;
+  return a3d_compare(c->session, c->a, c->b, &c->order);
+}
+
+static a3d_status hash(void* given) {
+  Comparing* c = given;
+  return a3d_hash(c->session, c->a, &c->hash);
+}
+
 static int compared(FunctionCallInfo fcinfo, const char* type) {
   MemoryContext before = enter_scratch();
-  a3d_value* a = value_of_datum(PG_GETARG_DATUM(0), type);
-  a3d_value* b = value_of_datum(PG_GETARG_DATUM(1), type);
-  int order;
-  check_status(a3d_compare(backend_session(), a, b, &order));
+  Comparing comparing = {0};
+  comparing.a = value_of_datum(PG_GETARG_DATUM(0), type);
+  comparing.b = value_of_datum(PG_GETARG_DATUM(1), type);
+  comparing.session = backend_session();
+  check_status(is_large(comparing.a) && is_large(comparing.b) ? run_aside(compare, &comparing) : compare(&comparing));
   leave_scratch(before);
-  return order;
+  return comparing.order;
 }
 
 Datum compare_values(FunctionCallInfo fcinfo, const char* type) {
@@ -327,8 +377,10 @@ Datum compare_not_less(FunctionCallInfo fcinfo, const char* type) {
 
 Datum hash_value(FunctionCallInfo fcinfo, const char* type) {
   MemoryContext before = enter_scratch();
-  uint64_t hash;
-  check_status(a3d_hash(backend_session(), value_of_datum(PG_GETARG_DATUM(0), type), &hash));
+  Comparing comparing = {0};
+  comparing.a = value_of_datum(PG_GETARG_DATUM(0), type);
+  comparing.session = backend_session();
+  check_status(is_large(comparing.a) ? run_aside(hash, &comparing) : hash(&comparing));
   leave_scratch(before);
-  PG_RETURN_INT32((int32)(hash ^ (hash >> 32)));
+  PG_RETURN_INT32((int32)(comparing.hash ^ (comparing.hash >> 32)));
 }

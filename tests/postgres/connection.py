@@ -32,7 +32,7 @@ class Connection:
     def __init__(self, folder, database="postgres", user="postgres"):
         self.address = f"{folder}/.s.PGSQL.5432"
         self.socket = self._opened()
-        self.buffer = b""
+        self.buffer = bytearray()
         parameters = b"".join(text.encode() + b"\0" for text in ("user", user, "database", database)) + b"\0"
         self.socket.sendall(struct.pack("!ii", 8 + len(parameters), PROTOCOL) + parameters)
         self.pid = self.key = None
@@ -87,7 +87,8 @@ class Connection:
             if not more:
                 raise Lost("the server has closed the connection")
             self.buffer += more
-        taken, self.buffer = self.buffer[:count], self.buffer[count:]
+        taken = bytes(self.buffer[:count])
+        del self.buffer[:count]
         return taken
 
     def _read_until_ready(self, answer, copy_in=None):
