@@ -50,7 +50,6 @@ static const a3d_function* function_of(FunctionCallInfo fcinfo, const FunctionKe
 static bool prepare(Call* c, FunctionCallInfo fcinfo, const FunctionKey* key) {
   size_t elements = 0;
   bool is_long_by_number = false;
-  a3d_header header;
   c->session = backend_session();
   c->function = function_of(fcinfo, key);
   c->count = key->parameter_count;
@@ -64,7 +63,7 @@ static bool prepare(Call* c, FunctionCallInfo fcinfo, const FunctionKey* key) {
     c->arguments[i] = value_of_datum(PG_GETARG_DATUM(i), key->types[i]);
     if (strcmp(key->types[i], "int") == 0 && DatumGetInt64(PG_GETARG_DATUM(i)) > GREATEST_NUMBER_AT_ONCE)
       is_long_by_number = true;
-    if (a3d_header_of(c->session, c->arguments[i], &header) == A3D_OK) elements += header.count;
+    elements += element_count(c->arguments[i]);
   }
   return c->function->cost > A3D_LINEAR ||
          (c->function->cost == A3D_LINEAR && (elements > MOST_ELEMENTS_AT_ONCE || is_long_by_number));
@@ -187,10 +186,8 @@ static State* opened_state(MemoryContext memory, const a3d_function* function) {
 /* HashAggregate goes on in temporary files when its memory context has grown enough. What the library holds is not in
  * there, so room for it, which is never touched, stands for it. */
 static void account_for(State* state, MemoryContext memory, const a3d_value* value) {
-  a3d_header header;
   if (state->function->keeps_values == 0) return;
-  if (a3d_header_of(state->session, value, &header) != A3D_OK) return;
-  state->held += BYTES_OF_VALUE + BYTES_OF_ELEMENT * (size_t)header.count;
+  state->held += BYTES_OF_VALUE + BYTES_OF_ELEMENT * element_count(value);
   if (state->held <= state->room_size) return;
   state->room_size = Max(state->held, 2 * state->room_size);
   state->room = state->room == NULL ? MemoryContextAllocHuge(memory, state->room_size)

@@ -33,9 +33,7 @@ static Size flat_size(ExpandedObjectHeader* header) {
   ExpandedValue* self = (ExpandedValue*)header;
   if (self->flat.owner == NULL) {
     Encoding encoding = {backend_session(), self->value, &self->flat};
-    a3d_header box;
-    bool is_long = a3d_header_of(encoding.session, self->value, &box) == A3D_OK && box.count > MOST_ELEMENTS_AT_ONCE;
-    check_status(is_long ? run_aside(encode, &encoding) : encode(&encoding));
+    check_status(element_count(self->value) > MOST_ELEMENTS_AT_ONCE ? run_aside(encode, &encoding) : encode(&encoding));
   }
   if (self->flat.size > MaxAllocSize - VARHDRSZ)
     ereport(ERROR, errcode(ERRCODE_PROGRAM_LIMIT_EXCEEDED),

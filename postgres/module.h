@@ -56,6 +56,9 @@ void release_kept_values(void);
 /* How many values were decoded, and how many were found decoded, since the backend began. */
 extern uint64 decoded_count, found_count;
 
+/* Points or triangles of a defined value; 0 for types of one point and for those that are not spatial. */
+size_t element_count(const a3d_value* value);
+
 /* The value in a datum of a type of the library, or of bigint, float8, boolean, text: named by the library's name. */
 a3d_value* value_of_datum(Datum datum, const char* type);
 /* The datum of a defined value, which may be an expanded object. */

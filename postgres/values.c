@@ -65,10 +65,19 @@ const char* name_of_type(Oid type, MemoryContext memory) {
   return name;
 }
 
+size_t element_count(const a3d_value* value) {
+  static const char* const types[] = {"points3d", "region", "surface3d", "volume3d", "mesh3d"};
+  const char* type = a3d_type_of(value);
+  a3d_header header;
+  for (size_t i = 0; i < lengthof(types); ++i)
+    if (strcmp(type, types[i]) == 0)
+      return a3d_header_of(backend_session(), value, &header) == A3D_OK ? header.count : 0;
+  return 0;
+}
+
 /* Whether reading, printing or comparing the value may take more than some milliseconds. */
 static bool is_large(const a3d_value* value) {
-  a3d_header header;
-  return a3d_header_of(backend_session(), value, &header) == A3D_OK && header.count > 1000;
+  return element_count(value) > 1000;
 }
 
 /* ---- Plain values ---- */
