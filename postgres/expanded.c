@@ -26,6 +26,9 @@ static a3d_status encode(void* given) {
   return a3d_encode(e->session, e->value, e->result);
 }
 
+/* What is stored can be written as base64, which is a text of 1 GB at most. */
+#define MOST_BYTES ((MaxAllocSize - 1) / 4 * 3 - VARHDRSZ)
+
 /* Values with more points or triangles are encoded aside. */
 #define MOST_ELEMENTS_AT_ONCE 5000
 
@@ -35,9 +38,10 @@ static Size flat_size(ExpandedObjectHeader* header) {
     Encoding encoding = {backend_session(), self->value, &self->flat};
     check_status(element_count(self->value) > MOST_ELEMENTS_AT_ONCE ? run_aside(encode, &encoding) : encode(&encoding));
   }
-  if (self->flat.size > MaxAllocSize - VARHDRSZ)
+  if (self->flat.size > MOST_BYTES)
     ereport(ERROR, errcode(ERRCODE_PROGRAM_LIMIT_EXCEEDED),
-            errmsg("a value of %zu bytes cannot be stored, at most %zu", self->flat.size, MaxAllocSize - VARHDRSZ));
+            errmsg("a value of %zu bytes cannot be stored, at most %zu", self->flat.size, MOST_BYTES),
+            errhint("Its base64 would be longer than a text can be."));
   return self->flat.size + VARHDRSZ;
 }
 

@@ -108,6 +108,7 @@ void check_status(a3d_status status) {
                             error->sql_state[4]);
   if (sql_state == ERRCODE_OUT_OF_MEMORY) release_kept_values();
   ereport(ERROR, errcode(sql_state), errmsg("%s", pg_any_to_server(error->message, strlen(error->message), PG_UTF8)),
+          error->place[0] != '\0' ? errdetail("In %s.", error->place) : 0,
           errhint("%s", sql_state == ERRCODE_OUT_OF_MEMORY
                             ? "Raise algebra3d.memory, or split the work: by smaller groups, or fewer rows."
                             : error->remedy));

@@ -196,9 +196,11 @@ Datum read_value(FunctionCallInfo fcinfo, const char* type) {
     value = decoded(type, bytes, size, ERRCODE_INVALID_TEXT_REPRESENTATION);
   }
   if (!a3d_is_defined(value)) {
-    show_notices();
-    ereport(ERROR, errcode(ERRCODE_INVALID_TEXT_REPRESENTATION), errmsg("the text is no valid %s", type),
-            errhint("The notice before says why. A missing value is NULL."));
+    const char* reason = a3d_reason(backend_session());
+    char* detail = pg_any_to_server(pstrdup(reason), strlen(reason), PG_UTF8);
+    a3d_clear_notices(backend_session());
+    ereport(ERROR, errcode(ERRCODE_INVALID_TEXT_REPRESENTATION), errmsg("invalid value for type %s", type),
+            *detail != '\0' ? errdetail("%s", detail) : 0, errhint("A missing value is NULL."));
   }
   return datum_of_value(value);
 }

@@ -3,6 +3,8 @@
 #include <memory>
 #include <new>
 
+#include <fmt/format.h>
+
 #include "algebra3d/c_interface/detail/functions.h"
 #include "algebra3d/c_interface/detail/session.h"
 #include "algebra3d/kernel/exact/number_memory.h"
@@ -48,7 +50,10 @@ a3d_status a3d_session::fail(const algebra3d::Error& failure, bool is_of_memory)
   error.remedy = failure.code == algebra3d::ErrorCode::type_error
                      ? "Compare the types with those of the parameters of the function."
                      : kind.remedy.data();
+  error.place[0] = '\0';
   try {
+    if (failure.place.is_known())
+      copy_text(fmt::format("line {}, column {}", failure.place.line, failure.place.column), error.place);
     copy_text(algebra3d::c_interface::in_host_names(failure.text()), error.message);
   } catch (...) {
     copy_text(failure.message, error.message);
@@ -135,6 +140,15 @@ size_t a3d_notice_count(a3d_session* session) {
 
 const char* a3d_notice(a3d_session* session, size_t number) {
   return number < session->notices.size() ? session->notices[number].c_str() : nullptr;
+}
+
+const char* a3d_reason(a3d_session* session) {
+  try {
+    session->reason = algebra3d::c_interface::in_host_names(session->diagnostics.last_reason());
+  } catch (...) {
+    session->reason.clear();
+  }
+  return session->reason.c_str();
 }
 
 void a3d_clear_notices(a3d_session* session) {

@@ -40,6 +40,7 @@ typedef struct a3d_error {
   char name[32];      /* the kind: "invalid_value", "interrupted" */
   char message[301];  /* what was found, where, and what was expected; numbers, but no whole value */
   const char* remedy; /* what the user can do, a sentence; lives as long as the library */
+  char place[40];     /* in a text that was parsed: "line 1, column 7"; else empty */
 } a3d_error;
 
 /* ---- The process: for hosts that are programs, not for libraries ---- */
@@ -95,6 +96,10 @@ const a3d_error* a3d_last_error(const a3d_session* session);
 size_t a3d_notice_count(a3d_session* session);
 const char* a3d_notice(a3d_session* session, size_t number);
 void a3d_clear_notices(a3d_session* session);
+/* Of the notices the last one that is the reason of an undefined value; empty if there is none. Lives as long as they
+ * do.
+ */
+const char* a3d_reason(a3d_session* session);
 
 /* ---- Values ---- */
 

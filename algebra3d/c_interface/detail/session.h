@@ -30,6 +30,7 @@ struct a3d_session {
   std::filesystem::path folder;
   algebra3d::Diagnostics diagnostics;
   std::vector<std::string> notices;
+  std::string reason;
   a3d_error error = {};
 
   algebra3d::Context context() { return {diagnostics, &is_cancelled, algebra3d::WorkingFolder(folder)}; }
