@@ -86,7 +86,7 @@ static void stop(a3d_session* session) {
 a3d_status run_aside(a3d_status (*work)(void*), void* argument) {
   a3d_session* session = backend_session();
   CHECK_FOR_INTERRUPTS();
-  count_heap();
+  count_heap(false);
   if (worker == NULL) worker = started();
   pthread_mutex_lock(&worker->mutex);
   worker->argument = argument;

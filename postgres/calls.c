@@ -183,6 +183,11 @@ static State* opened_state(MemoryContext memory, const a3d_function* function) {
 #define BYTES_OF_ELEMENT 64
 #define BYTES_OF_VALUE 512
 
+/* Whether the result may take long. */
+static bool is_long(const State* state) {
+  return state->held > BYTES_OF_ELEMENT * MOST_ELEMENTS_AT_ONCE;
+}
+
 /* HashAggregate goes on in temporary files when its memory context has grown enough. What the library holds is not in
  * there, so room for it, which is never touched, stands for it. */
 static void account_for(State* state, MemoryContext memory, const a3d_value* value) {
@@ -212,7 +217,7 @@ Datum algebra3d_finish_aggregate(PG_FUNCTION_ARGS) {
   State* state = PG_ARGISNULL(0) ? NULL : (State*)PG_GETARG_POINTER(0);
   if (state == NULL) PG_RETURN_NULL();
   state->session = backend_session();
-  check_status(run_aside(finish, state));
+  check_status(is_long(state) ? run_aside(finish, state) : finish(state));
   owned_value(state->result);
   show_notices();
   if (!a3d_is_defined(state->result)) PG_RETURN_NULL();
@@ -252,7 +257,7 @@ Datum algebra3d_save_aggregate(PG_FUNCTION_ARGS) {
   Saving saving = {(State*)PG_GETARG_POINTER(0), {0}};
   memory_of_aggregate(fcinfo);
   saving.state->session = backend_session();
-  check_status(run_aside(save, &saving));
+  check_status(is_long(saving.state) ? run_aside(save, &saving) : save(&saving));
   return varlena_of_bytes(&saving.bytes);
 }
 

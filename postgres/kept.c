@@ -158,7 +158,7 @@ Datum algebra3d_statistics(PG_FUNCTION_ARGS) {
   if (get_call_result_type(fcinfo, NULL, &description) != TYPEFUNC_COMPOSITE)
     ereport(ERROR, errcode(ERRCODE_FEATURE_NOT_SUPPORTED), errmsg("algebra3d_statistics gives a row"));
   session = backend_session();
-  count_heap();
+  count_heap(true);
   values[0] = Int64GetDatum(decoded_count);
   values[1] = Int64GetDatum(found_count);
   values[2] = Int64GetDatum(a3d_memory_used(session));

@@ -74,8 +74,16 @@ static size_t heap_beside_server(void) {
 
 static size_t heap_before; /* with the tables of the library, and what others have allocated */
 
-void count_heap(void) {
-  size_t heap = heap_beside_server();
+/* Often enough for a limit of memory, seldom enough to cost nothing: malloc looks at all that is free. */
+#define MICROSECONDS_BETWEEN_COUNTS 20000
+
+void count_heap(bool in_any_case) {
+  static TimestampTz last;
+  TimestampTz now = GetCurrentTimestamp();
+  size_t heap;
+  if (!in_any_case && now - last < MICROSECONDS_BETWEEN_COUNTS && now >= last) return;
+  last = now;
+  heap = heap_beside_server();
   a3d_set_memory_used(session, heap > heap_before ? heap - heap_before : 0);
 }
 
@@ -91,7 +99,7 @@ a3d_session* backend_session(void) {
   }
   if (++calls >= CALLS_UNTIL_COUNTED) {
     calls = 0;
-    count_heap();
+    count_heap(false);
   }
   a3d_set_memory(session, memory_limit());
   a3d_set_threads(session, Min(setting_threads, setting_max_threads));

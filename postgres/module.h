@@ -19,8 +19,8 @@ a3d_session* backend_session(void);
 
 /* The most memory of the session, in bytes. */
 uint64 memory_limit(void);
-/* Sets the session's count of memory right. */
-void count_heap(void);
+/* Sets the session's count of memory right, if that was not done just before. */
+void count_heap(bool in_any_case);
 
 /* ereport(ERROR) with the last error of the session, unless the status is A3D_OK or A3D_END. */
 void check_status(a3d_status status);
