@@ -26,15 +26,27 @@ const std::map<std::string_view, int> kDegrees = {
     {"facetThickness", 1}, {"rayHits", 1},   {"thickness", 1},    {"getz", 1},         {"length", 1},
     {"maxD", 1},           {"minD", 1},      {"volume", 3},       {"volumeExact", 3},  {"perimeter", 1}};
 /// No law: a text with coordinates in it, one of several points that would do, a number within a bound or rounded up, a
-/// row whose numbers grow with different powers of lengths, a share among lengths, or files, which hold floats or what
-/// another operator has written.
-const std::set<std::string_view> kLawless = {
-    "commonPoint",   "closestPoints", "clash",      "hausdorffDistance", "boundingSphere", "boundingCylinder",
-    "minimalBox",    "inertia",       "congruence", "region2wkt",        "exportSTL",      "exportOBJ",
-    "exportOFF",     "importSTL",     "importOBJ",  "importOFF",         "importSurface",  "importMesh",
-    "vertices",      "edges",         "faces",      "oneRing",           "vertexEdges",    "vertexFaces",
-    "edgeVertices",  "edgeEdges",     "edgeFaces",  "faceVertices",      "faceEdges",      "faceFaces",
-    "boundaryLoops", "splitEdge"};
+/// row whose numbers grow with different powers of lengths, a share among lengths, or files and
+/// their bytes, which hold floats or what another operator has written.
+const std::set<std::string_view> kLawless = {"commonPoint",    "closestPoints",
+                                             "clash",          "hausdorffDistance",
+                                             "boundingSphere", "boundingCylinder",
+                                             "minimalBox",     "inertia",
+                                             "congruence",     "region2wkt",
+                                             "exportSTL",      "exportOBJ",
+                                             "exportOFF",      "importSTL",
+                                             "importOBJ",      "importOFF",
+                                             "importSurface",  "importMesh",
+                                             "vertices",       "edges",
+                                             "faces",          "oneRing",
+                                             "vertexEdges",    "vertexFaces",
+                                             "edgeVertices",   "edgeEdges",
+                                             "edgeFaces",      "faceVertices",
+                                             "faceEdges",      "faceFaces",
+                                             "boundaryLoops",  "splitEdge",
+                                             "toSTL",          "toOBJ",
+                                             "toOFF",          "toGLB",
+                                             "toWKB"};
 
 const Registry& range_registry() {
   static const Registry the_registry = make_registry();
