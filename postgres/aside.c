@@ -8,6 +8,7 @@
 
 #include <miscadmin.h>
 #include <pgstat.h>
+#include <storage/ipc.h>
 #include <storage/latch.h>
 
 /* Deep recursion of the library ends with an error at a depth that this holds. */
@@ -23,6 +24,9 @@ typedef struct Worker {
 } Worker;
 
 static Worker* worker; /* of this backend; null until the first long call */
+static bool works;     /* whether the thread has work that nobody has waited for */
+
+static void stop_at_exit(int code, Datum unused);
 
 static void* work_for_ever(void* given) {
   Worker* self = given;
@@ -58,6 +62,7 @@ static Worker* started(void) {
   pthread_attr_destroy(&attributes);
   if (failed != 0)
     ereport(ERROR, errcode(ERRCODE_INSUFFICIENT_RESOURCES), errmsg("could not start a thread: %s", strerror(failed)));
+  before_shmem_exit(stop_at_exit, (Datum)0);
   return &made;
 }
 
@@ -79,8 +84,15 @@ static void stop(a3d_session* session) {
   HOLD_INTERRUPTS();
   while (!is_done(1000)) {
   }
+  works = false;
   RESUME_INTERRUPTS();
   a3d_resume(session);
+}
+
+/* A backend that ends by a fatal error, such as that of a lost client, jumps out of run_aside: the library must not be
+ * taken down while the thread uses it. */
+static void stop_at_exit(int code, Datum unused) {
+  if (works) stop(backend_session());
 }
 
 a3d_status run_aside(a3d_status (*work)(void*), void* argument) {
@@ -91,11 +103,15 @@ a3d_status run_aside(a3d_status (*work)(void*), void* argument) {
   pthread_mutex_lock(&worker->mutex);
   worker->argument = argument;
   worker->work = work;
+  works = true;
   pthread_cond_signal(&worker->changed);
   pthread_mutex_unlock(&worker->mutex);
   while (!is_done(1000)) {
     if (QueryCancelPending || ProcDiePending) {
       stop(session);
+      /* It was done before it heard of the request: the caller owns the result, and the server serves the request soon.
+       */
+      if (worker->status != A3D_ERROR) return worker->status;
       CHECK_FOR_INTERRUPTS();
       /* The request was taken back meanwhile: an error all the same, since the work has ended. */
       ereport(ERROR, errcode(ERRCODE_QUERY_CANCELED), errmsg("canceling statement due to user request"));
@@ -111,5 +127,6 @@ a3d_status run_aside(a3d_status (*work)(void*), void* argument) {
       PG_END_TRY();
     }
   }
+  works = false;
   return worker->status;
 }

@@ -202,6 +202,8 @@ static void account_for(State* state, MemoryContext memory, const a3d_value* val
 Datum step_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key) {
   MemoryContext memory = memory_of_aggregate(fcinfo);
   State* state = PG_ARGISNULL(0) ? NULL : (State*)PG_GETARG_POINTER(0);
+  /* Of no values the result is NULL, as of aggregates of the server. */
+  if (state == NULL && PG_ARGISNULL(1)) PG_RETURN_NULL();
   if (state == NULL) state = opened_state(memory, function_of(fcinfo, key));
   if (!PG_ARGISNULL(1)) {
     a3d_value* value = value_of_datum(PG_GETARG_DATUM(1), key->types[0]);

@@ -118,6 +118,7 @@ void write_type(std::ostream& out, std::string_view type) {
     out << "ALTER TYPE " << name << " SET (ANALYZE = " << name << "_analyze);\n";
   }
   function("as_text", name, "text", "IMMUTABLE");
+  out << "COMMENT ON FUNCTION as_text(" << name << ") IS 'The value list, which input reads as well.';\n";
   function(name + "_cmp", name + ", " + name, "integer", "IMMUTABLE");
   function(name + "_hash", name, "integer", "IMMUTABLE");
   struct Comparison {
@@ -247,6 +248,7 @@ std::vector<MadeOperator> write_operators(std::ostream& out, const std::vector<S
     for (const std::string_view b : kTypesWithBoxes)
       out << "CREATE FUNCTION boxes_meet(" << a << ", " << b << ") RETURNS boolean AS 'MODULE_PATHNAME', '"
           << boxes_symbol(a, b) << "' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;\n"
+          << "COMMENT ON FUNCTION boxes_meet(" << a << ", " << b << ") IS 'Whether the boxes of doubles meet.';\n"
           << "CREATE OPERATOR && (LEFTARG = " << a << ", RIGHTARG = " << b
           << ", FUNCTION = boxes_meet, COMMUTATOR = &&, RESTRICT = box_restriction, JOIN = box_join);\n";
   for (const std::string_view a : kTypesWithBoxes)

@@ -88,7 +88,7 @@ a3d_value* value_of_datum(Datum datum, const char* type) {
   if (strcmp(type, "int") == 0) {
     check_status(a3d_make_int(session, DatumGetInt64(datum), &result));
   } else if (strcmp(type, "real") == 0) {
-    check_status(a3d_make_real(session, DatumGetFloat8(datum), &result));
+    check_arguments(a3d_make_real(session, DatumGetFloat8(datum), &result));
   } else if (strcmp(type, "bool") == 0) {
     check_status(a3d_make_bool(session, DatumGetBool(datum), &result));
   } else if (strcmp(type, "text") == 0 || strcmp(type, "string") == 0) {
@@ -180,15 +180,29 @@ static a3d_value* parsed(const char* type, const char* given) {
   return owned_value(parsing.result);
 }
 
+/* Bytes that were proved to be a value are stored as they came. */
+static Datum datum_of_proved(a3d_value* value, const char* type, const char* bytes, size_t size) {
+  char* result;
+  if (is_stored_short(type)) return datum_of_value(value);
+  if (size > MaxAllocSize - VARHDRSZ)
+    ereport(ERROR, errcode(ERRCODE_PROGRAM_LIMIT_EXCEEDED), errmsg("%zu bytes are too many for a value", size));
+  result = palloc(VARHDRSZ + size);
+  SET_VARSIZE(result, VARHDRSZ + size);
+  memcpy(VARDATA(result), bytes, size);
+  return PointerGetDatum(result);
+}
+
 Datum read_value(FunctionCallInfo fcinfo, const char* type) {
   const char* given = PG_GETARG_CSTRING(0);
+  char* bytes = NULL;
+  int size = 0;
   a3d_value* value;
   while (*given == ' ' || *given == '\n' || *given == '\t' || *given == '\r') ++given;
   if (*given == '(') {
     value = parsed(type, given);
   } else {
-    int size = pg_b64_dec_len(strlen(given));
-    char* bytes = palloc(size);
+    size = pg_b64_dec_len(strlen(given));
+    bytes = palloc(size);
     size = pg_b64_decode(given, strlen(given), bytes, size);
     if (size < 0)
       ereport(ERROR, errcode(ERRCODE_INVALID_TEXT_REPRESENTATION), errmsg("invalid text for type %s", type),
@@ -202,7 +216,8 @@ Datum read_value(FunctionCallInfo fcinfo, const char* type) {
     ereport(ERROR, errcode(ERRCODE_INVALID_TEXT_REPRESENTATION), errmsg("invalid value for type %s", type),
             *detail != '\0' ? errdetail("%s", detail) : 0, errhint("A missing value is NULL."));
   }
-  return datum_of_value(value);
+  show_notices();
+  return bytes != NULL ? datum_of_proved(value, type, bytes, size) : datum_of_value(value);
 }
 
 typedef struct Printing {
@@ -260,7 +275,7 @@ Datum receive_value(FunctionCallInfo fcinfo, const char* type) {
   if (!a3d_is_defined(value))
     ereport(ERROR, errcode(ERRCODE_INVALID_BINARY_REPRESENTATION), errmsg("the bytes are an undefined %s", type),
             errhint("A missing value is NULL."));
-  return datum_of_value(value);
+  return datum_of_proved(value, type, bytes, size);
 }
 
 Datum send_value(FunctionCallInfo fcinfo, const char* type) {

@@ -141,13 +141,18 @@ std::string in_host_names(std::string_view message) {
   const auto is_of_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
   const auto is_capital = [](unsigned char c) { return std::isupper(c) != 0; };
   std::string result;
+  if (const std::size_t colon = message.find(": "); colon != std::string_view::npos) {
+    const Operator* const op = operators().find_operator(message.substr(0, colon));
+    if (op != nullptr) {
+      result = op->host_name;
+      message.remove_prefix(colon);
+    }
+  }
   while (!message.empty()) {
     const auto end = std::ranges::find_if_not(message, is_of_name);
     const std::string_view word(message.begin(), end);
     message.remove_prefix(word.size());
-    const bool is_first = result.empty() && message.starts_with(':');
-    const Operator* const op =
-        is_first || std::ranges::any_of(word, is_capital) ? operators().find_operator(word) : nullptr;
+    const Operator* const op = std::ranges::any_of(word, is_capital) ? operators().find_operator(word) : nullptr;
     result += op != nullptr ? std::string_view(op->host_name) : word;
     if (message.empty()) break;
     result += message.front();

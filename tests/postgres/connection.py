@@ -74,7 +74,7 @@ class Connection:
 
     def _opened(self):
         made = socket.socket(socket.AF_UNIX)
-        made.settimeout(600)
+        made.settimeout(3600)
         made.connect(self.address)
         return made
 
