@@ -202,8 +202,6 @@ static void account_for(State* state, MemoryContext memory, const a3d_value* val
 Datum step_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key) {
   MemoryContext memory = memory_of_aggregate(fcinfo);
   State* state = PG_ARGISNULL(0) ? NULL : (State*)PG_GETARG_POINTER(0);
-  /* Of no values the result is NULL, as of aggregates of the server. */
-  if (state == NULL && PG_ARGISNULL(1)) PG_RETURN_NULL();
   if (state == NULL) state = opened_state(memory, function_of(fcinfo, key));
   if (!PG_ARGISNULL(1)) {
     a3d_value* value = value_of_datum(PG_GETARG_DATUM(1), key->types[0]);
@@ -213,11 +211,10 @@ Datum step_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key) {
   PG_RETURN_POINTER(state);
 }
 
-PG_FUNCTION_INFO_V1(algebra3d_finish_aggregate);
-Datum algebra3d_finish_aggregate(PG_FUNCTION_ARGS);
-Datum algebra3d_finish_aggregate(PG_FUNCTION_ARGS) {
-  State* state = PG_ARGISNULL(0) ? NULL : (State*)PG_GETARG_POINTER(0);
-  if (state == NULL) PG_RETURN_NULL();
+/* Of no rows the result is that of no values, such as the empty solid. */
+Datum finish_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key) {
+  State* state = PG_ARGISNULL(0) ? opened_state(memory_of_aggregate(fcinfo), function_of(fcinfo, key))
+                                 : (State*)PG_GETARG_POINTER(0);
   state->session = backend_session();
   check_status(is_long(state) ? run_aside(finish, state) : finish(state));
   owned_value(state->result);

@@ -87,14 +87,16 @@ void write_c(std::ostream& out, const std::vector<SqlFunction>& functions) {
     for (const auto& [name, call] : kIndexCalls)
       write_call(out, "algebra3d_" + std::string(type) + "_" + std::string(name), call, {type});
   for (const SqlFunction& sql : functions) {
-    if (sql.function->has_parts != 0)
-      out << "DECLARED(" << sql.symbol << "_restore);\nDatum " << sql.symbol << "_restore(PG_FUNCTION_ARGS) {\n"
-          << "  static const FunctionKey key = " << key_of(sql) << ";\n  return restore_aggregate(fcinfo, &key);\n}\n";
-    const char* const call = sql.function->kind == A3D_TABLE       ? "call_table"
-                             : sql.function->kind == A3D_AGGREGATE ? "step_aggregate"
-                                                                   : "call_scalar";
-    out << "DECLARED(" << sql.symbol << ");\nDatum " << sql.symbol << "(PG_FUNCTION_ARGS) {\n"
-        << "  static const FunctionKey key = " << key_of(sql) << ";\n  return " << call << "(fcinfo, &key);\n}\n";
+    const auto write_keyed = [&](const std::string& symbol, std::string_view call) {
+      out << "DECLARED(" << symbol << ");\nDatum " << symbol
+          << "(PG_FUNCTION_ARGS) {\n  static const FunctionKey key = " << key_of(sql) << ";\n  return " << call
+          << "(fcinfo, &key);\n}\n";
+    };
+    if (sql.function->kind == A3D_AGGREGATE) write_keyed(sql.symbol + "_finish", "finish_aggregate");
+    if (sql.function->has_parts != 0) write_keyed(sql.symbol + "_restore", "restore_aggregate");
+    write_keyed(sql.symbol, sql.function->kind == A3D_TABLE       ? "call_table"
+                            : sql.function->kind == A3D_AGGREGATE ? "step_aggregate"
+                                                                  : "call_scalar");
   }
 }
 
@@ -165,8 +167,8 @@ void write_function(std::ostream& out, const SqlFunction& sql, std::string_view 
     out << "CREATE FUNCTION " << step << " RETURNS internal AS 'MODULE_PATHNAME', '" << sql.symbol
         << "' LANGUAGE C IMMUTABLE PARALLEL SAFE;\n"
         << "CREATE FUNCTION " << function.name << "_finish(internal, " << sql.sql_types[0] << ") RETURNS "
-        << sql_type(function.result_type)
-        << " AS 'MODULE_PATHNAME', 'algebra3d_finish_aggregate' LANGUAGE C IMMUTABLE PARALLEL SAFE;\n"
+        << sql_type(function.result_type) << " AS 'MODULE_PATHNAME', '" << sql.symbol
+        << "_finish' LANGUAGE C IMMUTABLE PARALLEL SAFE;\n"
         << "CREATE AGGREGATE " << sql.signature() << " (SFUNC = " << function.name
         << "_step, STYPE = internal, FINALFUNC = " << function.name
         << "_finish, FINALFUNC_EXTRA, FINALFUNC_MODIFY = READ_WRITE"

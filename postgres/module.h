@@ -81,6 +81,7 @@ typedef struct FunctionKey {
 Datum call_scalar(FunctionCallInfo fcinfo, const FunctionKey* key);
 Datum call_table(FunctionCallInfo fcinfo, const FunctionKey* key);
 Datum step_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key);
+Datum finish_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key);
 Datum restore_aggregate(FunctionCallInfo fcinfo, const FunctionKey* key);
 /* Of mesh3d, surface3d and volume3d. */
 Datum vertex_array(FunctionCallInfo fcinfo, const char* type);
