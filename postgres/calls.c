@@ -69,10 +69,33 @@ static bool prepare(Call* c, FunctionCallInfo fcinfo, const FunctionKey* key) {
          (c->function->cost == A3D_LINEAR && (elements > MOST_ELEMENTS_AT_ONCE || is_long_by_number));
 }
 
+/* size, is_empty and bbox of a stored value are in its first bytes. */
+static bool is_answered_by_header(FunctionCallInfo fcinfo, const FunctionKey* key, Datum* result) {
+  a3d_header header;
+  const bool is_size = strcmp(key->name, "size") == 0;
+  const bool is_emptiness = strcmp(key->name, "is_empty") == 0 || strcmp(key->name, "isempty") == 0;
+  const bool is_box = strcmp(key->name, "bbox") == 0;
+  if (key->parameter_count != 1 || !(is_size || is_emptiness || is_box)) return false;
+  if (strcmp(key->types[0], "points3d") != 0 && strcmp(key->types[0], "surface3d") != 0 &&
+      strcmp(key->types[0], "volume3d") != 0 && strcmp(key->types[0], "mesh3d") != 0)
+    return false;
+  if (PG_ARGISNULL(0) || expanded_value(PG_GETARG_DATUM(0)) != NULL) return false;
+  header = header_of_datum(PG_GETARG_DATUM(0), key->types[0]);
+  if (is_box) {
+    if (header.min[0] > header.max[0]) return false; /* undefined, with a reason */
+    *result = datum_of_box(&header);
+  } else {
+    *result = is_size ? Int64GetDatum(header.count) : BoolGetDatum(header.count == 0);
+  }
+  return true;
+}
+
 Datum call_scalar(FunctionCallInfo fcinfo, const FunctionKey* key) {
   Call c = {0};
   a3d_status status;
+  Datum answered;
   CHECK_FOR_INTERRUPTS();
+  if (is_answered_by_header(fcinfo, key, &answered)) return answered;
   status = prepare(&c, fcinfo, key) ? run_aside(call, &c) : call(&c);
   check_status(status);
   owned_value(c.result);

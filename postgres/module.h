@@ -67,6 +67,8 @@ Datum datum_of_value(a3d_value* value);
 Datum varlena_of_bytes(a3d_bytes* bytes);
 /* The box and the number of elements of a value of a type with a box. Of a stored value its first bytes are read. */
 a3d_header header_of_datum(Datum datum, const char* type);
+/* A box that is not empty, as a rect3. */
+Datum datum_of_box(const a3d_header* header);
 /* A value as an expanded object, which owns it too; and the value of such a datum, null for another. */
 Datum expanded_datum(a3d_value* value);
 a3d_value* expanded_value(Datum datum);

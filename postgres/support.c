@@ -122,13 +122,10 @@ Datum algebra3d_support_near(PG_FUNCTION_ARGS) {
 Datum box_around(FunctionCallInfo fcinfo, const char* type) {
   a3d_header header = header_of_datum(PG_GETARG_DATUM(0), type);
   const double length = PG_GETARG_FLOAT8(1);
-  a3d_value* box = NULL;
-  double bounds[6];
   if (header.min[0] > header.max[0] || !(length >= 0)) PG_RETURN_NULL();
   for (int axis = 0; axis < 3; ++axis) {
-    bounds[2 * axis] = Max(nextafter(header.min[axis] - length, -HUGE_VAL), -DBL_MAX);
-    bounds[2 * axis + 1] = Min(nextafter(header.max[axis] + length, HUGE_VAL), DBL_MAX);
+    header.min[axis] = Max(nextafter(header.min[axis] - length, -HUGE_VAL), -DBL_MAX);
+    header.max[axis] = Min(nextafter(header.max[axis] + length, HUGE_VAL), DBL_MAX);
   }
-  check_status(a3d_decode_body(backend_session(), "rect3", (const char*)bounds, sizeof bounds, 1, &box));
-  return datum_of_value(owned_value(box));
+  return datum_of_box(&header);
 }

@@ -305,6 +305,19 @@ a3d_header header_of_datum(Datum datum, const char* type) {
   return result;
 }
 
+/* The body of the binary form is six doubles (docs/file_format.md). */
+Datum datum_of_box(const a3d_header* header) {
+  double bounds[6];
+  char* result = palloc(VARHDRSZ + sizeof bounds);
+  for (int axis = 0; axis < 3; ++axis) {
+    bounds[2 * axis] = header->min[axis];
+    bounds[2 * axis + 1] = header->max[axis];
+  }
+  SET_VARSIZE(result, VARHDRSZ + sizeof bounds);
+  memcpy(VARDATA(result), bounds, sizeof bounds);
+  return PointerGetDatum(result);
+}
+
 Datum boxes_meet(FunctionCallInfo fcinfo, const char* type_a, const char* type_b) {
   a3d_header a = header_of_datum(PG_GETARG_DATUM(0), type_a), b = header_of_datum(PG_GETARG_DATUM(1), type_b);
   bool meet = true;
