@@ -80,7 +80,9 @@ Status MeshBuilder::Content::check(std::span<const VertexId> face) const {
     return Error{ErrorCode::limit_exceeded, "add_face: a mesh has {} corners at most",
                  algebra3d::PolygonMesh::kMaxHalfedges};
   for (const VertexId v : face)
-    if (v.index() >= points.size())
+    if (!v.is_valid())
+      return Error{ErrorCode::invalid_value, "add_face: the handle of a corner is invalid"};
+    else if (v.index() >= points.size())
       return Error{ErrorCode::invalid_value, "add_face: there is no vertex {}; there are {}, numbered from 0",
                    v.index(), points.size()};
   std::vector<VertexId> sorted(face.begin(), face.end());
@@ -180,6 +182,7 @@ Result<FaceId> MeshBuilder::add_face(std::span<const VertexId> corners) {
 
 Status MeshBuilder::remove_face(FaceId f) {
   return without_exceptions([&]() -> Status {
+    if (!f.is_valid()) return Error{ErrorCode::invalid_value, "remove_face: the handle is invalid"};
     if (f.index() >= content_->face_slots() || content_->is_removed[f.index()])
       return Error{ErrorCode::invalid_value, "remove_face: there is no face {}", f.index()};
     content_->is_removed[f.index()] = true;

@@ -1,8 +1,10 @@
 #include "algebra3d/mesh/normals.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "algebra3d/base/box3.h"
@@ -21,10 +23,44 @@ namespace {
 
 using detail::MeshAccess;
 
+/// Whether sums of such weights neither overflow nor lose digits; the weight of isolated vertices is out of range, too.
+bool is_in_range(double weight) {
+  return weight > 1e-280 && weight < 1e280;
+}
+
 /// The direction of a sum of vectors whose lengths have the sum `weight`; zero if they cancel.
 Vec3 direction_of_sum(const Vec3& sum, double weight) {
   const double size = length(sum);
   return size > 0x1p-40 * weight ? 1 / size * sum : Vec3{};
+}
+
+/// The direction of the sum of the vector areas of the faces at a vertex, which are beyond the range of doubles:
+/// computed at another scale.
+template <typename Kernel>
+Vec3 normal_of_areas(const Kernel& mesh, VertexId v) {
+  const std::vector<Vec3>& points = mesh.points().approx();
+  double largest = 0;
+  for (const FaceId f : faces_around(mesh, v))
+    for (const VertexId corner : vertices_of(mesh, f)) {
+      const Vec3 side = points[corner.index()] - points[v.index()];
+      largest = std::max({largest, std::abs(side.x), std::abs(side.y), std::abs(side.z)});
+    }
+  if (largest == 0) return {};
+  const int exponent = std::ilogb(std::min(largest, std::numeric_limits<double>::max()));
+  const auto scaled = [&](const Vec3& p) {
+    return Vec3{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent), std::ldexp(p.z, -exponent)};
+  };
+  const auto side_to = [&](VertexId corner) { return scaled(points[corner.index()]) - scaled(points[v.index()]); };
+  Vec3 sum;
+  double weight = 0;
+  for (const FaceId f : faces_around(mesh, v)) {
+    Vec3 area;
+    for (const HalfedgeId h : halfedges_of(mesh, f))
+      area = area + cross(side_to(mesh.origin(h)), side_to(mesh.target(h)));
+    sum = sum + area;
+    weight += length(area);
+  }
+  return direction_of_sum(sum, weight);
 }
 
 /// The sums of the normals of faces at vertices, multiplied by weight_of(face).
@@ -39,7 +75,8 @@ std::vector<Vec3> normals_of_sums(const Kernel& mesh, const std::vector<Vec3>& f
       weights[v.index()] += weight;
     }
   }
-  for (std::size_t v = 0; v < sums.size(); ++v) sums[v] = direction_of_sum(sums[v], weights[v]);
+  for (std::size_t v = 0; v < sums.size(); ++v)
+    sums[v] = is_in_range(weights[v]) ? direction_of_sum(sums[v], weights[v]) : normal_of_areas(mesh, VertexId(v));
   return sums;
 }
 
@@ -71,7 +108,12 @@ Result<RenderBuffers> buffers_of(const Kernel& mesh, double crease_degrees, cons
   const CornerNormals corners = corner_normals(mesh, algebra3d::face_normals(mesh), crease_degrees);
   A3D_ASSIGN(const std::vector<CornerTriangle> triangles, triangles_to_draw(mesh, monitor));
   RenderBuffers buffers;
-  buffers.origin = centre_of(Box3::around(points));
+  const Box3 box = Box3::around(points);
+  buffers.origin = centre_of(box);
+  for (std::size_t axis = 0; axis < 3 && !box.is_empty(); ++axis)
+    if (box.max[axis] / 2 - box.min[axis] / 2 > std::numeric_limits<float>::max())
+      return Error{ErrorCode::limit_exceeded, "render_buffers: a mesh from {} to {} is beyond the range of floats",
+                   box.min[axis], box.max[axis]};
   buffers.vertices.resize(corners.normals.size());
   for (const HalfedgeId h : halfedges(mesh)) buffers.vertices[corners.of_corner[h.index()]] = mesh.origin(h);
   buffers.positions.reserve(3 * corners.normals.size());

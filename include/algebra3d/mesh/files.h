@@ -25,11 +25,12 @@ struct ReadMesh {
 /// interrupted.
 Result<ReadMesh> read_mesh(const std::filesystem::path& file, const Monitor& monitor = {});
 
-/// Writes a mesh in the format of the name's ending (.stl, .obj, .off), with the attributes that the format has;
-/// atomically. `form`: one of the forms of that format, "stl", "stl-ascii", "obj", "off" or "off-binary"; empty for the
-/// usual one. Returns remarks: attributes that the format cannot hold, rounded vertices. Errors: wrong_usage for
-/// another ending or form; file_missing (no such folder), disk_full and io_error with the system's reason;
-/// invalid_value and limit_exceeded for what the format cannot hold; interrupted.
+/// Writes a mesh in the format of the name's ending (.stl, .obj, .off), with the attributes that the format has,
+/// of the elements of which reading gives them, such as `Normal` of half-edges in OBJ; atomically. `form`: one of the
+/// forms of that format, "stl", "stl-ascii", "obj", "off" or "off-binary"; empty for the usual one. Returns remarks:
+/// attributes that the format cannot hold, rounded vertices. Errors: wrong_usage for another ending or form;
+/// file_missing (no such folder), disk_full and io_error with the system's reason; invalid_value and limit_exceeded for
+/// what the format cannot hold; interrupted.
 template <AnyMesh M>
 Result<std::vector<std::string>> write_mesh(const M& mesh, const std::filesystem::path& file,
                                             std::string_view form = {}, const Monitor& monitor = {});

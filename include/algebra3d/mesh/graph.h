@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -7,7 +8,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "algebra3d/base/vec3.h"
 #include "algebra3d/mesh/mesh.h"
@@ -68,11 +71,26 @@ class GraphEdge {
 template <AnyMesh M>
 class Graph {
  public:
-  explicit Graph(const M& mesh) : mesh_(mesh) {}
+  /// Cost: constant; linear in the half-edges of non-manifold edges.
+  explicit Graph(const M& mesh) : mesh_(mesh) {
+    for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n)
+      for (const HalfedgeId h : mesh.nonmanifold_edge(n))
+        if (mesh.halfedge(mesh.edge(h)) != h) cut_off_.push_back(h);
+    std::ranges::sort(cut_off_);
+  }
   const M& mesh() const { return mesh_; }
+
+  /// The number of an edge, below num_edges: that of the mesh, and beyond these for the other half-edges of edges that
+  /// count as cut.
+  std::size_t number_of(const GraphEdge& e) const {
+    const auto found = std::ranges::lower_bound(cut_off_, e.first());
+    if (found == cut_off_.end() || *found != e.first()) return mesh_.edge(e.first()).index();
+    return mesh_.edge_count() + static_cast<std::size_t>(found - cut_off_.begin());
+  }
 
  private:
   M mesh_;
+  std::vector<HalfedgeId> cut_off_;
 };
 
 namespace detail {
@@ -380,7 +398,7 @@ class IndexMap {
   friend std::size_t get(const IndexMap& map, const Descriptor& key) { return map[key]; }
   std::size_t operator[](const Descriptor& key) const {
     if constexpr (std::same_as<Descriptor, GraphEdge>)
-      return graph_->mesh().edge(key.first()).index();
+      return graph_->number_of(key);
     else if constexpr (std::same_as<Descriptor, GraphHalfedge>)
       return key.number();
     else
@@ -461,7 +479,7 @@ struct graph_traits<algebra3d::mesh::Graph<M>> {
                               virtual edge_list_graph_tag,
                               virtual adjacency_graph_tag {};
   using directed_category = undirected_tag;
-  using edge_parallel_category = disallow_parallel_edge_tag;
+  using edge_parallel_category = allow_parallel_edge_tag;
 
   using vertex_descriptor = algebra3d::VertexId;
   using edge_descriptor = algebra3d::mesh::GraphEdge;

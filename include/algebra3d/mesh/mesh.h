@@ -94,9 +94,12 @@ class Mesh : public HalfedgeStructure<Layout, SharedArrays> {
   }
   using Structure::is_boundary;
   bool is_boundary(EdgeId e) const { return is_boundary(halfedge(e)); }
-  /// Whether an edge that has one face only ends in `v`. Cost: constant; linear in the fans of a non-manifold vertex.
+  /// Whether an edge that has one face only ends in `v`. Cost: constant; linear in the faces of a non-manifold vertex.
   bool is_boundary(VertexId v) const {
-    return std::ranges::any_of(this->fans(v), [&](HalfedgeId first) { return is_boundary(first); });
+    // A fan begins at the boundary if it has one; where edges are non-manifold it may begin at one of these.
+    if (!is_nonmanifold(v)) return std::ranges::any_of(this->fans(v), [&](HalfedgeId h) { return is_boundary(h); });
+    return std::ranges::any_of(outgoing_halfedges(*this, v),
+                               [&](HalfedgeId h) { return is_boundary(h) || is_boundary(this->prev(h)); });
   }
   using Structure::is_nonmanifold;
   bool is_nonmanifold(EdgeId e) const { return is_nonmanifold(halfedge(e)); }
@@ -171,7 +174,7 @@ class Mesh : public HalfedgeStructure<Layout, SharedArrays> {
 };
 
 /// The points of a new mesh: a range such as std::span or std::array, which is copied, or a vector that is handed over
-/// by std::move, whose memory the mesh keeps. A range must live until the call ends.
+/// by std::move, whose memory the mesh keeps; it is given up in any case. A range must live until the call ends.
 class GivenPoints {
  public:
   GivenPoints() = default;  ///< none

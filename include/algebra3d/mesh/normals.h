@@ -47,7 +47,8 @@ struct RenderBuffers {
 };
 /// Edges with a larger angle between the normals of their faces are creases, and so are all that are not manifold; 180:
 /// only these. Isolated vertices are left out; polygons are triangulated. Exactness: floats, nearest to the doubles.
-/// Errors: invalid_value for an angle that is not between 0 and 180; interrupted. Cost: linear.
+/// Errors: invalid_value for an angle that is not between 0 and 180; limit_exceeded for a mesh that is larger than
+/// floats can be; interrupted. Cost: linear.
 template <AnyMesh M>
 Result<RenderBuffers> render_buffers(const M& mesh, double crease_degrees = 30, const Monitor& monitor = {});
 

@@ -15,9 +15,9 @@ namespace algebra3d::mesh {
 /// "butterfly", "modified-butterfly" and "sqrt3" for triangles. Rules at boundaries, numbers of the new elements and
 /// values of attributes are those of the operator `subdivide` (docs/halfedge.md, Subdivision): Catmull-Clark and Loop
 /// honour the attributes `Crease` of edges and `Corner` of vertices. `variant`: a name of the scheme's own; Doo-Sabin
-/// has "mean", which is the default, "doo" and "open". Coordinates are rounded to doubles first. Errors: unknown_name
-/// for another scheme or variant; invalid_value for meshes that the scheme cannot take, such as non-manifold ones;
-/// limit_exceeded; interrupted. Cost: linear in the result, on all processors.
+/// has "mean", which is the default, "doo" and "open", Loop the weights "loop" and "warren". Coordinates are rounded to
+/// doubles first. Errors: unknown_name for another scheme or variant; invalid_value for meshes that the scheme cannot
+/// take, such as non-manifold ones; limit_exceeded; interrupted. Cost: linear in the result, on all processors.
 template <AnyMesh M>
 Result<PolygonMesh> subdivided(const M& mesh, std::string_view scheme, std::size_t steps, std::string_view variant = {},
                                const Monitor& monitor = {});
@@ -51,8 +51,9 @@ template <AnyMesh M>
 Result<PolygonMesh> dual(const M& mesh, const Monitor& monitor = {});
 
 /// The faces as triangles with the same vertices; triangles have the attributes of their face. A face that is flat and
-/// does not cross itself is triangulated without overlap. Errors: limit_exceeded, interrupted. Cost: n log n for a face
-/// of n corners.
+/// does not cross itself is triangulated without overlap; corners that repeat the one before them do not count. A
+/// diagonal may join vertices that an edge joins already: then it is non-manifold, also if no edge was. Errors:
+/// limit_exceeded, interrupted. Cost: n log n for a face of n corners.
 Result<TriangleMesh> triangulated(const PolygonMesh& mesh, const Monitor& monitor = {});
 
 }  // namespace algebra3d::mesh

@@ -111,6 +111,15 @@ TEST(MeshGraph, is_valid_for_cgal_where_the_mesh_is_manifold_without_isolated_ve
   EXPECT_GT(closed_count, 2U);
 }
 
+TEST(MeshGraph, edges_have_different_numbers_also_where_they_are_cut) {
+  const TriangleMesh mesh = lists::triangles_of({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, std::vector<Vec3>(5));
+  const Graph g(mesh);
+  std::set<std::size_t> numbers;
+  for (const GraphEdge& e : edges(g)) numbers.insert(get(boost::edge_index, g, e));
+  EXPECT_EQ(numbers.size(), num_edges(g));
+  EXPECT_EQ(*numbers.rbegin() + 1, num_edges(g));
+}
+
 TEST(MeshGraph, cgal_finds_the_boundary_loops) {
   lists::for_each_mesh([&](const auto& mesh, const Faces& /*faces*/) {
     if (!mesh.is_manifold()) return;

@@ -68,6 +68,11 @@ TEST(Mesh, arrays_live_as_long_as_the_last_copy) {
   EXPECT_EQ(moved.point(VertexId(2)), kSquarePoints[2]);
 }
 
+TEST(Mesh, a_vertex_at_the_boundary_is_found_beside_a_nonmanifold_edge) {
+  const TriangleMesh mesh = lists::triangles_of({{0, 1, 2}, {0, 1, 3}}, kSquarePoints);
+  for (const VertexId v : vertices(mesh)) EXPECT_TRUE(mesh.is_boundary(v)) << v.index();
+}
+
 TEST(Mesh, triangles_as_polygons_keep_all_numbers) {
   lists::for_each_mesh([](const auto& mesh, const Faces& /*faces*/) {
     if constexpr (std::is_same_v<std::decay_t<decltype(mesh)>, TriangleMesh>) {

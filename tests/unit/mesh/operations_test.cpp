@@ -77,6 +77,21 @@ TEST(MeshNormals, weights_are_angles_areas_and_ones) {
   expect_direction(NormalWeight::uniform, {1, 0, 2});
 }
 
+TEST(MeshNormals, faces_of_any_size_have_weight) {
+  for (const double size : {1e-160, 1e-300, 5e-324, 1e-100, 1.0, 1e160, 1e300}) {
+    const TriangleMesh mesh = lists::triangles_of({{0, 1, 2}}, {{0, 0, 0}, {size, 0, 0}, {0, size, 0}});
+    for (const NormalWeight weight : {NormalWeight::angle, NormalWeight::area, NormalWeight::uniform})
+      for (const Vec3& normal : vertex_normals(mesh, weight)) EXPECT_LT(length(normal - Vec3{0, 0, 1}), 1e-15) << size;
+  }
+  const TriangleMesh isolated = *TriangleMesh::of_corners(std::vector<Vec3>{{1, 2, 3}}, {});
+  EXPECT_EQ(vertex_normals(isolated, NormalWeight::area)[0], Vec3{});
+}
+
+TEST(MeshRenderBuffers, meshes_beyond_the_range_of_floats_are_refused) {
+  const TriangleMesh mesh = lists::triangles_of({{0, 1, 2}}, {{0, 0, 0}, {1e39, 0, 0}, {0, 1, 0}});
+  EXPECT_EQ(render_buffers(mesh).error().code, ErrorCode::limit_exceeded);
+}
+
 TEST(MeshRenderBuffers, vertices_are_divided_at_creases) {
   const PolygonMesh cube = unit_cube();
   const RenderBuffers sharp = *render_buffers(cube, 30);
