@@ -199,9 +199,9 @@ a3d_status a3d_header_of_bytes(a3d_session* session, const char* bytes, size_t s
 }
 
 void a3d_hilbert_places(const uint32_t coordinates[3], uint64_t places[2]) {
-  constexpr std::uint32_t kUpper = 20, kLower = 12;
+  constexpr unsigned kUpper = 20, kLower = 12;
   const auto [x, y, z] = std::array{coordinates[0], coordinates[1], coordinates[2]};
-  constexpr std::uint32_t kMask = (1U << kLower) - 1;
+  constexpr unsigned kMask = (1U << kLower) - 1;
   places[0] = hilbert_code<kUpper>(x >> kLower, y >> kLower, z >> kLower);
   places[1] = hilbert_code<kLower>(x & kMask, y & kMask, z & kMask);
 }
