@@ -50,10 +50,10 @@ Result<SubdivisionInput> input_of(Context& context, const char* name, const T& g
   constexpr bool kIsSolid = std::is_same_v<T, Volume3d>;
   auto divided = divided_contacts(mesh, kIsSolid ? ContactsOf::solids : ContactsOf::surfaces);
   if (!divided.ok()) return named(name, divided.error());
-  context.diagnostics.report(fmt::format("{}: divided the {} at {} and {}, where {}", name,
-                                         kIsSolid ? "solid" : "surface", counted_nouns(divided->edge_count, "edge", "edges"),
-                                         counted_nouns(divided->vertex_count, "vertex", "vertices"),
-                                         kIsSolid ? "bodies touch" : "it is not manifold"));
+  context.diagnostics.report(fmt::format(
+      "{}: divided the {} at {} and {}, where {}", name, kIsSolid ? "solid" : "surface",
+      counted_nouns(divided->edge_count, "edge", "edges"), counted_nouns(divided->vertex_count, "vertex", "vertices"),
+      kIsSolid ? "bodies touch" : "it is not manifold"));
   return SubdivisionInput{std::move(divided->mesh), true};
 }
 

@@ -101,7 +101,7 @@ struct Overload {
   bool is_symmetric = false;          ///< two parameters of one type can be exchanged without effect
   /// Of an aggregate whose result for some of the values can stand for them: the type of the result. Else null.
   const Type* part = nullptr;
-  bool counts_undefined = false;      ///< of an aggregate: reports how many undefined values it left out
+  bool counts_undefined = false;  ///< of an aggregate: reports how many undefined values it left out
   /// Of an operator that reads or writes files: this overload takes or gives their content, so it accesses no file, and
   /// it is pure.
   bool is_without_files = false;
