@@ -257,20 +257,12 @@ Datum algebra3d_key_picksplit(PG_FUNCTION_ARGS) {
   PG_RETURN_POINTER(result);
 }
 
-/* ---- Building by sorting: in the order of Hilbert's curve through the space of the floats' own order, for which no
- * extent has to be known ---- */
-
-/* Unsigned numbers in the order of the floats. */
-static uint32_t ordered(float value) {
-  uint32_t bits;
-  memcpy(&bits, &value, sizeof bits);
-  return bits & 0x80000000U ? ~bits : bits | 0x80000000U;
-}
+/* ---- Building by sorting: in the order of Hilbert's curve ---- */
 
 static void places_of(Datum datum, uint64_t places[2]) {
   const Key* key = (const Key*)DatumGetPointer(datum);
-  uint32_t centre[3];
-  for (int axis = 0; axis < 3; ++axis) centre[axis] = ordered(key->min[axis] / 2 + key->max[axis] / 2);
+  double centre[3];
+  for (int axis = 0; axis < 3; ++axis) centre[axis] = (double)key->min[axis] / 2 + (double)key->max[axis] / 2;
   a3d_hilbert_places(centre, places);
 }
 

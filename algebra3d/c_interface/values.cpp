@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -198,12 +199,30 @@ a3d_status a3d_header_of_bytes(a3d_session* session, const char* bytes, size_t s
       [&](const GeometryHeader& header) { write(header, result); });
 }
 
-void a3d_hilbert_places(const uint32_t coordinates[3], uint64_t places[2]) {
-  constexpr unsigned kUpper = 20, kLower = 12;
-  const auto [x, y, z] = std::array{coordinates[0], coordinates[1], coordinates[2]};
-  constexpr unsigned kMask = (1U << kLower) - 1;
-  places[0] = hilbert_code<kUpper>(x >> kLower, y >> kLower, z >> kLower);
-  places[1] = hilbert_code<kLower>(x & kMask, y & kMask, z & kMask);
+void a3d_hilbert_places(const double point[3], uint64_t places[2]) {
+  constexpr unsigned kBits = 20;
+  constexpr int kStep = 16, kLeastScale = -64, kGreatestScale = 63;
+  double largest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (std::isfinite(point[axis])) largest = std::max(largest, std::abs(point[axis]));
+  const int exponent = largest == 0 ? 0 : std::ilogb(largest) + 1;
+  const int scale = std::clamp((exponent + 1024 * kStep + kStep - 1) / kStep - 1024, kLeastScale, kGreatestScale);
+  std::array<std::uint64_t, 3> cells{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    // From -1 to 1 to the cells of the grid.
+    const double part = std::isfinite(point[axis]) ? std::ldexp(point[axis], -scale * kStep) : 0;
+    const double cell = std::ldexp(std::clamp(part, -1.0, 1.0) + 1, 2 * kBits - 1);
+    cells[axis] = std::min(static_cast<std::uint64_t>(cell), (std::uint64_t{1} << (2 * kBits)) - 1);
+  }
+  const auto code = [&](unsigned shift) {
+    const auto part = [&](std::size_t axis) {
+      return static_cast<unsigned>(cells[axis] >> shift & ((1U << kBits) - 1));
+    };
+    return hilbert_code<kBits>(part(0), part(1), part(2));
+  };
+  // Sixty bits of the curve behind the lower bits of the scale: others are too far apart to meet.
+  places[0] = static_cast<std::uint64_t>(scale & 15) << (3 * kBits) | code(kBits);
+  places[1] = code(0);
 }
 
 a3d_status a3d_compare(a3d_session* session, const a3d_value* a, const a3d_value* b, int* result) {

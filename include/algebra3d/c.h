@@ -189,9 +189,11 @@ a3d_status a3d_header_of(a3d_session* session, const a3d_value* value, a3d_heade
 #define A3D_HEADER_BYTES 96
 a3d_status a3d_header_of_bytes(a3d_session* session, const char* bytes, size_t size, a3d_header* result);
 
-/* Places on Hilbert's curve: numbers of boxes in an order in which neighbours are near each other. Of three unsigned
- * coordinates: the place of their upper 20 bits, then that of the lower 12 bits in there. */
-void a3d_hilbert_places(const uint32_t coordinates[3], uint64_t places[2]);
+/* A point's place on Hilbert's curve: an order in which neighbours are near each other, for data of any extent. The
+ * curve runs through a grid of 2^40 cells on each axis that is as large as the greatest coordinate, up to a power of
+ * 2^16: cells of 2^-24 for parts of some units, of 2^-8 for coordinates in the millions. First by places[0], then by
+ * places[1]. */
+void a3d_hilbert_places(const double point[3], uint64_t places[2]);
 
 /* The canonical order of two values of one type: below 0, 0 or above 0; undefined comes first. Equal values have equal
  * hashes. */

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -432,6 +433,30 @@ TEST(CInterface, ARunOfAnAggregateGoesToAnotherProcessAsBytes) {
   for (std::size_t size = 0; size < bytes.size; size += 7)
     EXPECT_EQ(a3d_restore_aggregate(other.get(), function, bytes.data, size, &later), A3D_ERROR);
   a3d_free_bytes(&bytes);
+}
+
+TEST(CInterface, NeighboursOnHilbertsCurveAreNearEachOther) {
+  for (const double scale : {1e-9, 1.0, 1e9})
+    for (const double offset : {0.0, 40.0}) {
+      std::vector<std::pair<std::array<std::uint64_t, 2>, std::array<double, 3>>> points;
+      for (int i = 0; i < 1000; ++i) {
+        const std::array<double, 3> point = {scale * (offset + i % 10), scale * (offset + i / 10 % 10),
+                                             scale * (i / 100)};
+        std::array<std::uint64_t, 2> places{};
+        a3d_hilbert_places(point.data(), places.data());
+        points.emplace_back(places, point);
+      }
+      std::ranges::sort(points);
+      double length = 0;
+      for (std::size_t i = 1; i < points.size(); ++i)
+        length +=
+            std::hypot(points[i].second[0] - points[i - 1].second[0], points[i].second[1] - points[i - 1].second[1],
+                       points[i].second[2] - points[i - 1].second[2]);
+      EXPECT_LT(length, 2 * scale * 1000) << scale << " " << offset;  // rows in a random order are 5 apart
+    }
+  std::array<std::uint64_t, 2> places{};
+  const std::array<double, 3> far = {1e308, -std::numeric_limits<double>::infinity(), 5e-324};
+  a3d_hilbert_places(far.data(), places.data());
 }
 
 TEST(CInterface, BodiesAndNumbersAreLimited) {
