@@ -20,6 +20,7 @@ CREATE FUNCTION as_text(point3d) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_p
 COMMENT ON FUNCTION as_text(point3d) IS 'The value list, which input reads as well.';
 CREATE FUNCTION point3d_cmp(point3d, point3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_point3d_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION point3d_hash(point3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_point3d_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION point3d_hash_extended(point3d, bigint) RETURNS bigint AS 'MODULE_PATHNAME', 'algebra3d_point3d_hash_extended' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION point3d_lt(point3d, point3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_point3d_lt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR < (LEFTARG = point3d, RIGHTARG = point3d, FUNCTION = point3d_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
 CREATE FUNCTION point3d_le(point3d, point3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_point3d_le' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -33,7 +34,8 @@ CREATE OPERATOR >= (LEFTARG = point3d, RIGHTARG = point3d, FUNCTION = point3d_ge
 CREATE FUNCTION point3d_gt(point3d, point3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_point3d_gt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR > (LEFTARG = point3d, RIGHTARG = point3d, FUNCTION = point3d_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
 CREATE OPERATOR CLASS point3d_ops DEFAULT FOR TYPE point3d USING btree AS OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 point3d_cmp(point3d, point3d);
-CREATE OPERATOR CLASS point3d_hash_ops DEFAULT FOR TYPE point3d USING hash AS OPERATOR 1 =, FUNCTION 1 point3d_hash(point3d);
+CREATE OPERATOR CLASS point3d_hash_ops DEFAULT FOR TYPE point3d USING hash AS OPERATOR 1 =, FUNCTION 1 point3d_hash(point3d), FUNCTION 2 point3d_hash_extended(point3d, bigint);
+COMMENT ON TYPE point3d IS 'A point in space, with exact coordinates.';
 
 CREATE TYPE points3d;
 CREATE FUNCTION points3d_in(cstring) RETURNS points3d AS 'MODULE_PATHNAME', 'algebra3d_points3d_in' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -47,6 +49,7 @@ CREATE FUNCTION as_text(points3d) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_
 COMMENT ON FUNCTION as_text(points3d) IS 'The value list, which input reads as well.';
 CREATE FUNCTION points3d_cmp(points3d, points3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_points3d_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION points3d_hash(points3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_points3d_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION points3d_hash_extended(points3d, bigint) RETURNS bigint AS 'MODULE_PATHNAME', 'algebra3d_points3d_hash_extended' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION points3d_lt(points3d, points3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_points3d_lt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR < (LEFTARG = points3d, RIGHTARG = points3d, FUNCTION = points3d_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
 CREATE FUNCTION points3d_le(points3d, points3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_points3d_le' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -60,7 +63,8 @@ CREATE OPERATOR >= (LEFTARG = points3d, RIGHTARG = points3d, FUNCTION = points3d
 CREATE FUNCTION points3d_gt(points3d, points3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_points3d_gt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR > (LEFTARG = points3d, RIGHTARG = points3d, FUNCTION = points3d_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
 CREATE OPERATOR CLASS points3d_ops DEFAULT FOR TYPE points3d USING btree AS OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 points3d_cmp(points3d, points3d);
-CREATE OPERATOR CLASS points3d_hash_ops DEFAULT FOR TYPE points3d USING hash AS OPERATOR 1 =, FUNCTION 1 points3d_hash(points3d);
+CREATE OPERATOR CLASS points3d_hash_ops DEFAULT FOR TYPE points3d USING hash AS OPERATOR 1 =, FUNCTION 1 points3d_hash(points3d), FUNCTION 2 points3d_hash_extended(points3d, bigint);
+COMMENT ON TYPE points3d IS 'A set of points in space.';
 
 CREATE TYPE vector3d;
 CREATE FUNCTION vector3d_in(cstring) RETURNS vector3d AS 'MODULE_PATHNAME', 'algebra3d_vector3d_in' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -72,6 +76,7 @@ CREATE FUNCTION as_text(vector3d) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_
 COMMENT ON FUNCTION as_text(vector3d) IS 'The value list, which input reads as well.';
 CREATE FUNCTION vector3d_cmp(vector3d, vector3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_vector3d_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION vector3d_hash(vector3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_vector3d_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION vector3d_hash_extended(vector3d, bigint) RETURNS bigint AS 'MODULE_PATHNAME', 'algebra3d_vector3d_hash_extended' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION vector3d_lt(vector3d, vector3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_vector3d_lt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR < (LEFTARG = vector3d, RIGHTARG = vector3d, FUNCTION = vector3d_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
 CREATE FUNCTION vector3d_le(vector3d, vector3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_vector3d_le' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -85,7 +90,8 @@ CREATE OPERATOR >= (LEFTARG = vector3d, RIGHTARG = vector3d, FUNCTION = vector3d
 CREATE FUNCTION vector3d_gt(vector3d, vector3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_vector3d_gt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR > (LEFTARG = vector3d, RIGHTARG = vector3d, FUNCTION = vector3d_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
 CREATE OPERATOR CLASS vector3d_ops DEFAULT FOR TYPE vector3d USING btree AS OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 vector3d_cmp(vector3d, vector3d);
-CREATE OPERATOR CLASS vector3d_hash_ops DEFAULT FOR TYPE vector3d USING hash AS OPERATOR 1 =, FUNCTION 1 vector3d_hash(vector3d);
+CREATE OPERATOR CLASS vector3d_hash_ops DEFAULT FOR TYPE vector3d USING hash AS OPERATOR 1 =, FUNCTION 1 vector3d_hash(vector3d), FUNCTION 2 vector3d_hash_extended(vector3d, bigint);
+COMMENT ON TYPE vector3d IS 'A vector in space.';
 
 CREATE TYPE plane3d;
 CREATE FUNCTION plane3d_in(cstring) RETURNS plane3d AS 'MODULE_PATHNAME', 'algebra3d_plane3d_in' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -97,6 +103,7 @@ CREATE FUNCTION as_text(plane3d) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_p
 COMMENT ON FUNCTION as_text(plane3d) IS 'The value list, which input reads as well.';
 CREATE FUNCTION plane3d_cmp(plane3d, plane3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_plane3d_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION plane3d_hash(plane3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_plane3d_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION plane3d_hash_extended(plane3d, bigint) RETURNS bigint AS 'MODULE_PATHNAME', 'algebra3d_plane3d_hash_extended' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION plane3d_lt(plane3d, plane3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_plane3d_lt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR < (LEFTARG = plane3d, RIGHTARG = plane3d, FUNCTION = plane3d_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
 CREATE FUNCTION plane3d_le(plane3d, plane3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_plane3d_le' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -110,7 +117,8 @@ CREATE OPERATOR >= (LEFTARG = plane3d, RIGHTARG = plane3d, FUNCTION = plane3d_ge
 CREATE FUNCTION plane3d_gt(plane3d, plane3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_plane3d_gt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR > (LEFTARG = plane3d, RIGHTARG = plane3d, FUNCTION = plane3d_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
 CREATE OPERATOR CLASS plane3d_ops DEFAULT FOR TYPE plane3d USING btree AS OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 plane3d_cmp(plane3d, plane3d);
-CREATE OPERATOR CLASS plane3d_hash_ops DEFAULT FOR TYPE plane3d USING hash AS OPERATOR 1 =, FUNCTION 1 plane3d_hash(plane3d);
+CREATE OPERATOR CLASS plane3d_hash_ops DEFAULT FOR TYPE plane3d USING hash AS OPERATOR 1 =, FUNCTION 1 plane3d_hash(plane3d), FUNCTION 2 plane3d_hash_extended(plane3d, bigint);
+COMMENT ON TYPE plane3d IS 'A plane in space, with a direction.';
 
 CREATE TYPE rect3;
 CREATE FUNCTION rect3_in(cstring) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_rect3_in' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -124,6 +132,7 @@ CREATE FUNCTION as_text(rect3) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_rec
 COMMENT ON FUNCTION as_text(rect3) IS 'The value list, which input reads as well.';
 CREATE FUNCTION rect3_cmp(rect3, rect3) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_rect3_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION rect3_hash(rect3) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_rect3_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION rect3_hash_extended(rect3, bigint) RETURNS bigint AS 'MODULE_PATHNAME', 'algebra3d_rect3_hash_extended' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION rect3_lt(rect3, rect3) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_rect3_lt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR < (LEFTARG = rect3, RIGHTARG = rect3, FUNCTION = rect3_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
 CREATE FUNCTION rect3_le(rect3, rect3) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_rect3_le' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -137,7 +146,8 @@ CREATE OPERATOR >= (LEFTARG = rect3, RIGHTARG = rect3, FUNCTION = rect3_ge, COMM
 CREATE FUNCTION rect3_gt(rect3, rect3) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_rect3_gt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR > (LEFTARG = rect3, RIGHTARG = rect3, FUNCTION = rect3_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
 CREATE OPERATOR CLASS rect3_ops DEFAULT FOR TYPE rect3 USING btree AS OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 rect3_cmp(rect3, rect3);
-CREATE OPERATOR CLASS rect3_hash_ops DEFAULT FOR TYPE rect3 USING hash AS OPERATOR 1 =, FUNCTION 1 rect3_hash(rect3);
+CREATE OPERATOR CLASS rect3_hash_ops DEFAULT FOR TYPE rect3 USING hash AS OPERATOR 1 =, FUNCTION 1 rect3_hash(rect3), FUNCTION 2 rect3_hash_extended(rect3, bigint);
+COMMENT ON TYPE rect3 IS 'A box with sides along the axes.';
 
 CREATE TYPE region;
 CREATE FUNCTION region_in(cstring) RETURNS region AS 'MODULE_PATHNAME', 'algebra3d_region_in' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -149,6 +159,7 @@ CREATE FUNCTION as_text(region) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_re
 COMMENT ON FUNCTION as_text(region) IS 'The value list, which input reads as well.';
 CREATE FUNCTION region_cmp(region, region) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_region_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION region_hash(region) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_region_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION region_hash_extended(region, bigint) RETURNS bigint AS 'MODULE_PATHNAME', 'algebra3d_region_hash_extended' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION region_lt(region, region) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_region_lt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR < (LEFTARG = region, RIGHTARG = region, FUNCTION = region_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
 CREATE FUNCTION region_le(region, region) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_region_le' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -162,7 +173,8 @@ CREATE OPERATOR >= (LEFTARG = region, RIGHTARG = region, FUNCTION = region_ge, C
 CREATE FUNCTION region_gt(region, region) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_region_gt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR > (LEFTARG = region, RIGHTARG = region, FUNCTION = region_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
 CREATE OPERATOR CLASS region_ops DEFAULT FOR TYPE region USING btree AS OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 region_cmp(region, region);
-CREATE OPERATOR CLASS region_hash_ops DEFAULT FOR TYPE region USING hash AS OPERATOR 1 =, FUNCTION 1 region_hash(region);
+CREATE OPERATOR CLASS region_hash_ops DEFAULT FOR TYPE region USING hash AS OPERATOR 1 =, FUNCTION 1 region_hash(region), FUNCTION 2 region_hash_extended(region, bigint);
+COMMENT ON TYPE region IS 'An area of the plane: polygons with holes.';
 
 CREATE TYPE surface3d;
 CREATE FUNCTION surface3d_in(cstring) RETURNS surface3d AS 'MODULE_PATHNAME', 'algebra3d_surface3d_in' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -176,6 +188,7 @@ CREATE FUNCTION as_text(surface3d) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d
 COMMENT ON FUNCTION as_text(surface3d) IS 'The value list, which input reads as well.';
 CREATE FUNCTION surface3d_cmp(surface3d, surface3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_surface3d_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION surface3d_hash(surface3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_surface3d_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION surface3d_hash_extended(surface3d, bigint) RETURNS bigint AS 'MODULE_PATHNAME', 'algebra3d_surface3d_hash_extended' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION surface3d_lt(surface3d, surface3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_surface3d_lt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR < (LEFTARG = surface3d, RIGHTARG = surface3d, FUNCTION = surface3d_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
 CREATE FUNCTION surface3d_le(surface3d, surface3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_surface3d_le' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -189,7 +202,8 @@ CREATE OPERATOR >= (LEFTARG = surface3d, RIGHTARG = surface3d, FUNCTION = surfac
 CREATE FUNCTION surface3d_gt(surface3d, surface3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_surface3d_gt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR > (LEFTARG = surface3d, RIGHTARG = surface3d, FUNCTION = surface3d_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
 CREATE OPERATOR CLASS surface3d_ops DEFAULT FOR TYPE surface3d USING btree AS OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 surface3d_cmp(surface3d, surface3d);
-CREATE OPERATOR CLASS surface3d_hash_ops DEFAULT FOR TYPE surface3d USING hash AS OPERATOR 1 =, FUNCTION 1 surface3d_hash(surface3d);
+CREATE OPERATOR CLASS surface3d_hash_ops DEFAULT FOR TYPE surface3d USING hash AS OPERATOR 1 =, FUNCTION 1 surface3d_hash(surface3d), FUNCTION 2 surface3d_hash_extended(surface3d, bigint);
+COMMENT ON TYPE surface3d IS 'A surface in space: triangles that meet in common edges and corners alone, proved.';
 
 CREATE TYPE volume3d;
 CREATE FUNCTION volume3d_in(cstring) RETURNS volume3d AS 'MODULE_PATHNAME', 'algebra3d_volume3d_in' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -203,6 +217,7 @@ CREATE FUNCTION as_text(volume3d) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_
 COMMENT ON FUNCTION as_text(volume3d) IS 'The value list, which input reads as well.';
 CREATE FUNCTION volume3d_cmp(volume3d, volume3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_volume3d_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION volume3d_hash(volume3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_volume3d_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION volume3d_hash_extended(volume3d, bigint) RETURNS bigint AS 'MODULE_PATHNAME', 'algebra3d_volume3d_hash_extended' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION volume3d_lt(volume3d, volume3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_volume3d_lt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR < (LEFTARG = volume3d, RIGHTARG = volume3d, FUNCTION = volume3d_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
 CREATE FUNCTION volume3d_le(volume3d, volume3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_volume3d_le' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -216,7 +231,8 @@ CREATE OPERATOR >= (LEFTARG = volume3d, RIGHTARG = volume3d, FUNCTION = volume3d
 CREATE FUNCTION volume3d_gt(volume3d, volume3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_volume3d_gt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR > (LEFTARG = volume3d, RIGHTARG = volume3d, FUNCTION = volume3d_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
 CREATE OPERATOR CLASS volume3d_ops DEFAULT FOR TYPE volume3d USING btree AS OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 volume3d_cmp(volume3d, volume3d);
-CREATE OPERATOR CLASS volume3d_hash_ops DEFAULT FOR TYPE volume3d USING hash AS OPERATOR 1 =, FUNCTION 1 volume3d_hash(volume3d);
+CREATE OPERATOR CLASS volume3d_hash_ops DEFAULT FOR TYPE volume3d USING hash AS OPERATOR 1 =, FUNCTION 1 volume3d_hash(volume3d), FUNCTION 2 volume3d_hash_extended(volume3d, bigint);
+COMMENT ON TYPE volume3d IS 'A solid: bodies with cavities, bounded by closed surfaces, proved.';
 
 CREATE TYPE mesh3d;
 CREATE FUNCTION mesh3d_in(cstring) RETURNS mesh3d AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_in' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -230,6 +246,7 @@ CREATE FUNCTION as_text(mesh3d) RETURNS text AS 'MODULE_PATHNAME', 'algebra3d_me
 COMMENT ON FUNCTION as_text(mesh3d) IS 'The value list, which input reads as well.';
 CREATE FUNCTION mesh3d_cmp(mesh3d, mesh3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_cmp' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION mesh3d_hash(mesh3d) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_hash' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION mesh3d_hash_extended(mesh3d, bigint) RETURNS bigint AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_hash_extended' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION mesh3d_lt(mesh3d, mesh3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_lt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR < (LEFTARG = mesh3d, RIGHTARG = mesh3d, FUNCTION = mesh3d_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
 CREATE FUNCTION mesh3d_le(mesh3d, mesh3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_le' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -243,7 +260,8 @@ CREATE OPERATOR >= (LEFTARG = mesh3d, RIGHTARG = mesh3d, FUNCTION = mesh3d_ge, C
 CREATE FUNCTION mesh3d_gt(mesh3d, mesh3d) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_gt' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE OPERATOR > (LEFTARG = mesh3d, RIGHTARG = mesh3d, FUNCTION = mesh3d_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
 CREATE OPERATOR CLASS mesh3d_ops DEFAULT FOR TYPE mesh3d USING btree AS OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 mesh3d_cmp(mesh3d, mesh3d);
-CREATE OPERATOR CLASS mesh3d_hash_ops DEFAULT FOR TYPE mesh3d USING hash AS OPERATOR 1 =, FUNCTION 1 mesh3d_hash(mesh3d);
+CREATE OPERATOR CLASS mesh3d_hash_ops DEFAULT FOR TYPE mesh3d USING hash AS OPERATOR 1 =, FUNCTION 1 mesh3d_hash(mesh3d), FUNCTION 2 mesh3d_hash_extended(mesh3d, bigint);
+COMMENT ON TYPE mesh3d IS 'Vertices and polygons with attributes, as they are.';
 
 CREATE FUNCTION add_face("mesh" mesh3d, "a" bigint, "b" bigint, "c" bigint) RETURNS mesh3d AS 'MODULE_PATHNAME', 'algebra3d_add_face_mesh3d_int_int_int' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION add_face(mesh3d, bigint, bigint, bigint) IS 'The mesh with a face more, which is the last one: by the numbers of its three or four corners, or a text with the numbers of any corners.';
@@ -2156,6 +2174,8 @@ CREATE CAST (surface3d AS mesh3d) WITH FUNCTION surface_to_mesh(surface3d);
 CREATE CAST (surface3d AS volume3d) WITH FUNCTION surface_to_volume(surface3d);
 CREATE CAST (volume3d AS mesh3d) WITH FUNCTION volume_to_mesh(volume3d);
 CREATE CAST (volume3d AS surface3d) WITH FUNCTION volume_to_surface(volume3d);
+CREATE FUNCTION rect3(point3d, point3d) RETURNS rect3 LANGUAGE SQL IMMUTABLE STRICT PARALLEL SAFE RETURN rect3(least(min_d(bbox($1), 1), min_d(bbox($2), 1)), greatest(max_d(bbox($1), 1), max_d(bbox($2), 1)), least(min_d(bbox($1), 2), min_d(bbox($2), 2)), greatest(max_d(bbox($1), 2), max_d(bbox($2), 2)), least(min_d(bbox($1), 3), min_d(bbox($2), 3)), greatest(max_d(bbox($1), 3), max_d(bbox($2), 3)));
+COMMENT ON FUNCTION rect3(point3d, point3d) IS 'The box of two opposite corners.';
 CREATE FUNCTION server_file(path text) RETURNS bytea AS 'MODULE_PATHNAME', 'algebra3d_server_file' LANGUAGE C VOLATILE STRICT PARALLEL SAFE COST 10000;
 COMMENT ON FUNCTION server_file(text) IS 'The content of a regular file of the server; relative names begin in its data folder.';
 REVOKE ALL ON FUNCTION server_file(text) FROM PUBLIC;
@@ -2195,6 +2215,7 @@ CREATE FUNCTION point3d_consistent(internal, point3d, smallint, oid, internal) R
 CREATE FUNCTION point3d_compress(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_point3d_compress' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION point3d_distance_of_key(internal, point3d, smallint, oid, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_point3d_distance_of_key' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION box_around(point3d, float8) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_point3d_box_around' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION box_around(point3d, float8) IS 'The box of a value, larger by a length on all sides; NULL of an empty one.';
 CREATE OPERATOR CLASS point3d_gist_ops DEFAULT FOR TYPE point3d USING gist AS
   OPERATOR 7 @> (point3d, rect3),
   OPERATOR 7 @> (point3d, point3d),
@@ -2227,6 +2248,7 @@ CREATE FUNCTION points3d_consistent(internal, points3d, smallint, oid, internal)
 CREATE FUNCTION points3d_compress(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_points3d_compress' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION points3d_distance_of_key(internal, points3d, smallint, oid, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_points3d_distance_of_key' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION box_around(points3d, float8) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_points3d_box_around' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION box_around(points3d, float8) IS 'The box of a value, larger by a length on all sides; NULL of an empty one.';
 CREATE OPERATOR CLASS points3d_gist_ops DEFAULT FOR TYPE points3d USING gist AS
   OPERATOR 7 @> (points3d, rect3),
   OPERATOR 7 @> (points3d, point3d),
@@ -2259,6 +2281,7 @@ CREATE FUNCTION rect3_consistent(internal, rect3, smallint, oid, internal) RETUR
 CREATE FUNCTION rect3_compress(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_rect3_compress' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION rect3_distance_of_key(internal, rect3, smallint, oid, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_rect3_distance_of_key' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION box_around(rect3, float8) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_rect3_box_around' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION box_around(rect3, float8) IS 'The box of a value, larger by a length on all sides; NULL of an empty one.';
 CREATE OPERATOR CLASS rect3_gist_ops DEFAULT FOR TYPE rect3 USING gist AS
   OPERATOR 7 @> (rect3, rect3),
   OPERATOR 7 @> (rect3, point3d),
@@ -2291,6 +2314,7 @@ CREATE FUNCTION surface3d_consistent(internal, surface3d, smallint, oid, interna
 CREATE FUNCTION surface3d_compress(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_surface3d_compress' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION surface3d_distance_of_key(internal, surface3d, smallint, oid, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_surface3d_distance_of_key' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION box_around(surface3d, float8) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_surface3d_box_around' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION box_around(surface3d, float8) IS 'The box of a value, larger by a length on all sides; NULL of an empty one.';
 CREATE OPERATOR CLASS surface3d_gist_ops DEFAULT FOR TYPE surface3d USING gist AS
   OPERATOR 7 @> (surface3d, rect3),
   OPERATOR 7 @> (surface3d, point3d),
@@ -2323,6 +2347,7 @@ CREATE FUNCTION volume3d_consistent(internal, volume3d, smallint, oid, internal)
 CREATE FUNCTION volume3d_compress(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_volume3d_compress' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION volume3d_distance_of_key(internal, volume3d, smallint, oid, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_volume3d_distance_of_key' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION box_around(volume3d, float8) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_volume3d_box_around' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION box_around(volume3d, float8) IS 'The box of a value, larger by a length on all sides; NULL of an empty one.';
 CREATE OPERATOR CLASS volume3d_gist_ops DEFAULT FOR TYPE volume3d USING gist AS
   OPERATOR 7 @> (volume3d, rect3),
   OPERATOR 7 @> (volume3d, point3d),
@@ -2355,6 +2380,7 @@ CREATE FUNCTION mesh3d_consistent(internal, mesh3d, smallint, oid, internal) RET
 CREATE FUNCTION mesh3d_compress(internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_compress' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION mesh3d_distance_of_key(internal, mesh3d, smallint, oid, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_distance_of_key' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION box_around(mesh3d, float8) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_mesh3d_box_around' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION box_around(mesh3d, float8) IS 'The box of a value, larger by a length on all sides; NULL of an empty one.';
 CREATE OPERATOR CLASS mesh3d_gist_ops DEFAULT FOR TYPE mesh3d USING gist AS
   OPERATOR 3 && (mesh3d, point3d),
   OPERATOR 3 && (mesh3d, points3d),

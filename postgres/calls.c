@@ -1,6 +1,7 @@
 /* Functions of SQL that are functions of the library. */
 #include "module.h"
 
+#include <access/detoast.h>
 #include <funcapi.h>
 #include <miscadmin.h>
 #include <utils/memutils.h>
@@ -46,10 +47,16 @@ static const a3d_function* function_of(FunctionCallInfo fcinfo, const FunctionKe
 #define MOST_ELEMENTS_AT_ONCE 1000
 #define GREATEST_NUMBER_AT_ONCE 50
 
+/* Texts and bytes that take more than about a millisecond to read. */
+static bool is_long_text(Datum datum, const char* type) {
+  const bool is_text = strcmp(type, "text") == 0 || strcmp(type, "string") == 0 || strcmp(type, "bytes") == 0;
+  return is_text && toast_raw_datum_size(datum) > 16384;
+}
+
 /* Fills in the arguments; whether the call may take long. */
 static bool prepare(Call* c, FunctionCallInfo fcinfo, const FunctionKey* key) {
   size_t elements = 0;
-  bool is_long_by_number = false;
+  bool is_long_by_arguments = false;
   c->session = backend_session();
   c->function = function_of(fcinfo, key);
   c->count = key->parameter_count;
@@ -61,12 +68,13 @@ static bool prepare(Call* c, FunctionCallInfo fcinfo, const FunctionKey* key) {
       continue;
     }
     c->arguments[i] = value_of_datum(PG_GETARG_DATUM(i), key->types[i]);
+    if (is_long_text(PG_GETARG_DATUM(i), key->types[i])) is_long_by_arguments = true;
     if (strcmp(key->types[i], "int") == 0 && DatumGetInt64(PG_GETARG_DATUM(i)) > GREATEST_NUMBER_AT_ONCE)
-      is_long_by_number = true;
+      is_long_by_arguments = true;
     elements += element_count(c->arguments[i]);
   }
   return c->function->cost > A3D_LINEAR ||
-         (c->function->cost == A3D_LINEAR && (elements > MOST_ELEMENTS_AT_ONCE || is_long_by_number));
+         (c->function->cost == A3D_LINEAR && (elements > MOST_ELEMENTS_AT_ONCE || is_long_by_arguments));
 }
 
 /* size, is_empty and bbox of a stored value are in its first bytes. */

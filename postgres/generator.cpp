@@ -69,6 +69,7 @@ void write_c(std::ostream& out, const std::vector<SqlFunction>& functions) {
                                                                        {"send", "send_value"},
                                                                        {"cmp", "compare_values"},
                                                                        {"hash", "hash_value"},
+                                                                       {"hash_extended", "hash_value_extended"},
                                                                        {"eq", "compare_equal"},
                                                                        {"ne", "compare_not_equal"},
                                                                        {"lt", "compare_less"},
@@ -100,6 +101,20 @@ void write_c(std::ostream& out, const std::vector<SqlFunction>& functions) {
   }
 }
 
+std::string_view comment_of(std::string_view type) {
+  static const std::map<std::string_view, std::string_view> comments = {
+      {"point3d", "A point in space, with exact coordinates."},
+      {"points3d", "A set of points in space."},
+      {"vector3d", "A vector in space."},
+      {"plane3d", "A plane in space, with a direction."},
+      {"rect3", "A box with sides along the axes."},
+      {"region", "An area of the plane: polygons with holes."},
+      {"surface3d", "A surface in space: triangles that meet in common edges and corners alone, proved."},
+      {"volume3d", "A solid: bodies with cavities, bounded by closed surfaces, proved."},
+      {"mesh3d", "Vertices and polygons with attributes, as they are."}};
+  return comments.at(type);
+}
+
 void write_type(std::ostream& out, std::string_view type) {
   const std::string name(type), symbol = "algebra3d_" + name + "_";
   const auto function = [&](const std::string& what, const std::string& parameters, const std::string& result,
@@ -123,6 +138,7 @@ void write_type(std::ostream& out, std::string_view type) {
   out << "COMMENT ON FUNCTION as_text(" << name << ") IS 'The value list, which input reads as well.';\n";
   function(name + "_cmp", name + ", " + name, "integer", "IMMUTABLE");
   function(name + "_hash", name, "integer", "IMMUTABLE");
+  function(name + "_hash_extended", name + ", bigint", "bigint", "IMMUTABLE");
   struct Comparison {
     const char *name, *symbol, *commutator, *negator, *selectivity;
   };
@@ -144,7 +160,9 @@ void write_type(std::ostream& out, std::string_view type) {
       << " USING btree AS OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 " << name
       << "_cmp(" << name << ", " << name << ");\n"
       << "CREATE OPERATOR CLASS " << name << "_hash_ops DEFAULT FOR TYPE " << name
-      << " USING hash AS OPERATOR 1 =, FUNCTION 1 " << name << "_hash(" << name << ");\n\n";
+      << " USING hash AS OPERATOR 1 =, FUNCTION 1 " << name << "_hash(" << name << "), FUNCTION 2 " << name
+      << "_hash_extended(" << name << ", bigint);\n"
+      << "COMMENT ON TYPE " << name << " IS " << quoted(comment_of(type)) << ";\n\n";
 }
 
 int planner_cost(a3d_cost cost) {
@@ -287,6 +305,8 @@ void write_index(std::ostream& out, const std::vector<MadeOperator>& operators) 
     function(type + "_distance_of_key(internal, " + type + ", smallint, oid, internal)", "float8",
              type + "_distance_of_key");
     function("box_around(" + type + ", float8)", "rect3", type + "_box_around");
+    out << "COMMENT ON FUNCTION box_around(" << type
+        << ", float8) IS 'The box of a value, larger by a length on all sides; NULL of an empty one.';\n";
     out << "CREATE OPERATOR CLASS " << type << "_gist_ops DEFAULT FOR TYPE " << type << " USING gist AS\n";
     for (const MadeOperator& made : operators) {
       const auto strategy = strategies.find(made.symbol);
@@ -374,6 +394,16 @@ void write_meshes(std::ostream& out) {
           << from << "3d);\n";
 }
 
+/// Constructors that the registry has not.
+void write_constructors(std::ostream& out) {
+  out << "CREATE FUNCTION rect3(point3d, point3d) RETURNS rect3 LANGUAGE SQL IMMUTABLE STRICT PARALLEL SAFE RETURN "
+         "rect3(";
+  for (const std::string_view axis : {"1", "2", "3"})
+    out << (axis == "1" ? "" : ", ") << "least(min_d(bbox($1), " << axis << "), min_d(bbox($2), " << axis
+        << ")), greatest(max_d(bbox($1), " << axis << "), max_d(bbox($2), " << axis << "))";
+  out << ");\nCOMMENT ON FUNCTION rect3(point3d, point3d) IS 'The box of two opposite corners.';\n";
+}
+
 /// Files of the server, for those who may read them.
 void write_files(std::ostream& out) {
   struct Made {
@@ -426,6 +456,7 @@ void write_sql(std::ostream& out, const std::vector<SqlFunction>& functions) {
   }
   const std::vector<MadeOperator> operators = write_operators(out, functions);
   write_meshes(out);
+  write_constructors(out);
   write_files(out);
   write_index(out, operators);
   write_supports(out, functions);

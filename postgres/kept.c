@@ -80,11 +80,18 @@ static KeptValue* found(const KeptValue* key) {
   return NULL;
 }
 
-/* The place that was not used for the longest time, free or not. */
+/* A free place; null if there is none. */
+static KeptValue* free_place(void) {
+  for (int i = 0; i < PLACES; ++i)
+    if (kept[i].value == NULL) return &kept[i];
+  return NULL;
+}
+
+/* The place of the value that was not used for the longest time; null if there are no values. */
 static KeptValue* oldest(void) {
-  KeptValue* result = &kept[0];
-  for (int i = 1; i < PLACES; ++i)
-    if (kept[i].used < result->used) result = &kept[i];
+  KeptValue* result = NULL;
+  for (int i = 0; i < PLACES; ++i)
+    if (kept[i].value != NULL && (result == NULL || kept[i].used < result->used)) result = &kept[i];
   return result;
 }
 
@@ -106,10 +113,8 @@ static void keep(KeptValue key, a3d_value* value) {
     key.memory += key.size;
   }
   key.bytes = copy;
-  do {
-    place = oldest();
-    release(place);
-  } while (memory_of_all() + key.memory > most);
+  while ((place = oldest()) != NULL && (free_place() == NULL || memory_of_all() + key.memory > most)) release(place);
+  place = free_place();
   key.value = a3d_retain(value);
   key.used = ++uses;
   *place = key;

@@ -156,9 +156,10 @@ void show_notices(void) {
   for (size_t i = 0; i < count; ++i) {
     const char* notice;
     const bool are_few = setting_notices == NOTICES_10;
-    if (setting_notices == NOTICES_OFF || (are_few && shown > 10)) break;
+    if (setting_notices == NOTICES_OFF || (are_few && shown >= 10)) break;
     ++shown;
-    if (are_few && shown > 10) {
+    /* The tenth says that there are more. */
+    if (are_few && shown == 10) {
       ereport(NOTICE, errmsg("further notices of this statement are not shown"),
               errhint("SET algebra3d.notices = 'all' shows all."));
       break;

@@ -110,3 +110,4 @@ Datum compare_not_greater(FunctionCallInfo fcinfo, const char* type);
 Datum compare_greater(FunctionCallInfo fcinfo, const char* type);
 Datum compare_not_less(FunctionCallInfo fcinfo, const char* type);
 Datum hash_value(FunctionCallInfo fcinfo, const char* type);
+Datum hash_value_extended(FunctionCallInfo fcinfo, const char* type);

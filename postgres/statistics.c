@@ -49,6 +49,21 @@ typedef struct Gathered {
   int count, most;
 } Gathered;
 
+/* Differences and sums of coordinates stay finite in floats and doubles. */
+#define GREATEST_COORDINATE 1e37
+
+static double within_floats(double coordinate) {
+  return Max(-GREATEST_COORDINATE, Min(GREATEST_COORDINATE, coordinate));
+}
+
+static a3d_header box_within_floats(a3d_header box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min[axis] = within_floats(box.min[axis]);
+    box.max[axis] = within_floats(box.max[axis]);
+  }
+  return box;
+}
+
 static int order_axis;
 
 static int compare_sampled(const void* a, const void* b) {
@@ -129,6 +144,7 @@ static void compute_statistics(VacAttrStatsP stats, AnalyzeAttrFetchFunc fetch, 
       ++empty;
       continue;
     }
+    box = box_within_floats(box);
     for (int axis = 0; axis < 3; ++axis) {
       rows[count].numbers[axis] = box.min[axis] / 2 + box.max[axis] / 2;
       rows[count].numbers[3 + axis] = box.max[axis] / 2 - box.min[axis] / 2;
@@ -256,6 +272,10 @@ static double share_for_pairs(const Histogram* left, const Histogram* right, Str
 
 #define SHARE_WITHOUT_STATISTICS 0.001
 
+static double probability(double share) {
+  return isnan(share) ? SHARE_WITHOUT_STATISTICS : Min(1, Max(0, share));
+}
+
 static double limit_of(Node* limit) {
   if (limit == NULL || !IsA(limit, Const) || ((Const*)limit)->constisnull) return 0;
   return DatumGetFloat8(((Const*)limit)->constvalue);
@@ -265,6 +285,7 @@ static bool box_of_constant(Node* node, a3d_header* result) {
   const Const* constant = (const Const*)node;
   if (!IsA(node, Const) || constant->constisnull) return false;
   *result = header_of_datum(constant->constvalue, name_of_type(constant->consttype, CurrentMemoryContext));
+  if (result->min[0] <= result->max[0]) *result = box_within_floats(*result);
   return true;
 }
 
@@ -297,7 +318,7 @@ double restriction_share(PlannerInfo* root, StrategyNumber strategy, List* argum
     free_attstatsslot(&histogram.slot);
   }
   ReleaseVariableStats(variable);
-  return share;
+  return probability(share);
 }
 
 double join_share(PlannerInfo* root, StrategyNumber strategy, List* arguments, Node* limit, SpecialJoinInfo* join,
@@ -317,7 +338,7 @@ double join_share(PlannerInfo* root, StrategyNumber strategy, List* arguments, N
   }
   ReleaseVariableStats(left);
   ReleaseVariableStats(right);
-  return share;
+  return probability(share);
 }
 
 static StrategyNumber strategy_of(Oid symbol) {
@@ -333,7 +354,7 @@ Datum algebra3d_box_restriction(PG_FUNCTION_ARGS) {
   const Oid symbol = PG_GETARG_OID(1);
   const double share = restriction_share((PlannerInfo*)PG_GETARG_POINTER(0), strategy_of(symbol),
                                          (List*)PG_GETARG_POINTER(2), NULL, PG_GETARG_INT32(3), get_opcode(symbol));
-  PG_RETURN_FLOAT8(Min(1, Max(0, share)));
+  PG_RETURN_FLOAT8(share);
 }
 
 PG_FUNCTION_INFO_V1(algebra3d_box_join);
@@ -342,5 +363,5 @@ Datum algebra3d_box_join(PG_FUNCTION_ARGS) {
   const Oid symbol = PG_GETARG_OID(1);
   const double share = join_share((PlannerInfo*)PG_GETARG_POINTER(0), strategy_of(symbol), (List*)PG_GETARG_POINTER(2),
                                   NULL, (SpecialJoinInfo*)PG_GETARG_POINTER(4), get_opcode(symbol));
-  PG_RETURN_FLOAT8(Min(1, Max(0, share)));
+  PG_RETURN_FLOAT8(share);
 }

@@ -51,7 +51,6 @@ static Datum estimate(SupportRequestSelectivity* request, StrategyNumber strateg
       request->is_join
           ? join_share(request->root, strategy, request->args, limit, request->sjinfo, request->funcid)
           : restriction_share(request->root, strategy, request->args, limit, request->varRelid, request->funcid);
-  request->selectivity = Min(1, Max(0, request->selectivity));
   PG_RETURN_POINTER(request);
 }
 
@@ -122,7 +121,9 @@ Datum algebra3d_support_near(PG_FUNCTION_ARGS) {
 Datum box_around(FunctionCallInfo fcinfo, const char* type) {
   a3d_header header = header_of_datum(PG_GETARG_DATUM(0), type);
   const double length = PG_GETARG_FLOAT8(1);
-  if (header.min[0] > header.max[0] || !(length >= 0)) PG_RETURN_NULL();
+  if (!isfinite(length))
+    ereport(ERROR, errcode(ERRCODE_INVALID_PARAMETER_VALUE), errmsg("expected a finite number, got %g", length));
+  if (header.min[0] > header.max[0] || length < 0) PG_RETURN_NULL();
   for (int axis = 0; axis < 3; ++axis) {
     header.min[axis] = Max(nextafter(header.min[axis] - length, -HUGE_VAL), -DBL_MAX);
     header.max[axis] = Min(nextafter(header.max[axis] + length, HUGE_VAL), DBL_MAX);

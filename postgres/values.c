@@ -4,6 +4,7 @@
 #include <access/htup_details.h>
 #include <catalog/pg_type.h>
 #include <common/base64.h>
+#include <common/hashfn.h>
 #include <libpq/pqformat.h>
 #include <mb/pg_wchar.h>
 #include <utils/builtins.h>
@@ -422,4 +423,11 @@ Datum hash_value(FunctionCallInfo fcinfo, const char* type) {
   check_status(is_large(comparing.a) ? run_aside(hash, &comparing) : hash(&comparing));
   leave_scratch(before);
   PG_RETURN_INT32((int32)(comparing.hash ^ (comparing.hash >> 32)));
+}
+
+/* For partitions by hash. Its lower half is that of hash_value if the seed is 0. */
+Datum hash_value_extended(FunctionCallInfo fcinfo, const char* type) {
+  const uint64 seed = PG_GETARG_INT64(1);
+  const uint32 hashed = DatumGetUInt32(hash_value(fcinfo, type));
+  PG_RETURN_UINT64(seed == 0 ? hashed : DatumGetUInt64(hash_uint32_extended(hashed, seed)));
 }
