@@ -21,6 +21,7 @@ constinit thread_local Tally tally;
 constinit std::atomic<std::int64_t> process_used = 0;
 constinit std::atomic<std::size_t> process_limit = MemoryUser::kNoLimit;
 constinit std::atomic<std::size_t> process_reserve = 0;
+constinit std::atomic<std::size_t> process_refusals = 0;
 
 void settle() noexcept {
   const std::int64_t bytes = std::exchange(tally.pending, 0);
@@ -94,6 +95,7 @@ void charge_slowly(std::size_t bytes) {
   const Exceeded limit = exceeded(bytes);
   if (limit.limit != 0 && !is_to_be_granted(bytes)) {
     if (tally.user != nullptr) tally.user->note_refusal();
+    process_refusals.fetch_add(1, std::memory_order_relaxed);
     throw MemoryLimitReached(limit.limit, limit.is_of_process, limit.setting);
   }
   tally.pending += static_cast<std::int64_t>(bytes);
@@ -156,6 +158,10 @@ std::size_t ProcessMemory::limit() {
 
 std::size_t ProcessMemory::used() {
   return non_negative(process_used.load(std::memory_order_relaxed));
+}
+
+std::size_t ProcessMemory::refusals() {
+  return process_refusals.load(std::memory_order_relaxed);
 }
 
 void ProcessMemory::charge(std::size_t bytes) {

@@ -101,6 +101,8 @@ class ProcessMemory {
   /// whose callers cannot fail.
   static void charge_always(std::size_t bytes) noexcept;
   static void discharge(std::size_t bytes) noexcept;
+  /// How often `charge` was refused, by any limit.
+  static std::size_t refusals();
   /// True, and says nothing, if `charge` would be refused.
   static bool would_exceed(std::size_t bytes) noexcept;
 

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "base/memory_limit.h"
 #include "queries/server/detail/pages.h"
 
 namespace queries {
@@ -161,6 +162,14 @@ std::span<const Route> Api::routes() {
 
 HttpAnswer Api::answer(const HttpRequest& request) noexcept {
   has_answered_ = true;
+  const std::size_t refusals = algebra3d::ProcessMemory::refusals();
+  HttpAnswer answer = answer_or_refusal(request);
+  // The limit counts what is in use. What is freed after it was met must not stay beside what others take.
+  if (algebra3d::ProcessMemory::refusals() != refusals) give_back_freed_memory();
+  return answer;
+}
+
+HttpAnswer Api::answer_or_refusal(const HttpRequest& request) noexcept {
   try {
     return answer_checked(request);
   } catch (const std::bad_alloc& failure) {

@@ -61,6 +61,7 @@ class Api {
   static std::span<const Route> routes();
 
  private:
+  HttpAnswer answer_or_refusal(const HttpRequest& request) noexcept;
   HttpAnswer answer_checked(const HttpRequest& request);
   HttpAnswer dispatch(const HttpRequest& request);
 
