@@ -69,7 +69,7 @@ Result<Aggregation::Part> part_of(const Function& function, std::string_view byt
 /// Errors: wrong_usage.
 Status check_parts(const a3d_function& function) {
   if (function.has_parts != 0) return {};
-  return Error{ErrorCode::wrong_usage, "'{}' is no aggregate whose runs can be saved", function.name};
+  return Error{ErrorCode::wrong_usage, "'{}' is not an aggregate whose runs can be saved", function.name};
 }
 
 /// Copies of the arguments. Errors: wrong_usage for a function of another kind; type_error for another number of

@@ -22,7 +22,7 @@ struct Function {
 };
 
 /// A message with the names that operators have in hosts: at its beginning, before a colon, and wherever they have a
-/// capital letter, so are no words of English.
+/// capital letter, so are not words of English.
 std::string in_host_names(std::string_view message);
 
 /// Sorted by name.

@@ -40,7 +40,7 @@ struct a3d_session {
 
 namespace algebra3d::c_interface {
 
-/// What C code holds and gives up without a session: its memory counts for the session that made it.
+/// An object that C code holds and gives up without a session: its memory counts for the session that made it.
 struct Held {
   explicit Held(const a3d_session& session) : memory(session.memory) {}
 

@@ -30,7 +30,7 @@ std::string operator_name(const MeshFormat& format) {
   return "import" + std::string(format.name);
 }
 
-// What was imported from a file or bytes of this name.
+// The solid that was imported from a file or from bytes of this name.
 
 Maybe<Volume3d> reported_solid(Context& context, const std::string& op, ImportedSolid imported,
                                const std::string& name) {

@@ -34,7 +34,7 @@ Result<Maybe<T>> defined_if_read(Result<Maybe<T>> read) {
   return Maybe<T>(Undefined{read.error().text()});
 }
 
-/// What is read of bytes, for the operator of type T.
+/// The reader of the operator that gives a T: its name, the geometries that it takes, and the value of one.
 template <typename T>
 struct WkbOf;
 
@@ -154,13 +154,13 @@ Maybe<std::int64_t> srid_of_digits(const Text& text) {
   return srid_in(*bytes);
 }
 
-/// Tells that corners were rounded. `reason`: why the result is no valid value; empty if it is one.
+/// Tells that corners were rounded. `reason`: why the result is not a valid value; empty if it is one.
 void report_wkb_rounding(Context& context, std::size_t count, const char* noun, const std::string& reason) {
   if (count > 0)
     context.diagnostics.report(fmt::format("toWKB: rounded {} to doubles{}", algebra3d::counted(count, noun), reason));
 }
 
-/// Why the mesh with rounded vertices is no value of type T; empty if it is one.
+/// Why the mesh with rounded vertices is not a value of type T; empty if it is one.
 template <typename T>
 Result<std::string> rounding_fault(Context& context, const TriangleMesh& mesh) {
   std::vector<TriangleMesh::Triangle> triangles;
@@ -259,7 +259,7 @@ const std::string kTriangleDigits = "00000003f80000000100000003f9000000010000000
                                     "3ff0000000000000" + std::string(32, '0') + std::string(16, '0') +
                                     "3ff0000000000000" + std::string(16, '0') + std::string(48, '0');
 
-/// What most readers have in common.
+/// The parts of the description that most readers share.
 template <typename T>
 Operator reader_of(std::string doc, const std::string& detail) {
   const std::string name = WkbOf<T>::kName;
@@ -296,7 +296,7 @@ void register_readers_of_faces(Registry& registry) {
       "The surface of the faces of a POLYHEDRALSURFACE, TIN, MULTIPOLYGON, POLYGON or TRIANGLE in well-known binary "
       "(WKB).",
       "All with Z; collections of these, too. Equal corners are welded and polygons triangulated, also those with "
-      "holes; nothing is repaired. Undefined, with the defects, if the triangles are no valid surface.");
+      "holes; nothing is repaired. Undefined, with the defects, if the triangles do not make a valid surface.");
   surfaces.examples = {{{"'" + kTriangleDigits + "'"}, "(((0.0 0.0 0.0) (1.0 0.0 0.0) (0.0 1.0 0.0)))"},
                        {{"(toWKB (surface3d (((0 0 0) (1 0 0) (0 1 0)))) 3857)", "3857"}, "0.5", "(area _)"},
                        {{"(toWKB (surface3d (((0 0 0) (1 0 0) (0 1 0)))))"}, "0.5", "(area _)"},
@@ -380,7 +380,7 @@ void register_well_known_binary(Registry& registry) {
           "faces, "
           "points are a MULTIPOINT Z, a point is a POINT Z, a region a MULTIPOLYGON. Coordinates that are not doubles "
           "are rounded to the nearest double; a diagnostic says so, and whether the result is still a solid, surface "
-          "or region. A SRID of 0 is none.",
+          "or region. A SRID of 0 means that there is none.",
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .cost = Cost::sorting,

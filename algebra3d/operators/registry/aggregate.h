@@ -119,7 +119,7 @@ class Aggregation {
   /// Returns the result; called once. Reports the reason if it is undefined.
   Result<Value> finish(Context& context);
 
-  /// What another process adds to a run of the same overload, in place of the values of this one.
+  /// The result of a run for another process, which adds it to a run of the same overload in place of the values.
   struct Part {
     Value result;  ///< of the type Overload::part, which must not be null; undefined if there was no value
     std::uint64_t undefined_count = 0;

@@ -99,7 +99,7 @@ struct Overload {
   bool is_total = false;              ///< the function never returns undefined
   bool never_fails = false;           ///< the function returns no error, and loads no geometry
   bool is_symmetric = false;          ///< two parameters of one type can be exchanged without effect
-  /// Of an aggregate whose result for some of the values can stand for them: the type of the result. Else null.
+  /// The type of a result for some of the values that can stand for them, of an aggregate that has such; else null.
   const Type* part = nullptr;
   bool counts_undefined = false;  ///< of an aggregate: reports how many undefined values it left out
   /// Of an operator that reads or writes files: this overload takes or gives their content, so it accesses no file, and
@@ -158,8 +158,8 @@ struct QueryError {
   std::string message;
 };
 
-/// What TRUE says about the boxes of the first two arguments, so that an index of boxes finds candidates. Empty values,
-/// which have none, are candidates in any case.
+/// The relation of the boxes of the first two arguments that TRUE implies, so that an index of boxes finds candidates.
+/// Empty values, which have none, are candidates in any case.
 enum class BoxCondition : std::uint8_t {
   none,
   meet,

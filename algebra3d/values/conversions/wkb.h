@@ -26,8 +26,8 @@ enum class Srid : unsigned { none = 0 };
 /// The number of the largest one that PostGIS keeps.
 inline constexpr std::int64_t kMaxSrid = 999'999;
 
-/// What a reader takes; collections of such geometries, too, but for a single point. Coordinates M and curves are
-/// refused.
+/// The geometries that a reader takes; collections of such geometries, too, but for a single point. Coordinates M and
+/// curves are refused.
 enum class WkbContents : std::uint8_t {
   faces,   ///< POLYHEDRALSURFACE, TIN, MULTIPOLYGON, POLYGON and TRIANGLE, all with Z
   points,  ///< MULTIPOINT, POINT, LINESTRING and MULTILINESTRING, all with Z
@@ -57,7 +57,7 @@ Result<Srid> srid_of_wkb(std::string_view bytes);
 /// interrupted. Cost: linear; counts are checked against the bytes that follow before memory is reserved.
 Result<WkbGeometry> read_wkb(std::string_view bytes, WkbContents contents, Srid srid, const Monitor& monitor = {});
 
-/// What becomes of polygons with holes.
+/// The treatment of polygons with holes.
 enum class WkbHoles : std::uint8_t { refused, triangulated };
 
 /// The polygons as faces of a mesh, over their different points in order of first use. Polygons with holes become

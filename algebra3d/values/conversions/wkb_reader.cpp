@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kMaxWkbDepth = 32;
 constexpr std::size_t kTypeOffset = 1, kSridOffset = 5, kWordBytes = 4;
-/// Of the smallest part of a collection: byte order, type and count.
+/// The size of the smallest part of a collection: byte order, type and count.
 constexpr std::size_t kLeastPartBytes = 9;
 
 std::string_view name_of_code(std::size_t code) {
@@ -49,7 +49,7 @@ std::string_view name_of_code(std::size_t code) {
   return code < kNames.size() ? kNames.at(code) : "";
 }
 
-/// What stands before the content of a geometry and of each of its parts.
+/// The head before the content of a geometry and of each of its parts.
 struct WkbHeader {
   std::size_t begin = 0;  ///< its byte
   bool is_big_endian = false;

@@ -12,7 +12,7 @@ namespace algebra3d {
 namespace {
 
 constexpr std::uint8_t kLittleEndian = 1;
-// Of a part, of the SRID of the whole, of a number of parts, and of a point with Z.
+// The sizes of the head of a part, of the SRID of the whole, of a number of parts, and of a point with Z.
 constexpr std::size_t kHeaderBytes = 5, kSridBytes = 4, kCountBytes = 4, kPointBytes = 24;
 constexpr std::size_t kWholeBytes = kHeaderBytes + kSridBytes + kCountBytes;
 

@@ -7,6 +7,7 @@
 #include <xxhash.h>
 
 #include "algebra3d/values/types/described_type.h"
+#include "algebra3d/values/types/detail/characters.h"
 #include "algebra3d/values/types/file_atom.h"
 #include "algebra3d/values/types/value_text.h"
 #include "base/interruption_scope.h"
@@ -69,17 +70,9 @@ class BytesType final : public DescribedType, public DirectText {
   std::size_t hash(const Value& value) const override {
     return XXH3_64bits(content(value).data(), content(value).size());
   }
-  // The first eight bytes, filled up with zeros.
-  std::uint64_t order_prefix(const Value& value) const override {
-    std::uint64_t result = 0;
-    for (std::size_t i = 0; i < 8; ++i)
-      result = result << 8U | (i < content(value).size() ? static_cast<unsigned char>(content(value)[i]) : 0U);
-    return result;
-  }
+  std::uint64_t order_prefix(const Value& value) const override { return order_prefix_of(content(value)); }
   std::size_t heap_bytes(const Value& value) const override {
-    constexpr std::size_t kWithinObject = 15;
-    const std::size_t capacity = content(value).capacity();
-    return object_bytes<Bytes>() + (capacity > kWithinObject ? capacity + 1 : 0);
+    return object_bytes<Bytes>() + heap_bytes_of(content(value));
   }
 
   void encode(const Value& value, std::string& bytes) const override { bytes += content(value); }

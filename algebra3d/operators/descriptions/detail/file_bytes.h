@@ -10,7 +10,7 @@
 
 namespace algebra3d {
 
-/// What messages call the content of a file that has no name.
+/// The name in messages for the content of a file that has none.
 inline const std::string kBytesName = "the bytes";
 
 /// Imports the content of a mesh file of the given format or, if that is null, of the detected one. Errors: those of
