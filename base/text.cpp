@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/interruption_scope.h"
+
 namespace algebra3d {
 
 namespace {
@@ -38,6 +40,18 @@ std::string found_text(std::string_view text) {
   }
   if (length < text.size() && !is_blank(text[length])) found += "...";
   return found + "'";
+}
+
+std::size_t find_either(std::string_view text, char a, char b) {
+  constexpr std::size_t kBlock = 65536;
+  for (std::size_t begin = 0; begin < text.size(); begin += kBlock) {
+    poll_interruption();
+    const std::string_view block = text.substr(begin, kBlock);
+    const std::size_t first_a = block.find(a);
+    if (const std::size_t found = std::min(first_a, block.substr(0, first_a).find(b)); found != std::string_view::npos)
+      return begin + found;
+  }
+  return std::string_view::npos;
 }
 
 std::string with_replaced(std::string text, std::string_view from, std::string_view to) {

@@ -28,6 +28,9 @@ std::string counted(std::size_t count, std::string_view noun);
 /// of file".
 std::string found_text(std::string_view text);
 
+/// The place of the first of two characters; npos if the text has neither. Can be interrupted.
+std::size_t find_either(std::string_view text, char a, char b);
+
 /// The text with every `from`, which is not empty, replaced by `to`.
 std::string with_replaced(std::string text, std::string_view from, std::string_view to);
 

@@ -1,6 +1,8 @@
 /* Functions of SQL that are functions of the library. */
 #include "module.h"
 
+#include <math.h>
+
 #include <access/detoast.h>
 #include <funcapi.h>
 #include <miscadmin.h>
@@ -42,10 +44,15 @@ static const a3d_function* function_of(FunctionCallInfo fcinfo, const FunctionKe
   return function;
 }
 
-/* Arguments of more points and triangles together make a call of linear cost long, or a greater number, which may say
- * how many are made. */
+/* Arguments of more points and triangles together make a call of linear cost long. */
 #define MOST_ELEMENTS_AT_ONCE 1000
-#define GREATEST_NUMBER_AT_ONCE 50
+
+/* The most elements that an argument may ask for: a number of corners n makes some n * n triangles, n steps of a
+ * subdivision make 4 to the power of n of each face. */
+static double elements_asked_for(int64 number, size_t given) {
+  if (number <= 0) return 0;
+  return Max((double)number * (double)number, ldexp((double)given, (int)Min(2 * number, 1000)));
+}
 
 /* Texts and bytes that take more than about a millisecond to read. */
 static bool is_long_text(Datum datum, const char* type) {
@@ -56,7 +63,8 @@ static bool is_long_text(Datum datum, const char* type) {
 /* Fills in the arguments; whether the call may take long. */
 static bool prepare(Call* c, FunctionCallInfo fcinfo, const FunctionKey* key) {
   size_t elements = 0;
-  bool is_long_by_arguments = false;
+  int64 greatest = 0;
+  bool is_long_by_text = false;
   c->session = backend_session();
   c->function = function_of(fcinfo, key);
   c->count = key->parameter_count;
@@ -68,13 +76,13 @@ static bool prepare(Call* c, FunctionCallInfo fcinfo, const FunctionKey* key) {
       continue;
     }
     c->arguments[i] = value_of_datum(PG_GETARG_DATUM(i), key->types[i]);
-    if (is_long_text(PG_GETARG_DATUM(i), key->types[i])) is_long_by_arguments = true;
-    if (strcmp(key->types[i], "int") == 0 && DatumGetInt64(PG_GETARG_DATUM(i)) > GREATEST_NUMBER_AT_ONCE)
-      is_long_by_arguments = true;
+    if (is_long_text(PG_GETARG_DATUM(i), key->types[i])) is_long_by_text = true;
+    if (strcmp(key->types[i], "int") == 0) greatest = Max(greatest, DatumGetInt64(PG_GETARG_DATUM(i)));
     elements += element_count(c->arguments[i]);
   }
   return c->function->cost > A3D_LINEAR ||
-         (c->function->cost == A3D_LINEAR && (elements > MOST_ELEMENTS_AT_ONCE || is_long_by_arguments));
+         (c->function->cost == A3D_LINEAR &&
+          (is_long_by_text || (double)elements + elements_asked_for(greatest, elements) > MOST_ELEMENTS_AT_ONCE));
 }
 
 /* size, is_empty and bbox of a stored value are in its first bytes. */

@@ -97,6 +97,7 @@ void PointArray::append_exact(const PointArray& from, std::size_t first, std::si
   if (exact_.empty()) first_exact_ = first + shift;
   exact_.resize(first + shift - first_exact_);
   for (std::size_t i = first; i < end; ++i) {
+    poll_interruption_at(i);
     const std::size_t place = i - from.first_exact_;
     prefetch_beyond(from.exact_, place);
     exact_.push_back(from.exact_[place]);

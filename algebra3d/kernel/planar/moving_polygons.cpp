@@ -61,10 +61,13 @@ class MovingCheck {
 
   /// The defect of a segment, or of a segment and the next one.
   std::optional<std::string> defect_alone() const {
-    for (std::uint32_t i = 0; i < segments_.size(); ++i)
+    for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+      poll_interruption_at(i);
       if (const auto moment = vanishing(segments_[i]))
         return fmt::format("{} has no length {}", segment_name(i), time_text(*moment));
+    }
     for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+      poll_interruption_at(i);
       const std::uint32_t j = places_.after(i);
       const MovingSegment& next = segments_[j];
       if (surely_unfolded(segments_[i].from, next.from, next.to)) continue;

@@ -8,6 +8,7 @@
 #include "algebra3d/values/types/utf8.h"
 #include "base/interruption_scope.h"
 #include "base/number_text.h"
+#include "base/text.h"
 
 namespace algebra3d {
 
@@ -72,10 +73,9 @@ class Printer {
   }
 
   void print_quoted(std::string_view content, char quote) {
-    const std::array<char, 2> special{quote, '\\'};
     text_ += quote;
     while (true) {
-      const auto plain = content.find_first_of(std::string_view(special.data(), special.size()));
+      const auto plain = find_either(content, quote, '\\');
       text_ += content.substr(0, plain);
       if (plain == std::string_view::npos) break;
       text_ += '\\';

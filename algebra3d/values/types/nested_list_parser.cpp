@@ -12,6 +12,7 @@
 #include "base/interruption_scope.h"
 #include "base/number_text.h"
 #include "base/propagate.h"
+#include "base/text.h"
 
 namespace algebra3d {
 
@@ -211,17 +212,16 @@ class Parser {
 
   Status read_quoted(char quote) {
     const auto begin = position_++;
-    const std::array<char, 2> special{quote, '\\'};
     std::string content;
     while (true) {
-      const auto stop = source_.find_first_of(std::string_view(special.data(), special.size()), position_);
-      if (stop == kNowhere) {
+      const auto plain = find_either(rest(), quote, '\\');
+      if (plain == kNowhere) {
         return error_at(begin, ErrorCode::invalid_value,
                         fmt::format("this {} is not closed by {}", quote == '"' ? "string" : "text", quote));
       }
-      content += source_.substr(position_, stop - position_);
-      position_ = stop + 1;
-      if (source_[stop] == quote) break;
+      content += rest().substr(0, plain);
+      position_ += plain + 1;
+      if (source_[position_ - 1] == quote) break;
       content += escaped(quote);
     }
     A3D_TRY(check_text(begin, position_));

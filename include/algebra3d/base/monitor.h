@@ -11,6 +11,12 @@
 #include "algebra3d/base/error.h"
 
 namespace algebra3d {
+namespace detail {
+
+/// Leaves by an exception if the host of this thread wants its work to end (poll_interruption).
+void poll_thread();
+
+}  // namespace detail
 
 /// Cancellation and progress of long work. Refers to a flag and a callback of the host, which must outlive the work. By
 /// default there is neither.
@@ -25,7 +31,12 @@ class Monitor {
 
   const std::atomic<bool>* cancel() const { return cancel_; }
   const Report* report() const { return report_; }
-  bool is_cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
+  /// What was not given a flag ends as its thread does: callers that gave none expect no error.
+  bool is_cancelled() const {
+    if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return true;
+    detail::poll_thread();
+    return false;
+  }
   /// The error `interrupted` if the host has cancelled the work.
   Status check() const {
     if (is_cancelled()) return interrupted();

@@ -25,6 +25,17 @@ TEST(InterruptionScope, a_set_flag_is_thrown_at_the_next_poll) {
   EXPECT_NO_THROW(poll_interruption());
 }
 
+TEST(InterruptionScope, is_heard_by_monitors_that_were_given_no_flag) {
+  std::atomic<bool> flag = false;
+  const InterruptionScope scope(&flag);
+  const Monitor monitor;
+  Stage stage(monitor, "", 1);
+  EXPECT_TRUE(monitor.check());
+  flag = true;
+  EXPECT_THROW(static_cast<void>(monitor.check()), Interrupted);
+  EXPECT_THROW(stage.begin_step(), Interrupted);
+}
+
 TEST(InterruptionScope, loops_poll_at_every_1024th_step) {
   const std::atomic<bool> flag = true;
   const InterruptionScope scope(&flag);

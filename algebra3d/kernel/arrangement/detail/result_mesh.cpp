@@ -5,6 +5,7 @@
 
 #include "algebra3d/kernel/arrangement/detail/task_sizes.h"
 #include "algebra3d/kernel/halfedge/face_order.h"
+#include "base/interruption_scope.h"
 #include "base/scheduler.h"
 
 namespace algebra3d::arrangement {
@@ -189,6 +190,7 @@ void ResultPlanes::take(const TakenRun& run) {
   const std::span<std::uint32_t> taken = planes_.numbers(run.new_first.index(), run.count);
   for (std::size_t i = 0; i < run.count; ++i) {
     const std::uint32_t given = known.number(run.first.index() + i);
+    poll_interruption_at(i);
     if (given == kNone) continue;
     std::uint32_t& number = new_numbers[given];
     if (number == kNone) number = planes_.add(run.is_flipped ? known[given].flipped() : known[given]);

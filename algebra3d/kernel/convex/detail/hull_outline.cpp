@@ -49,6 +49,7 @@ std::vector<Vec3> spread_points(const std::vector<Vec3>& points) {
   if (points.size() <= kMaxPoints) return points;
   std::vector<Vec3> chosen;
   for (std::size_t i = 0; i < kMaxPoints; ++i) {
+    poll_interruption();
     const double z = 1 - (2 * static_cast<double>(i) + 1) / kMaxPoints, around = std::sqrt(1 - z * z);
     const double angle = static_cast<double>(i) * std::numbers::pi * (3 - std::sqrt(5.0));
     const Vec3 direction{around * std::cos(angle), around * std::sin(angle), z};
@@ -167,8 +168,9 @@ HullOutline::HullOutline(const TriangleMesh& hull) {
     facets.emplace_back(-area, 1 / area * normal);
   }
   inner_radius_ = std::max(0.0, inner_radius_ - 0x1p-40);  // for roundings
-  std::ranges::sort(facets);
-  for (std::size_t i = 0; i < std::min(kMaxNormals, facets.size()); ++i) normals_.push_back(facets[i].second);
+  const std::size_t normal_count = std::min(kMaxNormals, facets.size());
+  std::ranges::partial_sort(facets, facets.begin() + static_cast<std::ptrdiff_t>(normal_count));
+  for (std::size_t i = 0; i < normal_count; ++i) normals_.push_back(facets[i].second);
 
   points_ = spread_points(vertices);
   for (const Vec3& p : points_) radius_ = std::max(radius_, length(p));
@@ -176,6 +178,7 @@ HullOutline::HullOutline(const TriangleMesh& hull) {
 }
 
 HullOutline::View HullOutline::seen_along(const Vec3& direction) const {
+  poll_interruption();  // some microseconds, up to a millisecond where a projection has many corners
   View view;
   const Vec3 across = cross(direction, std::abs(direction.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
   view.x_axis = 1 / length(across) * across;

@@ -1,5 +1,7 @@
 #include "algebra3d/kernel/planar/detail/constraints.h"
 
+#include "base/interruption_scope.h"
+
 namespace algebra3d::planar {
 
 /// The half-edge between the vertices; none if there is none.
@@ -83,9 +85,12 @@ HalfedgeId ConstraintInserter::find_apex(HalfedgeId base) const {
   const Subdivision& t = triangulation_;
   const VertexId a = t.origin(base), b = t.target(base);
   HalfedgeId best = t.next(base);
-  for (HalfedgeId h = t.next(best); t.target(h) != a || t.next(h) != base; h = t.next(h))
+  std::size_t looked_at = 0;
+  for (HalfedgeId h = t.next(best); t.target(h) != a || t.next(h) != base; h = t.next(h)) {
+    poll_interruption_at(++looked_at);
     if (t.target(h) == t.target(best) ? is_seen(h, a) : points_.is_in_circle(a, b, t.target(best), t.target(h)))
       best = h;
+  }
   return best;
 }
 

@@ -7,6 +7,7 @@
 
 #include "algebra3d/base/box3.h"
 #include "base/indices.h"
+#include "base/interruption_scope.h"
 
 namespace algebra3d {
 namespace {
@@ -93,6 +94,7 @@ void MovingPairs::build(const std::vector<MovingSegment>& segments) {
   };
   std::vector<Task> tasks{{0, static_cast<std::uint32_t>(order_.size()), kNone}};
   while (!tasks.empty()) {
+    poll_interruption();
     const Task task = tasks.back();
     tasks.pop_back();
     const auto index = static_cast<std::uint32_t>(nodes_.size());
@@ -136,6 +138,7 @@ void MovingPairs::for_each(const std::function<bool(std::uint32_t, std::uint32_t
   std::vector<NodePair> open;
   if (!nodes_.empty()) open.emplace_back(0, 0);
   while (!open.empty()) {
+    poll_interruption();
     const NodePair pair = open.back();
     open.pop_back();
     const Node& a = nodes_[pair.first];

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algebra3d/kernel/halfedge/face_order.h"
+#include "base/interruption_scope.h"
 #include "base/large_allocator.h"
 
 namespace algebra3d::curve_order {
@@ -25,7 +26,10 @@ std::vector<std::uint32_t> faces_beyond(std::span<const PlacedFace> known, std::
 /// code_of(face) is the full code.
 template <typename CodeOf>
 void sort_ties(LargeVector<PlacedFace>& faces, std::size_t few, const CodeOf& code_of) {
-  const auto by_code = [&](PlacedFace placed) { return std::pair(code_of(placed.face()), placed); };
+  const auto by_code = [&](PlacedFace placed) {
+    poll_interruption();
+    return std::pair(code_of(placed.face()), placed);
+  };
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
     while (end < faces.size() && faces[end].place() == faces[begin].place()) ++end;
     const std::span<PlacedFace> ties = std::span(faces).subspan(begin, end - begin);

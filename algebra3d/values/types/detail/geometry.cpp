@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/kernel/exact/point_table.h"
 #include "algebra3d/kernel/exact/predicates.h"
 #include "algebra3d/kernel/soup/weld.h"
 #include "algebra3d/values/types/coordinate_text.h"
@@ -27,29 +28,6 @@ Result<std::array<ExactPoint, 3>> corners_from_nested(const NestedList& list, st
     A3D_ASSIGN(corners[i], point_from_nested(list.elements()[i], what));
   }
   return corners;
-}
-
-/// The points in ascending order; equal points have one rank.
-struct RankedPoints {
-  std::vector<std::uint32_t> ranks;   // of each point
-  std::vector<std::uint32_t> points;  // of each rank, one point
-};
-
-RankedPoints rank_points(const PointArray& points) {
-  std::vector<std::uint32_t> order(points.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
-    poll_interruption();
-    const auto by_place = compare(points[a], points[b]);
-    return std::is_eq(by_place) ? a < b : std::is_lt(by_place);
-  });
-  RankedPoints result;
-  result.ranks.resize(points.size());
-  for (const std::uint32_t point : order) {
-    if (result.points.empty() || !equal(points[result.points.back()], points[point])) result.points.push_back(point);
-    result.ranks[point] = static_cast<std::uint32_t>(result.points.size() - 1);
-  }
-  return result;
 }
 
 std::strong_ordering compare_boxes(const Box3& a, const Box3& b) {
@@ -190,7 +168,12 @@ std::size_t hash_point_set(const Geometry& geometry, Orientation orientation) {
 }
 
 bool has_equal_points(const TriangleMesh& mesh) {
-  return rank_points(mesh.points()).points.size() < mesh.vertex_count();
+  PointTable seen(mesh.vertex_count());
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    poll_interruption_at(v);
+    if (seen.intern(mesh.point(VertexId(v))) != v) return true;
+  }
+  return false;
 }
 
 }  // namespace algebra3d

@@ -32,7 +32,7 @@ std::strong_ordering compare_point_sets(const Geometry& a, const Geometry& b, Or
 /// A hash that agrees with `compare_point_sets`. Cost: n log n.
 std::size_t hash_point_set(const Geometry& geometry, Orientation orientation);
 
-/// True if two points of the mesh are equal, which makes it invalid. Cost: n log n.
+/// True if two points of the mesh are equal, which makes it invalid. Cost: linear expected.
 bool has_equal_points(const TriangleMesh& mesh);
 
 }  // namespace algebra3d
