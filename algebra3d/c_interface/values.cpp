@@ -225,6 +225,10 @@ void a3d_hilbert_places(const double point[3], uint64_t places[2]) {
   places[1] = code(0);
 }
 
+uint32_t a3d_hilbert_code(const uint32_t cell[3]) {
+  return static_cast<uint32_t>(hilbert_code<A3D_HILBERT_BITS>(cell[0], cell[1], cell[2]));
+}
+
 a3d_status a3d_compare(a3d_session* session, const a3d_value* a, const a3d_value* b, int* result) {
   return done(
       session,

@@ -194,6 +194,10 @@ a3d_status a3d_header_of_bytes(a3d_session* session, const char* bytes, size_t s
  * 2^16: cells of 2^-24 for parts of some units, of 2^-8 for coordinates in the millions. First by places[0], then by
  * places[1]. */
 void a3d_hilbert_places(const double point[3], uint64_t places[2]);
+/* The place of a cell on the curve through a cube of 2^A3D_HILBERT_BITS cells on each axis. The cells of a cube of 2^n,
+ * whose coordinates begin at multiples of that, are 8^n places in a row. */
+#define A3D_HILBERT_BITS 10
+uint32_t a3d_hilbert_code(const uint32_t cell[3]);
 
 /* The canonical order of two values of one type: below 0, 0 or above 0; undefined comes first. Equal values have equal
  * hashes. */

@@ -1,0 +1,697 @@
+\echo Use "CREATE EXTENSION algebra3d_shards" to load this file. \quit
+
+-- Relations over several servers (docs/scaling.md). A relation R becomes a partitioned table R_tiles of foreign tables, one
+-- for each tile of a grid, and a view R. An object lies in each tile that its box meets; `home` marks the copy in the tile
+-- of the box's low corner. Commit (decision 0031): each tile has a generation, which every write transaction raises on
+-- its server and here; a row says in which generation it was born, in which it died, and which statement wrote it. What this server has committed
+-- holds: queries compare generations, and algebra3d_shard_repair takes a tile back to the one that is known here.
+
+DO $$
+BEGIN
+  IF (SELECT extnamespace FROM pg_catalog.pg_extension WHERE extname = 'algebra3d') <> '@extschema@'::regnamespace THEN
+    RAISE 'algebra3d_shards must be in the schema of algebra3d, since remote statements name both'
+      USING ERRCODE = 'invalid_schema_definition', HINT = (SELECT format('CREATE EXTENSION algebra3d_shards SCHEMA %I', n.nspname)
+        FROM pg_catalog.pg_extension e JOIN pg_catalog.pg_namespace n ON n.oid = e.extnamespace WHERE e.extname = 'algebra3d');
+  END IF;
+END $$;
+
+---- Grids ----
+
+CREATE TYPE grid;
+CREATE FUNCTION grid_in(cstring) RETURNS grid AS 'MODULE_PATHNAME', 'algebra3d_grid_in' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION grid_out(grid) RETURNS cstring AS 'MODULE_PATHNAME', 'algebra3d_grid_out' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+CREATE TYPE grid (INPUT = grid_in, OUTPUT = grid_out, INTERNALLENGTH = VARIABLE, ALIGNMENT = double, STORAGE = PLAIN);
+COMMENT ON TYPE grid IS 'Tiles that divide space: (cells CORNER SIZE COUNTS), or (ranges CORNER SIZE ENDS) of Hilbert''s curve.';
+
+CREATE FUNCTION grid(extent rect3, counts integer[]) RETURNS grid AS 'MODULE_PATHNAME', 'algebra3d_grid_of_cells' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION grid(rect3, integer[]) IS 'Tiles that are cells: a box divided evenly into so many along x, y and z.';
+CREATE FUNCTION grid(sample rect3[], tiles integer) RETURNS grid AS 'MODULE_PATHNAME', 'algebra3d_grid_of_sample' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION grid(rect3[], integer) IS 'Tiles with equal shares of a sample of boxes: ranges of Hilbert''s curve.';
+CREATE FUNCTION tile_count(grid) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_grid_tile_count' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION tile_count(grid) IS 'The number of tiles; they are numbered from 0.';
+CREATE FUNCTION tile_of(place point3d, grid) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_tile_of_point' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION tile_of(point3d, grid) IS 'The tile of a point; places outside of the grid belong to its outermost tiles.';
+CREATE FUNCTION tile_of(box rect3, grid) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_tile_of_box' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION tile_of(rect3, grid) IS 'The tile of the low corner of a box.';
+CREATE FUNCTION tiles_of(box rect3, grid, reach float8 DEFAULT 0) RETURNS integer[] AS 'MODULE_PATHNAME', 'algebra3d_tiles_of' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION tiles_of(rect3, grid, float8) IS 'The tiles that a box meets that has half of the reach more on each side, ascending.';
+CREATE FUNCTION pair_tile(a rect3, b rect3, grid, reach float8 DEFAULT 0) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_pair_tile' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION pair_tile(rect3, rect3, grid, float8) IS 'The one tile in which a pair counts: that of the low corner of what both boxes, with half of the reach more on each side, have in common; NULL if they have nothing.';
+CREATE FUNCTION is_pair_tile(tile integer, a rect3, b rect3, grid, reach float8 DEFAULT 0) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_is_pair_tile' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION is_pair_tile(integer, rect3, rect3, grid, float8) IS 'Whether that is this tile; the planner expects it of a third of the pairs.';
+
+---- What is known ----
+
+CREATE TABLE algebra3d_shard_relations (
+  relation text PRIMARY KEY,      -- qualified and quoted, as in SQL
+  schema_name name NOT NULL,
+  name name NOT NULL,
+  geometry name NOT NULL,         -- the column in space, and its type
+  geometry_type text NOT NULL,
+  columns name[] NOT NULL,
+  grid grid NOT NULL,
+  reach float8 NOT NULL           -- the greatest distance of a distance join
+);
+CREATE TABLE algebra3d_shard_tiles (
+  relation text NOT NULL REFERENCES algebra3d_shard_relations ON DELETE CASCADE,
+  tile integer NOT NULL,
+  server name NOT NULL,
+  generation bigint NOT NULL DEFAULT 0,
+  writer xid8,                    -- the last transaction that wrote
+  PRIMARY KEY (relation, tile)
+);
+-- On a shard: the generations of its tiles. On the coordinator it is empty.
+CREATE TABLE algebra3d_shard_generations (
+  relation text NOT NULL,
+  tile integer NOT NULL,
+  generation bigint NOT NULL,
+  PRIMARY KEY (relation, tile)
+);
+-- On a shard: a statement that is inserted is run, with the rights of who inserts it, and in his transaction.
+CREATE TABLE algebra3d_shard_statements (statement text);
+CREATE FUNCTION algebra3d_shard_run() RETURNS trigger LANGUAGE plpgsql AS $$
+BEGIN
+  EXECUTE NEW.statement;
+  RETURN NULL;
+END $$;
+CREATE TRIGGER run BEFORE INSERT ON algebra3d_shard_statements FOR EACH ROW EXECUTE FUNCTION algebra3d_shard_run();
+SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_relations', '');
+SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_tiles', '');
+SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_generations', '');
+GRANT SELECT ON algebra3d_shard_relations, algebra3d_shard_tiles, algebra3d_shard_generations TO PUBLIC;
+
+-- The row of a relation, or an error.
+CREATE FUNCTION algebra3d_shard_relation(relation text) RETURNS algebra3d_shard_relations LANGUAGE plpgsql STABLE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  known algebra3d_shard_relations;
+  wanted name[] := parse_ident(relation);
+BEGIN
+  SELECT r.* INTO known FROM algebra3d_shard_relations r
+    WHERE r.name = wanted[cardinality(wanted)] AND (cardinality(wanted) = 1 OR r.schema_name = wanted[1]);
+  IF NOT FOUND THEN
+    RAISE 'no relation % is divided into tiles', relation USING ERRCODE = 'undefined_table',
+      HINT = 'algebra3d_shard_create divides one; the table algebra3d_shard_relations has those that are.';
+  END IF;
+  RETURN known;
+END $$;
+
+---- Reading ----
+
+-- The foreign table of generations on a server.
+CREATE FUNCTION algebra3d_shard_generations_of(server name) RETURNS text LANGUAGE SQL IMMUTABLE STRICT
+RETURN format('%I.%I', '@extschema@', 'algebra3d_generations_' || server);
+
+-- Tiles whose generation here and on its server differ, with both.
+CREATE FUNCTION algebra3d_shard_differences(relation text, tiles integer[]) RETURNS TABLE (tile integer, here bigint, there bigint)
+LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  shard name;
+BEGIN
+  FOR shard IN SELECT DISTINCT t.server FROM @extschema@.algebra3d_shard_tiles t
+               WHERE t.relation = $1 AND ($2 IS NULL OR t.tile = ANY ($2)) ORDER BY 1 LOOP
+    RETURN QUERY EXECUTE format(
+      'SELECT t.tile, t.generation, g.generation FROM @extschema@.algebra3d_shard_tiles t LEFT JOIN '
+      '(SELECT g.tile, g.generation FROM %s g WHERE g.relation = $1) g ON g.tile = t.tile '
+      'WHERE t.relation = $1 AND t.server = $3 AND ($2 IS NULL OR t.tile = ANY ($2)) AND g.generation IS DISTINCT FROM t.generation',
+      @extschema@.algebra3d_shard_generations_of(shard)) USING $1, $2, shard;
+  END LOOP;
+END $$;
+
+-- -1 if what the servers have of some tiles (NULL: all) is what was committed here, else an error. What a remote statement of
+-- this transaction sees does not change any more; a commit that was under way when it began ends here a moment later.
+CREATE FUNCTION algebra3d_shard_ready(relation text, tiles integer[] DEFAULT NULL) RETURNS integer LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  other record;
+  now bigint;
+BEGIN
+  FOR other IN SELECT * FROM @extschema@.algebra3d_shard_differences(relation, tiles) LOOP
+    now := other.here;
+    FOR attempt IN 1 .. 100 LOOP
+      EXIT WHEN other.there IS NULL OR other.there < other.here OR other.there <= now;
+      PERFORM pg_catalog.pg_sleep(0.02);
+      SELECT t.generation INTO now FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = other.tile;
+    END LOOP;
+    CONTINUE WHEN other.there BETWEEN other.here AND now;
+    IF other.there IS NULL OR other.there < other.here THEN
+      RAISE 'tile % of % is at generation % on its server, expected %: an older copy', other.tile, relation,
+        coalesce(other.there, 0), other.here USING ERRCODE = 'data_corrupted',
+        HINT = 'The server may have been restored from a backup; see SELECT * FROM algebra3d_shard_check().';
+    END IF;
+    RAISE 'a transaction over several servers was not completed on the one of tile % of %', other.tile, relation
+      USING ERRCODE = 'object_not_in_prerequisite_state', HINT = 'SELECT * FROM algebra3d_shard_repair() takes back what was not committed.';
+  END LOOP;
+  RETURN -1;
+END $$;
+COMMENT ON FUNCTION algebra3d_shard_ready(text, integer[]) IS 'An error unless the servers of these tiles, NULL: of all, have what was committed here.';
+
+---- Writing ----
+
+-- Begins to write into some tiles, in the present transaction: each gets a new generation here and on its server, and rows
+-- that died in earlier ones go.
+CREATE FUNCTION algebra3d_shard_begin(relation text, tiles integer[]) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  known @extschema@.algebra3d_shard_relations;
+  one record;
+  touched bigint;
+BEGIN
+  IF NOT EXISTS (SELECT FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = ANY ($2)
+                 AND t.writer IS DISTINCT FROM pg_catalog.pg_current_xact_id()) THEN
+    RETURN;
+  END IF;
+  known := @extschema@.algebra3d_shard_relation(relation);
+  FOR one IN SELECT DISTINCT t.tile FROM unnest(tiles) t(tile) LOOP
+    IF NOT pg_catalog.pg_try_advisory_xact_lock_shared(pg_catalog.hashtext('algebra3d ' || $1), one.tile) THEN
+      RAISE 'tile % of % is being moved', one.tile, $1 USING ERRCODE = 'lock_not_available', HINT = 'Try again when algebra3d_shard_move has ended.';
+    END IF;
+  END LOOP;
+  -- In one order in all transactions, so that they do not wait for each other.
+  PERFORM FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = ANY ($2) ORDER BY t.tile FOR UPDATE;
+  FOR one IN UPDATE @extschema@.algebra3d_shard_tiles t SET generation = t.generation + 1, writer = pg_catalog.pg_current_xact_id()
+             WHERE t.relation = $1 AND t.tile = ANY ($2) AND t.writer IS DISTINCT FROM pg_catalog.pg_current_xact_id()
+             RETURNING t.tile, t.server, t.generation LOOP
+    EXECUTE format('UPDATE %s SET generation = $3 WHERE relation = $1 AND tile = $2 AND generation = $3 - 1',
+                   @extschema@.algebra3d_shard_generations_of(one.server)) USING $1, one.tile, one.generation;
+    GET DIAGNOSTICS touched = ROW_COUNT;
+    IF touched <> 1 THEN
+      PERFORM @extschema@.algebra3d_shard_ready($1, ARRAY[one.tile]);
+      RAISE 'tile % of % is at another generation on its server than %', one.tile, $1, one.generation - 1
+        USING ERRCODE = 'object_not_in_prerequisite_state', HINT = 'SELECT * FROM algebra3d_shard_repair()';
+    END IF;
+    EXECUTE format('DELETE FROM %I.%I WHERE tile = $1 AND died IS NOT NULL', known.schema_name, known.name || '_tiles') USING one.tile;
+  END LOOP;
+END $$;
+
+-- The tiles of a box, and its home; a value without a box is in tile 0.
+CREATE FUNCTION algebra3d_shard_tiles_of(box rect3, grid grid, reach float8) RETURNS integer[] LANGUAGE SQL IMMUTABLE
+RETURN coalesce(tiles_of(box, grid, reach), ARRAY[0]);
+CREATE FUNCTION algebra3d_shard_home_of(box rect3, grid grid) RETURNS integer LANGUAGE SQL IMMUTABLE
+RETURN coalesce(tile_of(box, grid), 0);
+
+-- Before each statement that writes into a view: its number.
+CREATE FUNCTION algebra3d_shard_stamp() RETURNS trigger LANGUAGE plpgsql VOLATILE AS $$
+BEGIN
+  PERFORM pg_catalog.set_config('algebra3d_shards.stamp', nextval(TG_ARGV[0]::regclass)::text, true);
+  RETURN NULL;
+END $$;
+
+-- INSTEAD OF INSERT, UPDATE and DELETE of a view; the argument is the relation. A scan that goes on while rows are written
+-- comes upon those that went into its later tiles: their number tells them.
+CREATE FUNCTION algebra3d_shard_write() RETURNS trigger LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  known @extschema@.algebra3d_shard_relations := @extschema@.algebra3d_shard_relation(TG_ARGV[0]);
+  parent text := format('%I.%I', known.schema_name, known.name || '_tiles');
+  box_of text := format('CASE WHEN ($1).%1$I IS NULL THEN NULL WHEN NOT @extschema@.is_empty(($1).%1$I) THEN @extschema@.bbox(($1).%1$I) END', known.geometry);
+  old_tiles integer[] := '{}';
+  new_tiles integer[] := '{}';
+  box @extschema@.rect3;
+  columns text := (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c);
+  cells text := (SELECT string_agg(format('($1).%I', c), ', ') FROM unnest(known.columns) c);
+  row_id bigint;
+  stamp bigint := pg_catalog.current_setting('algebra3d_shards.stamp');
+  touched bigint;
+  found_one boolean := TG_OP = 'INSERT';
+  one record;
+BEGIN
+  IF TG_OP <> 'INSERT' THEN
+    EXECUTE 'SELECT ' || box_of INTO box USING OLD;
+    old_tiles := @extschema@.algebra3d_shard_tiles_of(box, known.grid, known.reach);
+    row_id := OLD.row_id;
+  END IF;
+  IF TG_OP <> 'DELETE' THEN
+    EXECUTE 'SELECT ' || box_of INTO box USING NEW;
+    new_tiles := @extschema@.algebra3d_shard_tiles_of(box, known.grid, known.reach);
+    IF TG_OP = 'INSERT' THEN
+      row_id := nextval(format('%I.%I', known.schema_name, known.name || '_row_id')::regclass);
+    END IF;
+    NEW.row_id := row_id;
+  END IF;
+  PERFORM @extschema@.algebra3d_shard_begin(known.relation, old_tiles || new_tiles);
+  FOR one IN SELECT t.tile, t.generation FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation AND t.tile = ANY (old_tiles) LOOP
+    EXECUTE format('UPDATE %s SET died = $1 WHERE tile = $2 AND row_id = $3 AND died IS NULL AND stamp <> $4', parent)
+      USING one.generation, one.tile, row_id, stamp;
+    GET DIAGNOSTICS touched = ROW_COUNT;
+    found_one := found_one OR touched > 0;
+  END LOOP;
+  IF NOT found_one THEN
+    RETURN NULL;
+  END IF;
+  IF TG_OP = 'DELETE' THEN
+    RETURN OLD;
+  END IF;
+  FOR one IN SELECT t.tile, t.generation FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation AND t.tile = ANY (new_tiles) LOOP
+    EXECUTE format('INSERT INTO %s (%s, row_id, tile, home, born, stamp) SELECT %s, $2, $3, $4, $5, $6', parent, columns, cells)
+      USING NEW, row_id, one.tile, one.tile = @extschema@.algebra3d_shard_home_of(box, known.grid), one.generation, stamp;
+  END LOOP;
+  RETURN NEW;
+END $$;
+
+CREATE FUNCTION algebra3d_shard_load(relation text, source regclass) RETURNS bigint LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+  columns text := (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c);
+  loaded bigint;
+BEGIN
+  PERFORM algebra3d_shard_begin(known.relation, (SELECT array_agg(t.tile) FROM algebra3d_shard_tiles t WHERE t.relation = known.relation));
+  EXECUTE format(
+    'WITH placed AS (SELECT s.*, nextval(%6$L::regclass) AS row_id, CASE WHEN s.%3$I IS NULL THEN NULL WHEN NOT is_empty(s.%3$I) THEN bbox(s.%3$I) END AS box FROM %2$s s), '
+    'copies AS (INSERT INTO %4$I.%5$I (%1$s, row_id, tile, home, born, stamp) SELECT %1$s, row_id, t.tile, t.tile = algebra3d_shard_home_of(box, $1), t.generation, $4 '
+    'FROM placed, unnest(algebra3d_shard_tiles_of(box, $1, $2)) AS n(tile) JOIN algebra3d_shard_tiles t ON t.relation = $3 AND t.tile = n.tile '
+    'RETURNING home) SELECT count(*) FILTER (WHERE home) FROM copies',
+    columns, source, known.geometry, known.schema_name, known.name || '_tiles', format('%I.%I', known.schema_name, known.name || '_row_id'))
+    INTO loaded USING known.grid, known.reach, known.relation, nextval(format('%I.%I', known.schema_name, known.name || '_row_id')::regclass);
+  -- Without statistics a server does not know that sending its count is cheaper than sending its rows.
+  PERFORM algebra3d_shard_execute(t.server, format('ANALYZE %I.%I', known.schema_name, known.name || '_' || t.tile))
+    FROM algebra3d_shard_tiles t WHERE t.relation = known.relation ORDER BY t.tile;
+  RETURN loaded;
+END $$;
+COMMENT ON FUNCTION algebra3d_shard_load(text, regclass) IS 'Copies the rows of a table with the same columns into the tiles, in this transaction; the number of rows.';
+
+---- Set-up ----
+
+-- The foreign tables for what the coordinator asks a server itself.
+CREATE FUNCTION algebra3d_shard_server(server name) RETURNS void LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  options text[] := (SELECT srvoptions FROM pg_foreign_server WHERE srvname = server);
+  extensions text := coalesce((SELECT option_value FROM pg_options_to_table(options) WHERE option_name = 'extensions'), '');
+  wanted text := array_to_string(ARRAY(SELECT DISTINCT trim(e) FROM unnest(string_to_array(extensions, ',') || '{algebra3d,algebra3d_shards}') e
+                                       WHERE trim(e) <> '' ORDER BY 1), ',');
+  setting record;
+  helper record;
+BEGIN
+  IF NOT EXISTS (SELECT FROM pg_foreign_server s JOIN pg_foreign_data_wrapper w ON w.oid = s.srvfdw
+                 WHERE s.srvname = server AND w.fdwname = 'postgres_fdw') THEN
+    RAISE 'no server % of postgres_fdw', server USING ERRCODE = 'undefined_object',
+      HINT = format('CREATE SERVER %I FOREIGN DATA WRAPPER postgres_fdw OPTIONS (host ..., dbname ...); CREATE USER MAPPING FOR ... SERVER %I', server, server);
+  END IF;
+  IF length('algebra3d_generations_' || server) > 63 THEN
+    RAISE 'the name of server % has more than 41 characters', server USING ERRCODE = 'name_too_long';
+  END IF;
+  FOR setting IN VALUES ('extensions', wanted), ('async_capable', 'true'), ('use_remote_estimate', 'true'), ('fdw_tuple_cost', '10') LOOP
+    IF EXISTS (SELECT FROM pg_options_to_table(options) WHERE option_name = setting.column1 AND option_value = setting.column2) THEN
+      CONTINUE;
+    END IF;
+    EXECUTE format('ALTER SERVER %I OPTIONS (%s %s %L)', server,
+      CASE WHEN EXISTS (SELECT FROM pg_options_to_table(options) WHERE option_name = setting.column1) THEN 'SET' ELSE 'ADD' END,
+      setting.column1, setting.column2);
+  END LOOP;
+  FOR helper IN VALUES
+    ('generations', 'relation text, tile integer, generation bigint', '@extschema@', 'algebra3d_shard_generations'),
+    ('statements', 'statement text', '@extschema@', 'algebra3d_shard_statements'),
+    ('extensions', 'extname name, extversion text', 'pg_catalog', 'pg_extension'),
+    ('tables', 'schemaname name, tablename name', 'pg_catalog', 'pg_tables') LOOP
+    EXECUTE format('CREATE FOREIGN TABLE IF NOT EXISTS %I (%s) SERVER %I OPTIONS (schema_name %L, table_name %L, use_remote_estimate ''false'')',
+      'algebra3d_' || helper.column1 || '_' || server, helper.column2, server, helper.column3, helper.column4);
+  END LOOP;
+END $$;
+
+-- Runs a statement on a server, in the present transaction.
+CREATE FUNCTION algebra3d_shard_execute(server name, statement text) RETURNS void LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp SET client_min_messages = warning AS $$
+BEGIN
+  EXECUTE format('INSERT INTO %I VALUES ($1)', 'algebra3d_statements_' || server) USING statement;
+END $$;
+
+-- The columns of a table, "name" type [NOT NULL], but for those that are generated.
+CREATE FUNCTION algebra3d_shard_columns(source regclass) RETURNS TABLE (name name, definition text, type text) LANGUAGE SQL STABLE
+SET search_path = pg_catalog, pg_temp AS $$
+  SELECT attname, pg_catalog.format('%I %s', attname, pg_catalog.format_type(atttypid, atttypmod)) ||
+           CASE WHEN attnotnull THEN ' NOT NULL' ELSE '' END,
+         (SELECT t.typname::text FROM pg_catalog.pg_type t WHERE t.oid = atttypid AND t.typnamespace = '@extschema@'::regnamespace)
+  FROM pg_catalog.pg_attribute WHERE attrelid = source AND attnum > 0 AND NOT attisdropped AND attgenerated = '' ORDER BY attnum
+$$;
+
+-- The columns of a tile that the extension adds.
+CREATE FUNCTION algebra3d_shard_added_columns(geometry name, type text) RETURNS text LANGUAGE SQL IMMUTABLE RETURN
+  format('row_id bigint NOT NULL, tile integer NOT NULL, home boolean NOT NULL, born bigint NOT NULL, died bigint, stamp bigint NOT NULL, '
+         'box @extschema@.rect3 GENERATED ALWAYS AS (CASE WHEN %1$I IS NULL THEN NULL WHEN NOT @extschema@.is_empty(%1$I) THEN @extschema@.bbox(%1$I) END) STORED', geometry) ||
+  CASE WHEN type IN ('volume3d', 'surface3d', 'points3d', 'mesh3d') THEN
+    format(', size bigint GENERATED ALWAYS AS (@extschema@.size(%I)) STORED', geometry) ELSE '' END ||
+  CASE WHEN type = 'volume3d' THEN format(', volume float8 GENERATED ALWAYS AS (@extschema@.volume(%I)) STORED', geometry) ELSE '' END ||
+  CASE WHEN type IN ('volume3d', 'surface3d') THEN format(', area float8 GENERATED ALWAYS AS (@extschema@.area(%I)) STORED', geometry) ELSE '' END;
+
+-- What makes a tile on its server.
+CREATE FUNCTION algebra3d_shard_tile_script(known algebra3d_shard_relations, tile integer, definitions text) RETURNS text LANGUAGE SQL STABLE
+RETURN pg_catalog.format('CREATE SCHEMA IF NOT EXISTS %1$I; DROP TABLE IF EXISTS %1$I.%2$I; '
+  'CREATE TABLE %1$I.%2$I (%4$s, CHECK (tile = %3$s), PRIMARY KEY (row_id, stamp)); CREATE INDEX ON %1$I.%2$I USING gist (%5$I); '
+  'DELETE FROM @extschema@.algebra3d_shard_generations WHERE relation = %6$L AND tile = %3$s; '
+  'INSERT INTO @extschema@.algebra3d_shard_generations VALUES (%6$L, %3$s, 0)',
+  known.schema_name, known.name || '_' || tile, tile, definitions, known.geometry, known.relation);
+
+-- The k nearest rows of a relation, whose row type the first argument has: of its own tile to bound the distance, then of
+-- each tile within that the k nearest. Foreign tables are named themselves: LIMIT is not sent for the one part of another.
+CREATE FUNCTION algebra3d_shard_near(row_type anyelement, relation text, place point3d, k integer) RETURNS SETOF anyelement LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+  columns text := (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c) || ', row_id';
+  radius float8;
+  box rect3;
+  tiles integer[] := ARRAY(SELECT generate_series(0, tile_count(known.grid) - 1));
+BEGIN
+  IF k IS NULL OR k < 1 OR place IS NULL THEN
+    RETURN;
+  END IF;
+  EXECUTE format('SELECT max(d) FROM (SELECT %1$I <-> $1 AS d FROM %2$I.%3$I WHERE died IS NULL AND box IS NOT NULL '
+                 'ORDER BY %1$I <-> $1 LIMIT %4$s) q HAVING count(*) = %4$s', known.geometry, known.schema_name, known.name || '_' || tile_of(place, known.grid), k) INTO radius USING place;
+  IF radius IS NOT NULL THEN
+    -- More than the distance was rounded by.
+    radius := radius * (1 + 1e-12) + 1e-300;
+    box := enlarge_rect(bbox(place), radius, radius, radius);
+    tiles := tiles_of(box, known.grid);
+  END IF;
+  PERFORM algebra3d_shard_ready(known.relation, tiles);
+  RETURN QUERY EXECUTE format('SELECT * FROM (%s) q ORDER BY %I <-> $1, row_id LIMIT %s', (SELECT string_agg(format('(SELECT %1$s FROM %2$I.%3$I WHERE died IS NULL AND box IS NOT NULL AND '
+      'CASE WHEN $2 IS NULL THEN home ELSE is_pair_tile(tile, box, $2, %4$L::grid) END ORDER BY %5$I <-> $1 LIMIT %6$s)',
+      columns, known.schema_name, known.name || '_' || tile, known.grid, known.geometry, k), ' UNION ALL ') FROM unnest(tiles) tile), known.geometry, k) USING place, box;
+END $$;
+
+-- Functions of a relation that know its tiles.
+CREATE FUNCTION algebra3d_shard_functions(known algebra3d_shard_relations) RETURNS void LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  statement text;
+BEGIN
+  FOREACH statement IN ARRAY ARRAY[
+    'CREATE OR REPLACE FUNCTION %1$I.%7$I(box rect3) RETURNS SETOF %1$I.%2$I LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
+    'SELECT %4$s, row_id FROM %1$I.%3$I WHERE tile = ANY (tiles_of($1, %5$L::grid)) AND died IS NULL AND %3$I.%6$I && $1 '
+    'AND is_pair_tile(tile, %3$I.box, $1, %5$L::grid) AND tile > (SELECT algebra3d_shard_ready(%12$L, tiles_of($1, %5$L::grid))); END',
+    'CREATE OR REPLACE FUNCTION %1$I.%8$I(box rect3 DEFAULT NULL) RETURNS bigint LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
+    'SELECT coalesce(sum(n), 0)::bigint FROM (SELECT tile, count(*) AS n FROM %1$I.%3$I WHERE died IS NULL AND '
+    'CASE WHEN $1 IS NULL THEN home ELSE %3$I.%6$I && $1 AND is_pair_tile(tile, %3$I.box, $1, %5$L::grid) END '
+    'AND tile = ANY (CASE WHEN $1 IS NULL THEN %13$L::integer[] ELSE tiles_of($1, %5$L::grid) END) '
+    'AND tile > (SELECT algebra3d_shard_ready(%12$L, tiles_of($1, %5$L::grid))) GROUP BY tile) q; END',
+    'CREATE OR REPLACE FUNCTION %1$I.%9$I() RETURNS rect3 LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
+    'SELECT extent(b) FROM (SELECT tile, extent(%3$I.box) AS b FROM %1$I.%3$I WHERE died IS NULL '
+    'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END'] ||
+    CASE WHEN known.geometry_type = 'volume3d' THEN ARRAY[
+    'CREATE OR REPLACE FUNCTION %1$I.%10$I() RETURNS float8 LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
+    'SELECT coalesce(sum(v), 0) FROM (SELECT tile, sum(volume) AS v FROM %1$I.%3$I WHERE home AND died IS NULL '
+    'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END',
+    'CREATE OR REPLACE FUNCTION %1$I.%11$I() RETURNS volume3d LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
+    'SELECT union_agg(u) FROM (SELECT tile, union_agg(%6$I) AS u FROM %1$I.%3$I WHERE died IS NULL '
+    'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END'] ELSE '{}' END ||
+    ARRAY[
+    'CREATE OR REPLACE FUNCTION %1$I.%14$I(place point3d, k integer) RETURNS SETOF %1$I.%2$I LANGUAGE SQL VOLATILE BEGIN ATOMIC '
+    'SELECT n.* FROM algebra3d_shard_near(NULL::%1$I.%2$I, %12$L, $1, $2) n; END']
+  LOOP
+    EXECUTE format(statement, known.schema_name, known.name, known.name || '_tiles',
+      (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c), known.grid, known.geometry,
+      known.name || '_window', known.name || '_count', known.name || '_extent', known.name || '_volume', known.name || '_union',
+      known.relation, (SELECT array_agg(i) FROM generate_series(0, tile_count(known.grid) - 1) i), known.name || '_near');
+  END LOOP;
+END $$;
+
+CREATE FUNCTION algebra3d_shard_create(relation text, grid grid, servers text[], reach float8 DEFAULT 0) RETURNS bigint LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp SET client_min_messages = warning AS $$
+DECLARE
+  source regclass;
+  known algebra3d_shard_relations;
+  definitions text;
+  bytes float8;
+  loaded bigint;
+  rows integer;
+  taken name;
+  shard text;
+BEGIN
+  SELECT c.oid::regclass, n.nspname, c.relname INTO source, known.schema_name, known.name
+    FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace WHERE c.oid = to_regclass(
+      CASE WHEN cardinality(parse_ident(relation)) = 1 THEN format('%I.%s', coalesce(
+        (SELECT n.nspname FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace WHERE c.relname = (parse_ident(relation))[1]
+         AND c.relkind = 'r' AND n.nspname !~ '^pg_' ORDER BY n.nspname = 'public' DESC LIMIT 1), 'public'), relation) ELSE relation END)
+      AND c.relkind = 'r';
+  IF source IS NULL THEN
+    RAISE 'no table %, whose columns and rows the tiles are to have', relation USING ERRCODE = 'undefined_table';
+  END IF;
+  IF cardinality(servers) IS NULL OR cardinality(servers) = 0 OR array_position(servers, NULL) IS NOT NULL THEN
+    RAISE 'no servers, expected at least one' USING ERRCODE = 'invalid_parameter_value';
+  END IF;
+  IF NOT (reach >= 0 AND reach < 'infinity') THEN
+    RAISE 'a reach of %, expected a distance from 0', reach USING ERRCODE = 'invalid_parameter_value';
+  END IF;
+  known.relation := format('%I.%I', known.schema_name, known.name);
+  known.grid := grid;
+  known.reach := reach;
+  SELECT c.name, c.type INTO known.geometry, known.geometry_type FROM algebra3d_shard_columns(source) c
+    WHERE c.type IN ('volume3d', 'surface3d', 'points3d', 'point3d', 'mesh3d') LIMIT 1;
+  IF NOT FOUND THEN
+    RAISE 'table % has no column of a type in space', known.relation USING ERRCODE = 'datatype_mismatch';
+  END IF;
+  SELECT array_agg(c.name), string_agg(c.definition, ', ') INTO known.columns, definitions FROM algebra3d_shard_columns(source) c;
+  SELECT c INTO taken FROM unnest(known.columns) c WHERE c IN ('row_id', 'tile', 'home', 'born', 'died', 'stamp', 'box', 'size', 'volume', 'area') LIMIT 1;
+  IF FOUND THEN
+    RAISE 'column % of % has a name that tiles need', taken, known.relation USING ERRCODE = 'duplicate_column',
+      HINT = 'row_id, tile, home, born, died, stamp, box, size, volume and area are added to each tile.';
+  END IF;
+  INSERT INTO algebra3d_shard_relations VALUES (known.*);
+  INSERT INTO algebra3d_shard_tiles (relation, tile, server)
+    SELECT known.relation, i, servers[i % cardinality(servers) + 1] FROM generate_series(0, tile_count(grid) - 1) i;
+  -- Tiles of one number lie on one server in all relations of a grid: what was decided for the first one holds.
+  UPDATE algebra3d_shard_tiles t SET server = o.server FROM algebra3d_shard_tiles o JOIN algebra3d_shard_relations r ON r.relation = o.relation
+    WHERE t.relation = known.relation AND o.relation <> known.relation AND r.grid::text = known.grid::text AND o.tile = t.tile;
+
+  EXECUTE format('ALTER TABLE %s RENAME TO %I', source, known.name || '_local');
+  EXECUTE format('CREATE SEQUENCE %I.%I', known.schema_name, known.name || '_row_id');
+  definitions := definitions || ', ' || algebra3d_shard_added_columns(known.geometry, known.geometry_type);
+  EXECUTE format('CREATE TABLE %I.%I (%s) PARTITION BY LIST (tile)', known.schema_name, known.name || '_tiles', definitions);
+  EXECUTE format('SELECT avg(pg_column_size(%I)) FROM (SELECT %1$I FROM %s LIMIT 1000) q', known.geometry, source) INTO bytes;
+  -- Some 8 MB of rows at a time.
+  rows := greatest(10, least(10000, 8e6 / greatest(coalesce(bytes, 4000), 100)))::integer;
+  FOR shard IN SELECT DISTINCT server FROM algebra3d_shard_tiles t WHERE t.relation = known.relation ORDER BY 1 LOOP
+    PERFORM algebra3d_shard_server(shard);
+  END LOOP;
+  FOR i IN 0 .. tile_count(grid) - 1 LOOP
+    SELECT t.server INTO shard FROM algebra3d_shard_tiles t WHERE t.relation = known.relation AND t.tile = i;
+    PERFORM algebra3d_shard_execute(shard, algebra3d_shard_tile_script(known, i, definitions));
+    EXECUTE format('CREATE FOREIGN TABLE %1$I.%2$I PARTITION OF %1$I.%3$I FOR VALUES IN (%4$s) SERVER %5$I '
+                   'OPTIONS (schema_name %1$L, table_name %2$L, fetch_size ''%6$s'', batch_size ''%6$s'')',
+                   known.schema_name, known.name || '_' || i, known.name || '_tiles', i, shard, rows);
+  END LOOP;
+  EXECUTE format('CREATE VIEW %1$I.%2$I AS SELECT %3$s, row_id FROM %1$I.%4$I WHERE home AND died IS NULL AND tile > (SELECT algebra3d_shard_ready(%5$L))',
+    known.schema_name, known.name, (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c), known.name || '_tiles', known.relation);
+  EXECUTE format('CREATE TRIGGER stamp BEFORE INSERT OR UPDATE OR DELETE ON %I.%I FOR EACH STATEMENT EXECUTE FUNCTION algebra3d_shard_stamp(%L)',
+    known.schema_name, known.name, format('%I.%I', known.schema_name, known.name || '_row_id'));
+  EXECUTE format('CREATE TRIGGER write INSTEAD OF INSERT OR UPDATE OR DELETE ON %I.%I FOR EACH ROW EXECUTE FUNCTION algebra3d_shard_write(%L)',
+    known.schema_name, known.name, known.relation);
+  PERFORM algebra3d_shard_functions(known);
+  EXECUTE format('ALTER DATABASE %I SET enable_partitionwise_join = on', current_database());
+  EXECUTE format('ALTER DATABASE %I SET enable_partitionwise_aggregate = on', current_database());
+  loaded := algebra3d_shard_load(known.relation, source);
+  RETURN loaded;
+END $$;
+COMMENT ON FUNCTION algebra3d_shard_create(text, grid, text[], float8) IS 'Divides a table into the tiles of a grid, on servers of postgres_fdw in turns, and loads its rows; the number of rows. The table itself becomes R_local, and R a view over the tiles.';
+
+-- -1, or an error for a distance for which the copies do not reach.
+CREATE FUNCTION algebra3d_shard_within_reach(distance float8, reach float8) RETURNS integer LANGUAGE plpgsql IMMUTABLE AS $$
+BEGIN
+  IF distance > reach THEN
+    RAISE 'a distance of %, but the relations were divided for distances of at most %', distance, reach
+      USING ERRCODE = 'invalid_parameter_value', HINT = 'The last argument of algebra3d_shard_create is that limit.';
+  END IF;
+  RETURN -1;
+END $$;
+
+-- Joins of two relations of one grid.
+CREATE FUNCTION algebra3d_shard_join(a text, b text) RETURNS void LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  first algebra3d_shard_relations := algebra3d_shard_relation(a);
+  second algebra3d_shard_relations := algebra3d_shard_relation(b);
+  name text := first.name || '_' || second.name;
+  first_name text := CASE WHEN first.relation = second.relation THEN 'first' ELSE first.name END;
+  second_name text := CASE WHEN first.relation = second.relation THEN 'second' ELSE second.name END;
+  joined text;
+  columns text;
+  statement text;
+BEGIN
+  IF first.grid::text <> second.grid::text THEN
+    RAISE 'relations % and % have different grids', first.relation, second.relation USING ERRCODE = 'object_not_in_prerequisite_state',
+      HINT = 'Only tiles of one grid are joined on their server: divide one of them anew with the grid of the other.';
+  END IF;
+  joined := format('%1$I.%2$I a JOIN %3$I.%4$I b ON a.tile = b.tile AND a.died IS NULL AND b.died IS NULL '
+                 'AND a.tile > (SELECT algebra3d_shard_ready(%5$L)) AND b.tile > (SELECT algebra3d_shard_ready(%6$L))',
+                 first.schema_name, first.name || '_tiles', second.schema_name, second.name || '_tiles', first.relation, second.relation);
+  columns := (SELECT string_agg(format('a.%I AS %I', c, first_name || '_' || c), ', ') FROM unnest(first.columns || name 'row_id') c) || ', ' ||
+             (SELECT string_agg(format('b.%I AS %I', c, second_name || '_' || c), ', ') FROM unnest(second.columns || name 'row_id') c);
+  FOREACH statement IN ARRAY ARRAY[
+    'CREATE OR REPLACE VIEW %1$I.%2$I AS SELECT %5$s FROM %6$s AND is_pair_tile(a.tile, a.box, b.box, %9$L::grid) '
+    'AND intersects(a.%7$I, b.%8$I)',
+    'CREATE OR REPLACE VIEW %1$I.%3$I AS SELECT coalesce(sum(n), 0)::bigint AS count FROM (SELECT a.tile, count(*) AS n FROM %6$s '
+    'AND is_pair_tile(a.tile, a.box, b.box, %9$L::grid) AND intersects(a.%7$I, b.%8$I) GROUP BY a.tile) q',
+    'CREATE OR REPLACE FUNCTION %1$I.%4$I(distance float8) RETURNS SETOF %1$I.%2$I LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
+    'SELECT %5$s FROM %6$s AND within_distance(a.%7$I, b.%8$I, $1) AND is_pair_tile(a.tile, a.box, b.box, %9$L::grid, %10$L::float8) '
+    'AND a.tile > algebra3d_shard_within_reach($1, %10$L::float8); END'] LOOP
+    EXECUTE format(statement, first.schema_name, name || '_pairs', name || '_count', name || '_within', columns, joined,
+                   first.geometry, second.geometry, first.grid, least(first.reach, second.reach));
+  END LOOP;
+END $$;
+COMMENT ON FUNCTION algebra3d_shard_join(text, text) IS 'Makes the views A_B_pairs and A_B_count of the pairs that intersect, and the function A_B_within(distance).';
+
+---- Keeping ----
+
+CREATE FUNCTION algebra3d_shard_repair() RETURNS TABLE (relation text, tile integer, remedy text) LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  known @extschema@.algebra3d_shard_relations;
+  parent text;
+  other record;
+  server_name name;
+BEGIN
+  FOR known IN SELECT r.* FROM @extschema@.algebra3d_shard_relations r ORDER BY r.relation LOOP
+    -- Transactions that write end first.
+    PERFORM FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation ORDER BY t.tile FOR UPDATE;
+    parent := format('%I.%I', known.schema_name, known.name || '_tiles');
+    FOR other IN SELECT d.* FROM @extschema@.algebra3d_shard_differences(known.relation, NULL) d LOOP
+      relation := known.relation;
+      tile := other.tile;
+      IF other.there IS NULL OR other.there < other.here THEN
+        remedy := format('none: it is at generation %s, %s is known here; restore its server from a newer backup', coalesce(other.there, 0), other.here);
+        RETURN NEXT;
+        CONTINUE;
+      END IF;
+      -- What died in a generation goes with the next but one.
+      IF other.there > other.here + 1 THEN
+        remedy := format('none: it is at generation %s, %s is known here; restore the coordinator from a newer backup', other.there, other.here);
+        RETURN NEXT;
+        CONTINUE;
+      END IF;
+      EXECUTE format('UPDATE %s SET died = NULL WHERE tile = $1 AND died > $2', parent) USING other.tile, other.here;
+      EXECUTE format('DELETE FROM %s WHERE tile = $1 AND born > $2', parent) USING other.tile, other.here;
+      SELECT t.server INTO server_name FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation AND t.tile = other.tile;
+      EXECUTE format('UPDATE %s SET generation = $3 WHERE relation = $1 AND tile = $2', @extschema@.algebra3d_shard_generations_of(server_name))
+        USING known.relation, other.tile, other.here;
+      remedy := format('taken back from generation %s to %s, which was committed', other.there, other.here);
+      RETURN NEXT;
+    END LOOP;
+  END LOOP;
+END $$;
+COMMENT ON FUNCTION algebra3d_shard_repair() IS 'Takes back on each server what a transaction wrote that was not committed here, and says of which tiles.';
+
+-- Moves a tile to another server: its rows are copied while others read, then the partition is exchanged.
+CREATE PROCEDURE algebra3d_shard_move(relation text, tile integer, server name) LANGUAGE plpgsql AS $$
+DECLARE
+  known @extschema@.algebra3d_shard_relations := @extschema@.algebra3d_shard_relation(relation);
+  before name := (SELECT t.server FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation AND t.tile = $2);
+  foreign_name text := known.name || '_' || tile;
+  parent text := format('%I.%I', known.schema_name, known.name || '_tiles');
+  definitions text;
+  columns text := (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns || '{row_id,tile,home,born,died,stamp}'::name[]) c);
+  options text;
+BEGIN
+  IF before IS NULL THEN
+    RAISE '% has no tile %', known.relation, tile USING ERRCODE = 'invalid_parameter_value';
+  END IF;
+  IF before = server THEN
+    RETURN;
+  END IF;
+  SELECT string_agg(format('%I %L', option_name, option_value), ', ') INTO options FROM pg_catalog.pg_foreign_table f,
+    pg_catalog.pg_options_to_table(f.ftoptions) WHERE f.ftrelid = format('%I.%I', known.schema_name, foreign_name)::regclass;
+  PERFORM pg_catalog.pg_advisory_xact_lock(pg_catalog.hashtext('algebra3d ' || known.relation), tile);
+  PERFORM @extschema@.algebra3d_shard_ready(known.relation, ARRAY[tile]);
+  PERFORM @extschema@.algebra3d_shard_server(server);
+  SELECT string_agg(c.definition, ', ') || ', ' || @extschema@.algebra3d_shard_added_columns(known.geometry, known.geometry_type) INTO definitions
+    FROM @extschema@.algebra3d_shard_columns(parent::regclass) c WHERE c.name = ANY (known.columns);
+  PERFORM @extschema@.algebra3d_shard_execute(server, @extschema@.algebra3d_shard_tile_script(known, tile, definitions));
+  EXECUTE format('CREATE FOREIGN TABLE %I.%I (%s) SERVER %I OPTIONS (%s)', known.schema_name, foreign_name || '_moving', definitions, server, options);
+  EXECUTE format('INSERT INTO %1$I.%2$I (%4$s) SELECT %4$s FROM %1$I.%3$I', known.schema_name, foreign_name || '_moving', foreign_name, columns);
+  EXECUTE format('UPDATE %s SET generation = (SELECT t.generation FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = $2) '
+                 'WHERE relation = $1 AND tile = $2', @extschema@.algebra3d_shard_generations_of(server)) USING known.relation, tile;
+  UPDATE @extschema@.algebra3d_shard_tiles t SET server = $3 WHERE t.relation = known.relation AND t.tile = $2;
+  -- Others wait for this lock as long as those do who read now: so not for long.
+  FOR attempt IN 1 .. 100 LOOP
+    BEGIN
+      PERFORM pg_catalog.set_config('lock_timeout', '500ms', true);
+      EXECUTE format('LOCK TABLE %s IN ACCESS EXCLUSIVE MODE', parent);
+      EXIT;
+    EXCEPTION WHEN lock_not_available THEN
+      IF attempt = 100 THEN
+        RAISE 'tile % of % was not moved: others read all the time', tile, known.relation USING ERRCODE = 'lock_not_available';
+      END IF;
+      PERFORM pg_catalog.pg_sleep(0.5);
+    END;
+  END LOOP;
+  EXECUTE format('DROP FOREIGN TABLE %I.%I', known.schema_name, foreign_name);
+  EXECUTE format('ALTER FOREIGN TABLE %I.%I RENAME TO %I', known.schema_name, foreign_name || '_moving', foreign_name);
+  EXECUTE format('ALTER TABLE %s ATTACH PARTITION %I.%I FOR VALUES IN (%s)', parent, known.schema_name, foreign_name, tile);
+  COMMIT;
+  -- Not before: until then the old tile is the one that counts.
+  PERFORM @extschema@.algebra3d_shard_execute(before, format('DROP TABLE %I.%I', known.schema_name, foreign_name));
+  PERFORM @extschema@.algebra3d_shard_execute(before, format(
+    'DELETE FROM @extschema@.algebra3d_shard_generations WHERE relation = %L AND tile = %s', known.relation, tile));
+END $$;
+COMMENT ON PROCEDURE algebra3d_shard_move(text, integer, name) IS 'Moves a tile to another server; who writes into it meanwhile gets an error, who reads waits a moment at most.';
+
+CREATE FUNCTION algebra3d_shard_check() RETURNS TABLE (object text, fault text, remedy text) LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  shard name;
+  one record;
+  setting text;
+BEGIN
+  FOREACH setting IN ARRAY '{enable_partitionwise_join,enable_partitionwise_aggregate}'::text[] LOOP
+    IF pg_catalog.current_setting(setting) <> 'on' THEN
+      RETURN QUERY SELECT 'database ' || current_database(), setting || ' is off: joins and counts bring all rows here',
+        format('ALTER DATABASE %I SET %s = on, and a new session', current_database(), setting);
+    END IF;
+  END LOOP;
+  FOR shard IN SELECT DISTINCT t.server FROM @extschema@.algebra3d_shard_tiles t ORDER BY 1 LOOP
+    FOR one IN SELECT w.name, w.value, o.option_value AS found FROM (VALUES ('async_capable', 'true'), ('use_remote_estimate', 'true'),
+        ('extensions', 'algebra3d')) w(name, value) LEFT JOIN (SELECT (pg_catalog.pg_options_to_table(s.srvoptions)).* FROM pg_catalog.pg_foreign_server s
+        WHERE s.srvname = shard) o ON o.option_name = w.name LOOP
+      IF one.found IS NULL OR (one.name = 'extensions' AND NOT ('{algebra3d,algebra3d_shards}' <@ regexp_split_to_array(one.found, '\s*,\s*'))) OR
+         (one.name <> 'extensions' AND one.found <> one.value) THEN
+        RETURN QUERY SELECT 'server ' || shard, format('option %s is %s', one.name, coalesce(one.found, 'missing')),
+          format('SELECT algebra3d_shard_server(%L)', shard);
+      END IF;
+    END LOOP;
+    BEGIN
+      FOR one IN EXECUTE format('SELECT h.extname, h.extversion AS here, t.extversion AS there FROM pg_catalog.pg_extension h LEFT JOIN %I.%I t USING (extname) '
+          'WHERE h.extname IN (''algebra3d'', ''algebra3d_shards'') AND h.extversion IS DISTINCT FROM t.extversion', '@extschema@', 'algebra3d_extensions_' || shard) LOOP
+        RETURN QUERY SELECT 'server ' || shard, format('extension %s is %s there, %s here', one.extname, coalesce(one.there, 'missing'), one.here),
+          'ALTER EXTENSION ... UPDATE on the older one';
+      END LOOP;
+      FOR one IN EXECUTE format('SELECT t.schemaname, t.tablename, r.relation, (pg_catalog.regexp_match(t.tablename, ''_(\d+)$''))[1]::integer AS tile '
+          'FROM %I.%I t JOIN @extschema@.algebra3d_shard_relations r ON r.schema_name = t.schemaname AND t.tablename ~ (''^'' || r.name || ''_\d+$'') '
+          'WHERE NOT EXISTS (SELECT FROM @extschema@.algebra3d_shard_tiles s WHERE s.relation = r.relation AND s.server = $1 '
+          'AND t.tablename = r.name || ''_'' || s.tile)', '@extschema@', 'algebra3d_tables_' || shard) USING shard LOOP
+        -- Servers may name one database.
+        CONTINUE WHEN EXISTS (SELECT FROM @extschema@.algebra3d_shard_tiles s JOIN pg_catalog.pg_foreign_server f ON f.srvname = s.server,
+          pg_catalog.pg_foreign_server own WHERE own.srvname = shard AND s.relation = one.relation AND s.tile = one.tile AND
+          (SELECT array_agg(o ORDER BY o) FROM unnest(f.srvoptions) o WHERE o ~ '^(host|hostaddr|port|dbname)=') IS NOT DISTINCT FROM
+          (SELECT array_agg(o ORDER BY o) FROM unnest(own.srvoptions) o WHERE o ~ '^(host|hostaddr|port|dbname)='));
+        RETURN QUERY SELECT format('server %s, table %I.%I', shard, one.schemaname, one.tablename), 'a tile that lies elsewhere now',
+          format('SELECT algebra3d_shard_execute(%L, %L)', shard, format('DROP TABLE %I.%I', one.schemaname, one.tablename));
+      END LOOP;
+    EXCEPTION WHEN OTHERS THEN
+      RETURN QUERY SELECT 'server ' || shard, SQLERRM, 'start it, and see its options and user mapping'::text;
+      CONTINUE;
+    END;
+  END LOOP;
+  FOR one IN SELECT r.relation, d.*, t.server FROM @extschema@.algebra3d_shard_relations r JOIN @extschema@.algebra3d_shard_tiles t USING (relation),
+      LATERAL (SELECT NULL::bigint AS here) d WHERE pg_catalog.to_regclass(format('%I.%I', r.schema_name, r.name || '_' || t.tile)) IS NULL LOOP
+    RETURN QUERY SELECT format('relation %s', one.relation), 'a tile has no foreign table', 'restore the catalogue of the coordinator'::text;
+  END LOOP;
+  FOR one IN SELECT s.place, count(*) AS n, min(s.name) AS name, max(s.name) AS other FROM (
+      SELECT c.relname AS name, f.ftserver::text || (SELECT string_agg(o, ',' ORDER BY o) FROM unnest(f.ftoptions) o WHERE o ~ '^(schema_name|table_name)=') AS place
+      FROM pg_catalog.pg_foreign_table f JOIN pg_catalog.pg_class c ON c.oid = f.ftrelid JOIN pg_catalog.pg_inherits i ON i.inhrelid = c.oid) s
+      GROUP BY s.place HAVING count(*) > 1 LOOP
+    RETURN QUERY SELECT format('partitions %s and %s', one.name, one.other), 'are one table on their server: its rows count twice',
+      'give each partition a table of its own'::text;
+  END LOOP;
+  FOR one IN SELECT r.relation, t.tile, t.server FROM @extschema@.algebra3d_shard_relations r JOIN @extschema@.algebra3d_shard_tiles t USING (relation)
+      JOIN pg_catalog.pg_foreign_table f ON f.ftrelid = pg_catalog.to_regclass(format('%I.%I', r.schema_name, r.name || '_' || t.tile))
+      JOIN pg_catalog.pg_foreign_server s ON s.oid = f.ftserver WHERE s.srvname <> t.server LOOP
+    RETURN QUERY SELECT format('relation %s, tile %s', one.relation, one.tile), 'its foreign table names another server than ' || one.server,
+      'ALTER the foreign table, or algebra3d_shard_tiles'::text;
+  END LOOP;
+  FOR one IN SELECT r.relation FROM @extschema@.algebra3d_shard_relations r ORDER BY 1 LOOP
+    BEGIN
+      RETURN QUERY SELECT format('relation %s, tile %s', one.relation, d.tile), format('generation %s on its server, %s here', coalesce(d.there::text, 'none'), d.here),
+        CASE WHEN d.there = d.here + 1 THEN 'SELECT * FROM algebra3d_shard_repair()' WHEN d.there > d.here THEN 'restore the coordinator from a newer backup' ELSE 'restore its server from a newer backup' END
+        FROM @extschema@.algebra3d_shard_differences(one.relation, NULL) d;
+    EXCEPTION WHEN OTHERS THEN
+      NULL;  -- a server that is down was named above
+    END;
+  END LOOP;
+END $$;
+COMMENT ON FUNCTION algebra3d_shard_check() IS 'What is wrong with relations over several servers, and what helps; no rows if nothing is.';
