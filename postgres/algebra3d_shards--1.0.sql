@@ -289,7 +289,7 @@ BEGIN
   IF length('algebra3d_generations_' || server) > 63 THEN
     RAISE 'the name of server % has more than 41 characters', server USING ERRCODE = 'name_too_long';
   END IF;
-  FOR setting IN VALUES ('extensions', wanted), ('async_capable', 'true'), ('use_remote_estimate', 'true'), ('fdw_tuple_cost', '10') LOOP
+  FOR setting IN VALUES ('extensions', wanted), ('async_capable', 'true'), ('fdw_tuple_cost', '10') LOOP
     IF EXISTS (SELECT FROM pg_options_to_table(options) WHERE option_name = setting.column1 AND option_value = setting.column2) THEN
       CONTINUE;
     END IF;
@@ -302,7 +302,7 @@ BEGIN
     ('statements', 'statement text', '@extschema@', 'algebra3d_shard_statements'),
     ('extensions', 'extname name, extversion text', 'pg_catalog', 'pg_extension'),
     ('tables', 'schemaname name, tablename name', 'pg_catalog', 'pg_tables') LOOP
-    EXECUTE format('CREATE FOREIGN TABLE IF NOT EXISTS %I (%s) SERVER %I OPTIONS (schema_name %L, table_name %L, use_remote_estimate ''false'')',
+    EXECUTE format('CREATE FOREIGN TABLE IF NOT EXISTS %I (%s) SERVER %I OPTIONS (schema_name %L, table_name %L)',
       'algebra3d_' || helper.column1 || '_' || server, helper.column2, server, helper.column3, helper.column4);
   END LOOP;
 END $$;
@@ -469,7 +469,7 @@ BEGIN
                    'OPTIONS (schema_name %1$L, table_name %2$L, fetch_size ''%6$s'', batch_size ''%6$s'')',
                    known.schema_name, known.name || '_' || i, known.name || '_tiles', i, shard, rows);
   END LOOP;
-  EXECUTE format('CREATE VIEW %1$I.%2$I AS SELECT %3$s, row_id FROM %1$I.%4$I WHERE home AND died IS NULL AND tile > (SELECT algebra3d_shard_ready(%5$L))',
+  EXECUTE format('CREATE VIEW %1$I.%2$I WITH (security_invoker = true) AS SELECT %3$s, row_id FROM %1$I.%4$I WHERE home AND died IS NULL AND tile > (SELECT algebra3d_shard_ready(%5$L))',
     known.schema_name, known.name, (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c), known.name || '_tiles', known.relation);
   EXECUTE format('CREATE TRIGGER stamp BEFORE INSERT OR UPDATE OR DELETE ON %I.%I FOR EACH STATEMENT EXECUTE FUNCTION algebra3d_shard_stamp(%L)',
     known.schema_name, known.name, format('%I.%I', known.schema_name, known.name || '_row_id'));
@@ -516,9 +516,9 @@ BEGIN
   columns := (SELECT string_agg(format('a.%I AS %I', c, first_name || '_' || c), ', ') FROM unnest(first.columns || name 'row_id') c) || ', ' ||
              (SELECT string_agg(format('b.%I AS %I', c, second_name || '_' || c), ', ') FROM unnest(second.columns || name 'row_id') c);
   FOREACH statement IN ARRAY ARRAY[
-    'CREATE OR REPLACE VIEW %1$I.%2$I AS SELECT %5$s FROM %6$s AND is_pair_tile(a.tile, a.box, b.box, %9$L::grid) '
+    'CREATE OR REPLACE VIEW %1$I.%2$I WITH (security_invoker = true) AS SELECT %5$s FROM %6$s AND is_pair_tile(a.tile, a.box, b.box, %9$L::grid) '
     'AND intersects(a.%7$I, b.%8$I)',
-    'CREATE OR REPLACE VIEW %1$I.%3$I AS SELECT coalesce(sum(n), 0)::bigint AS count FROM (SELECT a.tile, count(*) AS n FROM %6$s '
+    'CREATE OR REPLACE VIEW %1$I.%3$I WITH (security_invoker = true) AS SELECT coalesce(sum(n), 0)::bigint AS count FROM (SELECT a.tile, count(*) AS n FROM %6$s '
     'AND is_pair_tile(a.tile, a.box, b.box, %9$L::grid) AND intersects(a.%7$I, b.%8$I) GROUP BY a.tile) q',
     'CREATE OR REPLACE FUNCTION %1$I.%4$I(distance float8) RETURNS SETOF %1$I.%2$I LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
     'SELECT %5$s FROM %6$s AND within_distance(a.%7$I, b.%8$I, $1) AND is_pair_tile(a.tile, a.box, b.box, %9$L::grid, %10$L::float8) '
@@ -530,6 +530,25 @@ END $$;
 COMMENT ON FUNCTION algebra3d_shard_join(text, text) IS 'Makes the views A_B_pairs and A_B_count of the pairs that intersect, and the function A_B_within(distance).';
 
 ---- Keeping ----
+
+CREATE FUNCTION algebra3d_shard_grant(relation text, role name, writes boolean DEFAULT false) RETURNS void LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+  rights text := CASE WHEN writes THEN 'SELECT, INSERT, UPDATE, DELETE' ELSE 'SELECT' END;
+  one record;
+BEGIN
+  EXECUTE format('GRANT %s ON %I.%I, %2$I.%4$I TO %5$I', rights, known.schema_name, known.name, known.name || '_tiles', role);
+  FOR one IN SELECT t.tile, t.server FROM algebra3d_shard_tiles t WHERE t.relation = known.relation LOOP
+    EXECUTE format('GRANT %s ON %I.%I TO %I', rights, known.schema_name, known.name || '_' || one.tile, role);
+    EXECUTE format('GRANT %s ON %s TO %I', CASE WHEN writes THEN 'SELECT, UPDATE' ELSE 'SELECT' END, algebra3d_shard_generations_of(one.server), role);
+  END LOOP;
+  IF writes THEN
+    EXECUTE format('GRANT UPDATE ON algebra3d_shard_tiles TO %I', role);
+    EXECUTE format('GRANT USAGE ON SEQUENCE %I.%I TO %I', known.schema_name, known.name || '_row_id', role);
+  END IF;
+END $$;
+COMMENT ON FUNCTION algebra3d_shard_grant(text, name, boolean) IS 'Lets a role read a relation over several servers here, or write it, too; on the servers the rights are those of its user mapping.';
 
 CREATE FUNCTION algebra3d_shard_repair() RETURNS TABLE (relation text, tile integer, remedy text) LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
@@ -635,8 +654,7 @@ BEGIN
     END IF;
   END LOOP;
   FOR shard IN SELECT DISTINCT t.server FROM @extschema@.algebra3d_shard_tiles t ORDER BY 1 LOOP
-    FOR one IN SELECT w.name, w.value, o.option_value AS found FROM (VALUES ('async_capable', 'true'), ('use_remote_estimate', 'true'),
-        ('extensions', 'algebra3d')) w(name, value) LEFT JOIN (SELECT (pg_catalog.pg_options_to_table(s.srvoptions)).* FROM pg_catalog.pg_foreign_server s
+    FOR one IN SELECT w.name, w.value, o.option_value AS found FROM (VALUES ('async_capable', 'true'), ('extensions', 'algebra3d')) w(name, value) LEFT JOIN (SELECT (pg_catalog.pg_options_to_table(s.srvoptions)).* FROM pg_catalog.pg_foreign_server s
         WHERE s.srvname = shard) o ON o.option_name = w.name LOOP
       IF one.found IS NULL OR (one.name = 'extensions' AND NOT ('{algebra3d,algebra3d_shards}' <@ regexp_split_to_array(one.found, '\s*,\s*'))) OR
          (one.name <> 'extensions' AND one.found <> one.value) THEN
