@@ -293,9 +293,29 @@ Datum text_of_value(FunctionCallInfo fcinfo, const char* type) {
 
 /* ---- Boxes ---- */
 
+/* A box, or a point of doubles (docs/file_format.md), without making a value of it. */
+static bool is_plain_box(Datum datum, const char* type, a3d_header* result) {
+  struct varlena* bytes;
+  double numbers[6];
+  const bool is_box = strcmp(type, "rect3") == 0;
+  if (!is_box && strcmp(type, "point3d") != 0) return false;
+  bytes = PG_DETOAST_DATUM_PACKED(datum);
+  if (VARSIZE_ANY_EXHDR(bytes) != (is_box ? 6 : 3) * sizeof(double) + (is_box ? 0 : 1)) return false;
+  if (!is_box && *VARDATA_ANY(bytes) != 0) return false;
+  memcpy(numbers, VARDATA_ANY(bytes) + (is_box ? 0 : 1), (is_box ? 6 : 3) * sizeof(double));
+  for (int axis = 0; axis < 3; ++axis) {
+    result->min[axis] = numbers[is_box ? 2 * axis : axis];
+    result->max[axis] = numbers[is_box ? 2 * axis + 1 : axis];
+  }
+  result->count = 1;
+  return true;
+}
+
 a3d_header header_of_datum(Datum datum, const char* type) {
   a3d_header result;
-  const a3d_value* value = is_stored_short(type) ? value_of_datum(datum, type) : expanded_value(datum);
+  const a3d_value* value;
+  if (is_plain_box(datum, type, &result)) return result;
+  value = is_stored_short(type) ? value_of_datum(datum, type) : expanded_value(datum);
   if (value != NULL) {
     check_status(a3d_header_of(backend_session(), value, &result));
   } else {
