@@ -53,8 +53,8 @@ Datum compress_value(FunctionCallInfo fcinfo, const char* type) {
 
 /* ---- Searching ---- */
 
-/* The box of the query, which is the same for many entries: known again by its first bytes, which are the whole of a small
- * value, or have the box and a checksum, or are the number of a value in a TOAST table. */
+/* The box of the query, which is the same for many entries: known again by its first bytes, which are the whole of a
+ * small value, or have the box and a checksum, or are the number of a value in a TOAST table. */
 #define BYTES_OF_QUERY 112
 typedef struct KnownQuery {
   Oid subtype;
@@ -97,8 +97,9 @@ Datum is_consistent(FunctionCallInfo fcinfo, const char* type) {
   *recheck = true;
   switch (strategy) {
     case STRATEGY_MEETS:
-      *recheck = !meets_surely(key, box);
-      PG_RETURN_BOOL(may_meet(key, box));
+      if (!may_meet(key, box)) PG_RETURN_BOOL(false);
+      if (GIST_LEAF(entry)) *recheck = !meets_surely(key, box);
+      PG_RETURN_BOOL(true);
     case STRATEGY_ENCLOSES:
       PG_RETURN_BOOL(may_enclose(key, box));
     case STRATEGY_IS_INSIDE:

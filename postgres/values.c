@@ -83,7 +83,7 @@ static bool is_large(const a3d_value* value) {
 
 /* ---- Plain values ---- */
 
-a3d_value* value_of_datum(Datum datum, const char* type) {
+static a3d_value* argument(Datum datum, const char* type, bool is_of_pair) {
   a3d_session* session = backend_session();
   a3d_value* result = NULL;
   if (strcmp(type, "int") == 0) {
@@ -102,9 +102,17 @@ a3d_value* value_of_datum(Datum datum, const char* type) {
     check_status(a3d_make_bytes(session, VARDATA_ANY(given), VARSIZE_ANY_EXHDR(given), &result));
   } else {
     result = expanded_value(datum);
-    return result != NULL ? result : kept_value(datum, type);
+    return result != NULL ? result : kept_value(datum, type, is_of_pair);
   }
   return owned_value(result);
+}
+
+a3d_value* value_of_datum(Datum datum, const char* type) {
+  return argument(datum, type, false);
+}
+
+a3d_value* value_of_pair(Datum datum, const char* type) {
+  return argument(datum, type, true);
 }
 
 /* A copy of bytes that the library made, which are freed, behind so many bytes of room. */
@@ -384,8 +392,8 @@ static a3d_status hash(void* given) {
 static int compared(FunctionCallInfo fcinfo, const char* type) {
   MemoryContext before = enter_scratch();
   Comparing comparing = {0};
-  comparing.a = value_of_datum(PG_GETARG_DATUM(0), type);
-  comparing.b = value_of_datum(PG_GETARG_DATUM(1), type);
+  comparing.a = value_of_pair(PG_GETARG_DATUM(0), type);
+  comparing.b = value_of_pair(PG_GETARG_DATUM(1), type);
   comparing.session = backend_session();
   check_status(is_large(comparing.a) && is_large(comparing.b) ? run_aside(compare, &comparing) : compare(&comparing));
   leave_scratch(before);
