@@ -57,7 +57,8 @@ class Cluster:
             file.write("\n".join(["", "listen_addresses = ''", f"unix_socket_directories = '{self.folder}'", *settings, ""]))
 
     def start(self):
-        self.run("pg_ctl", "-D", self.data, "-l", self.folder / "log", "-w", "start")
+        if self.run("pg_ctl", "-D", self.data, "-l", self.folder / "log", "-w", "start", check=False).returncode != 0:
+            raise AssertionError("the server does not start: " + (self.folder / "log").read_text()[-2000:])
 
     def stop(self, how="fast"):
         if (self.data / "postmaster.pid").exists():
