@@ -30,7 +30,7 @@ typedef struct KeptValue {
 /* Values of calls with one value are few: the row that a statement is at has them. Calls with two are conditions of
  * joins, too, in which the values of both sides come again and again: of these as many are kept as memory allows. */
 #define MOST_SINGLE_VALUES 8
-#define BUCKETS 4096
+#define BUCKETS 32768
 static KeptValue* buckets[BUCKETS];
 static dlist_head singles = DLIST_STATIC_INIT(singles), of_pairs = DLIST_STATIC_INIT(of_pairs); /* used last: first */
 static int single_count;
