@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include <pthread.h>
 
@@ -83,9 +84,33 @@ void throw_if_cancelled(bool is_cancelled) {
 
 }  // namespace
 
+namespace {
+
+/// Whether this thread does all work by itself, without oneTBB: with_threads(1).
+thread_local bool is_alone = false;
+
+class AloneScope {
+ public:
+  explicit AloneScope(bool alone) : before_(std::exchange(is_alone, alone)) {}
+  ~AloneScope() { is_alone = before_; }
+  AloneScope(const AloneScope&) = delete;
+  AloneScope& operator=(const AloneScope&) = delete;
+
+ private:
+  bool before_;
+};
+
+}  // namespace
+
 namespace scheduler_detail {
 
 void run_both(const std::function<void()>& first, const std::function<void()>& second) {
+  if (is_alone) {
+    const NearestRounding rounding;
+    first();
+    second();
+    return;
+  }
   ForkGuard::prepare();
   const auto rounding_to_nearest = [scope = detail::interruption_scope,
                                     user = MemoryUser::current()](const std::function<void()>& work) {
@@ -107,6 +132,14 @@ void run_both(const std::function<void()>& first, const std::function<void()>& s
 
 void run_ranges(std::size_t count, std::size_t grain,
                 const std::function<void(std::size_t begin, std::size_t end)>& visit) {
+  if (is_alone) {
+    const NearestRounding rounding;
+    for (std::size_t begin = 0; begin < count; begin += std::min(grain, count - begin)) {
+      poll_interruption();
+      visit(begin, begin + std::min(grain, count - begin));
+    }
+    return;
+  }
   ForkGuard::prepare();
   const auto visit_range = [&, scope = detail::interruption_scope,
                             user = MemoryUser::current()](const tbb::blocked_range<std::size_t>& range) {
@@ -130,9 +163,19 @@ void run_ranges(std::size_t count, std::size_t grain,
 }  // namespace scheduler_detail
 
 void with_threads(int threads, const std::function<void()>& work) {
+  if (threads == 1) {
+    const AloneScope alone(true);
+    work();
+    return;
+  }
   ForkGuard::prepare();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  with_workers([&] { tbb::task_arena(threads).execute(work); });
+  with_workers([&] {
+    tbb::task_arena(threads).execute([&] {
+      const AloneScope alone(false);
+      work();
+    });
+  });
 }
 
 }  // namespace algebra3d

@@ -70,7 +70,8 @@ auto parallel_collect(std::size_t count, std::size_t size, const Make& make) {
   return all;
 }
 
-/// Runs `work` with at most `threads` threads; 1 for hosts that allow no threads.
+/// Runs `work` with at most `threads` threads; 1 for hosts that allow no threads: then everything is done by this one,
+/// which costs nothing.
 void with_threads(int threads, const std::function<void()>& work);
 
 }  // namespace algebra3d

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The extension of PostgreSQL beside PostGIS with SFCGAL, in one private server (scripts/postgres) that is made for the run.
 
-Usage: bench/postgis_bench.py PROGRAM [--whole] [--rows N]
+Usage: bench/postgis_bench.py PROGRAM [--whole] [--rows N] [--only PART...]
 
 PROGRAM lies in the build whose extension is measured. Needs postgresql-15-postgis-3 and postgresql-15-postgis-3-scripts.
 Prints a table of medians of the processor time that a backend takes for each call, which other work on the machine changes
@@ -11,23 +11,30 @@ kind ("quoted"), and measured with --whole. N are the rows of COPY (10,000).
 
 Spheres are geodesic: the faces of an icosahedron, each divided by a frequency, with corners on the unit sphere. The
 second of a pair is rotated about (1, sqrt 2, sqrt 3) by sqrt(2)/7 rad and moved by 0.3 in x.
+
+PARTS are operations, numbers, copy, parts (an intersection in two parts), index (builds, windows, nearest ones and a join of boxes, of
+100,000 solids), join (exact self join of 10,000 solids of 80 triangles, beside PostGIS and beside the program's own join, on one
+processor each) and parallel (union_agg by workers, on the clock).
 """
 
 import argparse
 import math
 import os
 import pathlib
+import re
+import resource
 import statistics
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests" / "postgres"))
 from connection import Connection  # noqa: E402
 
 # Seconds of PostGIS 3.3.2 with SFCGAL 1.4.1, processor time.
-QUOTED = {"volume 1280": 335}
+QUOTED = {"volume 1280": 335, "self join": 148}
 
 
 def sphere(frequency):
@@ -217,11 +224,118 @@ def ask_for_two_parts(connection):
                   " parts" if name == "ours" else "")))
 
 
+def cube_text(side):
+    """A box at the origin as 12 triangles of PostGIS."""
+    points = [tuple(side * (bits >> axis & 1) for axis in range(3)) for bits in range(8)]
+    faces = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
+    return well_known_text(points, [triangle for a, b, c, d in faces for triangle in ((a, b, c), (a, c, d))])
+
+
+def prepare_boxes(bench, count):
+    """Two tables of boxes with sides of 1.2, evenly in a cube, as solids of both kinds; windows and points."""
+    place = "random() * 100 AS x, random() * 100 AS y, random() * 100 AS z"
+    bench.run("SELECT setseed(0.375)")
+    for table in ("boxes", "others"):
+        bench.run(f"CREATE TABLE {table}_places AS SELECT i, {place} FROM generate_series(1, {count}) i; CREATE TABLE our_{table} AS SELECT i, "
+                  f"create_cube(point3d(x, y, z), point3d(x + 1.2, y + 1.2, z + 1.2)) AS v FROM {table}_places; "
+                  f"CREATE TABLE their_{table} AS SELECT i, ST_Translate('{cube_text(1.2)}', x, y, z) AS v FROM {table}_places")
+    bench.run(f"CREATE TABLE windows AS SELECT i, rect3(x, x + 3, y, y + 3, z, z + 3) AS ours, ST_MakeLine(ST_MakePoint(x, y, z), ST_MakePoint(x + 3, y + 3, z + 3)) "
+              f"AS theirs FROM (SELECT i, {place} FROM generate_series(1, {count // 10}) i) w; CREATE TABLE asked AS SELECT i, point3d(x, y, z) AS ours, "
+              f"ST_MakePoint(x, y, z) AS theirs FROM (SELECT i, {place} FROM generate_series(1, {count // 100}) i) p")
+    bench.run("VACUUM ANALYZE")
+
+
+def measure_index(bench):
+    count = 100_000
+    prepare_boxes(bench, count)
+    drop = "DROP INDEX IF EXISTS by_space; "
+    bench.row(f"index build, {count:,} solids", f"{drop}CREATE INDEX by_space ON our_boxes USING gist (v)",
+              f"DROP INDEX IF EXISTS their_space; CREATE INDEX their_space ON their_boxes USING gist (v gist_geometry_ops_nd)", runs=5)
+    # PostGIS finds the nearest boxes by the distances of boxes; solids are found by their own.
+    bench.run("CREATE TABLE rect_boxes AS SELECT i, bbox(v) AS v FROM our_boxes; CREATE INDEX ON rect_boxes USING gist (v)")
+    bench.run("VACUUM ANALYZE our_boxes, their_boxes, rect_boxes")
+    answers = {}
+    for name, query, calls in (
+            (f"join of the boxes of {count:,} and {count:,} solids", "SELECT count(*) FROM {0}_others a JOIN {0}_boxes b ON a.v {1} b.v", 1),
+            (f"a window on {count:,} solids", "SELECT count(*) FROM windows w JOIN {0}_boxes b ON b.v {1} w.{2}", count // 10),
+            (f"the 10 nearest of {count:,} boxes", "SELECT count(*) FROM asked a, LATERAL (SELECT i FROM {4}_boxes b ORDER BY b.v {3} a.{2} LIMIT 10) n", count // 100),
+            (f"the 10 nearest of {count:,} solids", "SELECT count(*) FROM asked a, LATERAL (SELECT i FROM {0}_boxes b ORDER BY b.v {3} a.{2} LIMIT 10) n", count // 100)):
+        ours, theirs = query.format("our", "&&", "ours", "<->", "rect"), query.format("their", "&&&", "theirs", "<<->>", "their")
+        own, answers["ours"] = bench.seconds(ours, 5, calls)
+        peer, answers["theirs"] = bench.seconds(theirs, 3, calls)
+        bench.line(name, own, peer, f"5 runs of {calls}", f"3 runs of {calls}")
+        print(f"  rows: {answers['ours'].value} and {answers['theirs'].value}")
+        for query in (ours, theirs):
+            print("  plan:", " / ".join(row[0].strip() for row in bench.run(f"EXPLAIN {query}").rows))
+
+
+def prepare_solids(bench, count):
+    """Solids of 80 triangles, about one and a half partners by boxes each."""
+    bench.run(f"SELECT setseed(0.625); CREATE TABLE solid_places AS SELECT i, random() * 52 AS x, random() * 52 AS y, random() * 52 AS z FROM generate_series(1, {count}) i;"
+              "CREATE TABLE our_solids AS SELECT i, round_coordinates(translate(solid, vector3d(x, y, z))) AS v FROM solid_places, shapes WHERE triangles = 80 AND which = 'first';"
+              "CREATE TABLE their_solids AS SELECT i, ST_Translate(geom, x, y, z) AS v FROM solid_places, shapes WHERE triangles = 80 AND which = 'first';"
+              "CREATE INDEX ON our_solids USING gist (v); CREATE INDEX ON their_solids USING gist (v gist_geometry_ops_nd)")
+    bench.run("VACUUM ANALYZE our_solids, their_solids")
+
+
+def seconds_of_program(program, folder, rows):
+    """Processor time of the program's own join of the same solids, on one processor, and its number of pairs."""
+    def run(commands):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        done = subprocess.run(["taskset", "-c", "0", program, "--db", f"{folder}/joined.db", "--format", "list", "-c", commands], capture_output=True,
+                              text=True, cwd=folder, check=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, done.stdout
+    pathlib.Path(folder, "solids.csv").write_text("No,S\n" + "".join(f'{i},"{solid}"\n' for i, solid in rows))
+    run("let Solids = importCSV('solids.csv', [const rel(tuple([No: int, S: volume3d])) value ()]) consume")
+    join = 'query Solids feed spatialSelfJoin[S; "intersects"] count'
+    idle = statistics.median(run("query Solids feed filter[.No < 0] count")[0] for _ in range(3))
+    results = [run(join) for _ in range(5)]
+    return statistics.median(seconds for seconds, _ in results) - idle, re.search(r"\d+", results[0][1])[0]
+
+
+def measure_join(bench, program, folder):
+    count = 10_000
+    prepare_solids(bench, count)
+    query = "SELECT count(*) FROM {0}_solids a JOIN {0}_solids b ON {1} WHERE a.i < b.i"
+    ours = query.format("our", "intersects(a.v, b.v)")
+    answer = bench.row(f"exact self join of {count:,} solids of 80 triangles", ours, query.format("their", "a.v &&& b.v AND ST_3DIntersects(a.v, b.v)"), key="self join",
+                       runs=5, peer_runs=1)
+    print("  plan:", " / ".join(row[0].strip() for row in bench.run(f"EXPLAIN {ours}").rows))
+    boxes = bench.run(query.format("our", "a.v && b.v")).value
+    rows = bench.run("SELECT i, as_text(v) FROM our_solids").rows
+    own, _ = bench.seconds(ours, 5)
+    embedded, pairs = seconds_of_program(program, folder, rows)
+    print(f"  pairs: {answer.value} of {boxes} by boxes; the program's own join, on one processor: {pairs} pairs in {shown(embedded)}; "
+          f"here {shown(own)}, {own / embedded:.2f} times as much")
+
+
+def measure_parallel(bench):
+    """On the clock, in turns, as if the extension allowed it; the leader computes, too."""
+    bench.run("UPDATE pg_proc SET proparallel = 's' WHERE proname = 'union_agg'")
+    bench.run("CREATE TABLE IF NOT EXISTS united AS SELECT i, translate(solid, vector3d(i % 25 * 1.7, i / 25 % 20 * 1.7, i / 500 * 1.7)) AS v "
+              "FROM generate_series(1, 10000) i, shapes WHERE triangles = 80 AND which = 'first'")
+    bench.run("VACUUM ANALYZE united")
+    bench.run("SET algebra3d.memory = '2GB'; SET min_parallel_table_scan_size = 0; SET parallel_setup_cost = 0; SET parallel_tuple_cost = 0")
+    times = {0: [], 1: [], 2: []}
+    for _ in range(3):
+        for workers in times:
+            begin = time.monotonic()
+            answer = bench.run(f"SET max_parallel_workers_per_gather = {workers}; SELECT volume(union_agg(v)), size(union_agg(v)) FROM united")
+            times[workers].append(time.monotonic() - begin)
+            print(f"  {workers} workers: {times[workers][-1]:.2f} s, {answer.rows[-1]}")
+    alone = statistics.median(times[0])
+    print("plan:", " / ".join(row[0].strip() for row in bench.run("EXPLAIN SELECT volume(union_agg(v)) FROM united").rows))
+    print(f"union_agg of 10,000 solids of 80 triangles, on the clock: {alone:.2f} s alone; " +
+          ", ".join(f"{workers} workers {alone / statistics.median(times[workers]):.2f} times as fast" for workers in (1, 2)))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--whole", action="store_true")
     parser.add_argument("--rows", type=int, default=10000)
+    parser.add_argument("--only", nargs="+", default=["operations", "numbers", "copy", "parts", "index", "join", "parallel"])
     options = parser.parse_args()
     if not pathlib.Path("/usr/share/postgresql/15/extension/postgis_sfcgal.control").exists():
         print("left out: postgresql-15-postgis-3 and postgresql-15-postgis-3-scripts are not installed")
@@ -234,10 +348,14 @@ def main():
             bench = Bench(connection, options.whole)
             prepare(bench)
             print("| work | ours | PostGIS | ratio | ours measured | PostGIS measured |\n|---|---:|---:|---:|---|---|")
-            measure_operations(bench)
-            measure_numbers(bench)
-            measure_copy(bench, folder, options.rows)
-            ask_for_two_parts(connection)
+            # The times are those of one backend.
+            bench.run("SET max_parallel_workers_per_gather = 0")
+            parts = {"operations": lambda: measure_operations(bench), "numbers": lambda: measure_numbers(bench),
+                     "copy": lambda: measure_copy(bench, folder, options.rows), "parts": lambda: ask_for_two_parts(connection),
+                     "index": lambda: measure_index(bench), "join": lambda: measure_join(bench, pathlib.Path(options.program).resolve(), folder),
+                     "parallel": lambda: measure_parallel(bench)}
+            for part in options.only:
+                parts[part]()
             connection.close()
         finally:
             subprocess.run([*script, "stop"], check=True)

@@ -1084,7 +1084,7 @@ COMMENT ON FUNCTION intersection(region, region) IS 'The intersection of two set
 CREATE FUNCTION intersection_agg_restore_volume3d(bytea, internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_intersection_agg_volume3d_restore' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION intersection_agg_step(internal, volume3d) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_intersection_agg_volume3d' LANGUAGE C IMMUTABLE PARALLEL SAFE;
 CREATE FUNCTION intersection_agg_finish(internal, volume3d) RETURNS volume3d AS 'MODULE_PATHNAME', 'algebra3d_intersection_agg_volume3d_finish' LANGUAGE C IMMUTABLE PARALLEL SAFE;
-CREATE AGGREGATE intersection_agg(volume3d) (SFUNC = intersection_agg_step, STYPE = internal, FINALFUNC = intersection_agg_finish, FINALFUNC_EXTRA, FINALFUNC_MODIFY = READ_WRITE, COMBINEFUNC = combine_aggregates, SERIALFUNC = save_aggregate, DESERIALFUNC = intersection_agg_restore_volume3d, SSPACE = 16384, PARALLEL = SAFE);
+CREATE AGGREGATE intersection_agg(volume3d) (SFUNC = intersection_agg_step, STYPE = internal, FINALFUNC = intersection_agg_finish, FINALFUNC_EXTRA, FINALFUNC_MODIFY = READ_WRITE, COMBINEFUNC = combine_aggregates, SERIALFUNC = save_aggregate, DESERIALFUNC = intersection_agg_restore_volume3d, SSPACE = 16384, PARALLEL = RESTRICTED);
 COMMENT ON AGGREGATE intersection_agg(volume3d) IS 'The intersection of the defined solids or sets of points; undefined if there are none.';
 CREATE FUNCTION intersection_agg_restore_points3d(bytea, internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_intersection_agg_points3d_restore' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION intersection_agg_step(internal, points3d) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_intersection_agg_points3d' LANGUAGE C IMMUTABLE PARALLEL SAFE;
@@ -1812,12 +1812,12 @@ COMMENT ON FUNCTION triangulate(mesh3d) IS 'A mesh with its faces triangulated, 
 CREATE FUNCTION union_agg_restore_volume3d(bytea, internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_union_agg_volume3d_restore' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION union_agg_step(internal, volume3d) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_union_agg_volume3d' LANGUAGE C IMMUTABLE PARALLEL SAFE;
 CREATE FUNCTION union_agg_finish(internal, volume3d) RETURNS volume3d AS 'MODULE_PATHNAME', 'algebra3d_union_agg_volume3d_finish' LANGUAGE C IMMUTABLE PARALLEL SAFE;
-CREATE AGGREGATE union_agg(volume3d) (SFUNC = union_agg_step, STYPE = internal, FINALFUNC = union_agg_finish, FINALFUNC_EXTRA, FINALFUNC_MODIFY = READ_WRITE, COMBINEFUNC = combine_aggregates, SERIALFUNC = save_aggregate, DESERIALFUNC = union_agg_restore_volume3d, SSPACE = 16384, PARALLEL = SAFE);
+CREATE AGGREGATE union_agg(volume3d) (SFUNC = union_agg_step, STYPE = internal, FINALFUNC = union_agg_finish, FINALFUNC_EXTRA, FINALFUNC_MODIFY = READ_WRITE, COMBINEFUNC = combine_aggregates, SERIALFUNC = save_aggregate, DESERIALFUNC = union_agg_restore_volume3d, SSPACE = 16384, PARALLEL = RESTRICTED);
 COMMENT ON AGGREGATE union_agg(volume3d) IS 'The union of the defined solids or sets of points; empty if there are none.';
 CREATE FUNCTION union_agg_restore_points3d(bytea, internal) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_union_agg_points3d_restore' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION union_agg_step(internal, points3d) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_union_agg_points3d' LANGUAGE C IMMUTABLE PARALLEL SAFE;
 CREATE FUNCTION union_agg_finish(internal, points3d) RETURNS points3d AS 'MODULE_PATHNAME', 'algebra3d_union_agg_points3d_finish' LANGUAGE C IMMUTABLE PARALLEL SAFE;
-CREATE AGGREGATE union_agg(points3d) (SFUNC = union_agg_step, STYPE = internal, FINALFUNC = union_agg_finish, FINALFUNC_EXTRA, FINALFUNC_MODIFY = READ_WRITE, COMBINEFUNC = combine_aggregates, SERIALFUNC = save_aggregate, DESERIALFUNC = union_agg_restore_points3d, SSPACE = 16384, PARALLEL = SAFE);
+CREATE AGGREGATE union_agg(points3d) (SFUNC = union_agg_step, STYPE = internal, FINALFUNC = union_agg_finish, FINALFUNC_EXTRA, FINALFUNC_MODIFY = READ_WRITE, COMBINEFUNC = combine_aggregates, SERIALFUNC = save_aggregate, DESERIALFUNC = union_agg_restore_points3d, SSPACE = 16384, PARALLEL = RESTRICTED);
 COMMENT ON AGGREGATE union_agg(points3d) IS 'The union of the defined solids or sets of points; empty if there are none.';
 CREATE FUNCTION union_of("a" rect3, "b" rect3) RETURNS rect3 AS 'MODULE_PATHNAME', 'algebra3d_union_of_rect3_rect3' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE COST 10000;
 COMMENT ON FUNCTION union_of(rect3, rect3) IS 'The union of two sets of points, surfaces, solids or regions; the smallest box around two boxes.';

@@ -60,11 +60,18 @@ static bool is_long_text(Datum datum, const char* type) {
   return is_text && toast_raw_datum_size(datum) > 16384;
 }
 
+/* Types whose values are decoded with some effort. */
+static bool has_stored_form(const char* type) {
+  return strcmp(type, "volume3d") == 0 || strcmp(type, "surface3d") == 0 || strcmp(type, "mesh3d") == 0 ||
+         strcmp(type, "points3d") == 0 || strcmp(type, "region") == 0;
+}
+
 /* Fills in the arguments; whether the call may take long. */
 static bool prepare(Call* c, FunctionCallInfo fcinfo, const FunctionKey* key) {
   size_t elements = 0;
   int64 greatest = 0;
   bool is_long_by_text = false;
+  const bool is_of_pair = key->parameter_count > 1 && has_stored_form(key->types[0]) && has_stored_form(key->types[1]);
   c->session = backend_session();
   c->function = function_of(fcinfo, key);
   c->count = key->parameter_count;
@@ -75,7 +82,7 @@ static bool prepare(Call* c, FunctionCallInfo fcinfo, const FunctionKey* key) {
       c->arguments[i] = owned_value(undefined);
       continue;
     }
-    c->arguments[i] = value_of_datum(PG_GETARG_DATUM(i), key->types[i]);
+    c->arguments[i] = (is_of_pair ? value_of_pair : value_of_datum)(PG_GETARG_DATUM(i), key->types[i]);
     if (is_long_text(PG_GETARG_DATUM(i), key->types[i])) is_long_by_text = true;
     if (strcmp(key->types[i], "int") == 0) greatest = Max(greatest, DatumGetInt64(PG_GETARG_DATUM(i)));
     elements += element_count(c->arguments[i]);

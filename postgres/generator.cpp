@@ -1,18 +1,30 @@
-// Writes what follows from the registry: algebra3d--1.0.sql, the functions, types and operators of the extension, and
-// a file with the C functions that these name. Usage: algebra3d_postgres_generator FOLDER
+// Writes what follows from the registry:
+//   algebra3d_postgres_generator c FILE         the C functions that SQL names
+//   algebra3d_postgres_generator sql POSTGRES FOLDER [CHANGE...]
+//       the scripts of the version that POSTGRES/algebra3d.control names, into FOLDER: all functions, types and
+//       operators (algebra3d--1.1.sql), and the difference to the last released version (algebra3d--1.0--1.1.sql).
+//       Tests CHANGE the registry.
+//   algebra3d_postgres_generator members SCRIPT   the list of members by which a version is released
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <deque>
+#include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <iostream>
 #include <map>
+#include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "algebra3d/c.h"
 #include "exported.h"
 #include "strategies.h"
+#include "versions.h"
 
 namespace {
 
@@ -193,7 +205,9 @@ void write_function(std::ostream& out, const SqlFunction& sql, std::string_view 
         << (has_parts ? ", COMBINEFUNC = combine_aggregates, SERIALFUNC = save_aggregate, DESERIALFUNC = " + restore
                       : "")
         << (function.keeps_values != 0 ? ", SSPACE = 16384" : "")
-        << ", PARALLEL = " << (has_parts ? "SAFE" : "RESTRICTED") << ");\n";
+        // What keeps its values until its end does most of its work there: parts from workers were slower (decision
+        // 0030).
+        << ", PARALLEL = " << (has_parts && function.keeps_values == 0 ? "SAFE" : "RESTRICTED") << ");\n";
     out << "COMMENT ON AGGREGATE " << sql.signature() << " IS " << quoted(function.doc) << ";\n";
     return;
   }
@@ -445,9 +459,9 @@ void write_files(std::ostream& out) {
   }
 }
 
-void write_sql(std::ostream& out, const std::vector<SqlFunction>& functions) {
-  out << "-- Written by algebra3d_postgres_generator; do not edit.\n"
-         "\\echo Use \"CREATE EXTENSION algebra3d\" to load this file. \\quit\n\n";
+/// What the registry declares, as the statements of one script.
+std::string script_of(const std::vector<SqlFunction>& functions) {
+  std::ostringstream out;
   write_beginning(out);
   for (const std::string_view type : kTypes) write_type(out, type);
   for (const SqlFunction& sql : functions) {
@@ -460,22 +474,169 @@ void write_sql(std::ostream& out, const std::vector<SqlFunction>& functions) {
   write_files(out);
   write_index(out, operators);
   write_supports(out, functions);
+  return out.str();
+}
+
+/// Numbers of a version such as 1.10, which is later than 1.9.
+std::vector<int> numbers_of(const std::string& version) {
+  std::vector<int> numbers;
+  std::istringstream in(version);
+  for (std::string part; std::getline(in, part, '.');) numbers.push_back(std::atoi(part.c_str()));
+  return numbers;
+}
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The version that algebra3d.control names: the one that is under development, or the last one that was released.
+std::string version_of_control(const std::filesystem::path& folder) {
+  const std::string control = content_of(folder / "algebra3d.control"), mark = "default_version = '";
+  const std::size_t at = control.find(mark);
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + mark.size();
+  return control.substr(begin, control.find('\'', begin) - begin);
+}
+
+constexpr std::string_view kMembers = ".members", kPrefix = "algebra3d--";
+
+/// In the order of the versions.
+std::vector<std::string> released_versions(const std::filesystem::path& folder) {
+  std::vector<std::string> versions;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(kPrefix) && name.ends_with(kMembers))
+      versions.push_back(name.substr(kPrefix.size(), name.size() - kPrefix.size() - kMembers.size()));
+  }
+  std::ranges::sort(versions, {}, numbers_of);
+  return versions;
+}
+
+/// Lines that the list of members of a released version has and `script` has not: errors.
+std::vector<std::string> missing_members(const std::string& list, const std::string& script) {
+  const auto lines_of = [](const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+      if (!line.starts_with("script\t")) lines.push_back(line);
+    return lines;
+  };
+  const std::vector<std::string> there = lines_of(members_of("", script));
+  const std::set<std::string> known(there.begin(), there.end());
+  std::vector<std::string> missing;
+  for (const std::string& line : lines_of(list))
+    if (!known.contains(line)) missing.push_back(line);
+  return missing;
+}
+
+int fail(const std::string& message) {
+  std::cerr << "algebra3d_postgres_generator: " << message << "\n";
+  return 1;
+}
+
+constexpr std::string_view kHeader = "-- Written by algebra3d_postgres_generator; do not edit.\n";
+
+std::string joined(const std::vector<std::string>& statements) {
+  std::string text;
+  for (const std::string& statement : statements) text += statement + ";\n";
+  return text;
+}
+
+/// The scripts of the version that `folder` (postgres) has under development, into `out`: its whole, and the difference
+/// to the last released one. Nothing is written if the version is released and the registry has not changed.
+int write_scripts(const std::filesystem::path& folder, const std::filesystem::path& out,
+                  const std::vector<SqlFunction>& functions) {
+  const std::string version = version_of_control(folder), now = script_of(functions);
+  const std::vector<std::string> released = released_versions(folder);
+  const auto script_name = [](const std::string& v) { return std::string(kPrefix) + v + ".sql"; };
+  const std::string begin =
+      std::string(kHeader) + "\\echo Use \"CREATE EXTENSION algebra3d\" to load this file. \\quit\n\n";
+  if (version.empty()) return fail("algebra3d.control has no default_version");
+  if (released.empty()) {
+    std::ofstream file(out / script_name(version));
+    file << begin << now;
+    return file.flush() ? 0 : fail("the script could not be written");
+  }
+  const std::string& base = released.back();
+  if (numbers_of(version) < numbers_of(base))
+    return fail("algebra3d.control names version " + version + ", but " + base + " is released");
+  const std::string base_script = content_of(folder / script_name(base));
+  const std::vector<Declared> before = declared_in(base_script);
+  const Difference made = difference(before, declared_in(now));
+  for (const std::string& error : made.errors)
+    std::cerr << "algebra3d_postgres_generator: what version " << base << " declared must stay: " << error << "\n";
+  if (!made.errors.empty()) return 1;
+  const std::string all = joined(whole(before, made));
+  for (const std::string& each : released) {
+    const std::string list = content_of(folder / (std::string(kPrefix) + each + std::string(kMembers)));
+    const std::string first = "script\t" + script_name(each) + "\t" + checksum(content_of(folder / script_name(each)));
+    if (!list.starts_with(first + "\n")) return fail(script_name(each) + " is not what was released");
+    if (const auto missing = missing_members(list, all); !missing.empty())
+      return fail("version " + version + " lacks of version " + each + ": " + missing.front());
+  }
+  if (version == base)
+    return made.statements.empty()
+               ? 0
+               : fail("version " + base + " is released, and the registry has more: " + made.statements.front() +
+                      "\nSet default_version in postgres/algebra3d.control to the next version");
+  std::ofstream update(out / (std::string(kPrefix) + base + "--" + version + ".sql")), file(out / script_name(version));
+  update << kHeader << "\\echo Use \"ALTER EXTENSION algebra3d UPDATE TO '" << version
+         << "'\" to load this file. \\quit\n\n"
+         << joined(made.statements);
+  file << begin << all;
+  return update.flush() && file.flush() ? 0 : fail("the scripts could not be written");
+}
+
+/// Functions of a registry that is otherwise: for tests. "NEW=OLD" has the functions OLD as NEW, too; "OLD" is without
+/// them.
+void change_registry(std::vector<SqlFunction>& functions, const std::string& change) {
+  static std::deque<std::pair<std::string, a3d_function>> made;
+  const std::size_t sign = change.find('=');
+  const std::string name = sign == std::string::npos ? change : change.substr(sign + 1);
+  if (sign == std::string::npos) {
+    std::erase_if(functions, [&](const SqlFunction& sql) { return sql.function->name == name; });
+    return;
+  }
+  for (std::size_t i = 0, count = functions.size(); i < count; ++i) {
+    SqlFunction copy = functions[i];
+    if (copy.function->name != name) continue;
+    auto& [new_name, function] = made.emplace_back(change.substr(0, sign), *copy.function);
+    function.name = new_name.c_str();
+    copy.function = &function;
+    functions.push_back(std::move(copy));
+  }
+}
+
+int run(const std::vector<std::string>& arguments) {
+  if (arguments.size() == 2 && arguments[0] == "members") {
+    const std::filesystem::path path = arguments[1];
+    const std::string script = content_of(path);
+    if (script.empty()) return fail(path.string() + " cannot be read");
+    std::cout << members_of(path.filename().string(), script);
+    return std::cout.flush() ? 0 : 1;
+  }
+  std::vector<SqlFunction> functions = exported();
+  if (arguments.size() == 2 && arguments[0] == "c") {
+    std::ofstream c(arguments[1]);
+    write_c(c, functions);
+    return c.flush() ? 0 : fail(arguments[1] + " cannot be written");
+  }
+  if (arguments.size() < 3 || arguments[0] != "sql") {
+    std::cerr
+        << "usage: algebra3d_postgres_generator c FILE | sql FOLDER_OF_RELEASES FOLDER [CHANGE...] | members SCRIPT\n";
+    return 2;
+  }
+  for (std::size_t i = 3; i < arguments.size(); ++i) change_registry(functions, arguments[i]);
+  return write_scripts(arguments[1], arguments[2], functions);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: algebra3d_postgres_generator FOLDER\n";
-    return 2;
-  }
   a3d_session* const session = a3d_open(nullptr);
   if (session == nullptr) return 1;
-  const std::vector<SqlFunction> functions = exported();
-  const std::string folder = argv[1];
-  std::ofstream sql(folder + "/algebra3d--1.0.sql"), c(folder + "/functions.c");
-  write_sql(sql, functions);
-  write_c(c, functions);
+  const int result = run({argv + 1, argv + argc});
   a3d_close(session);
-  return sql.flush() && c.flush() ? 0 : 1;
+  return result;
 }

@@ -53,8 +53,8 @@ Datum compress_value(FunctionCallInfo fcinfo, const char* type) {
 
 /* ---- Searching ---- */
 
-/* The box of the query, which is the same for many entries: known again by its first bytes, which have the box and a
- * checksum, or the number of a value in a TOAST table. */
+/* The box of the query, which is the same for many entries: known again by its first bytes, which are the whole of a
+ * small value, or have the box and a checksum, or are the number of a value in a TOAST table. */
 #define BYTES_OF_QUERY 112
 typedef struct KnownQuery {
   Oid subtype;
@@ -71,7 +71,7 @@ static const a3d_header* box_of_query(FunctionCallInfo fcinfo, const char* own_t
   KnownQuery* query = fcinfo->flinfo->fn_extra;
   size_t size = VARATT_IS_EXTERNAL_EXPANDED(bytes) ? 0 : Min(VARSIZE_ANY(bytes), BYTES_OF_QUERY);
   bool is_known = query != NULL && query->subtype == subtype && size > 0 && query->size == size &&
-                  memcmp(query->bytes, bytes, size) == 0 && !is_stored_short(query->type);
+                  memcmp(query->bytes, bytes, size) == 0;
   if (is_known) return &query->box;
   if (query == NULL) {
     query = MemoryContextAllocZero(fcinfo->flinfo->fn_mcxt, sizeof *query);
@@ -81,6 +81,8 @@ static const a3d_header* box_of_query(FunctionCallInfo fcinfo, const char* own_t
   if (query->subtype != subtype && subtype != InvalidOid) query->type = name_of_type(subtype, fcinfo->flinfo->fn_mcxt);
   query->subtype = subtype;
   query->box = header_of_datum(datum, query->type);
+  /* Of a larger value without a checksum, the beginning does not tell which it is. */
+  if (size == BYTES_OF_QUERY && is_stored_short(query->type)) size = 0;
   query->size = size;
   if (size > 0) memcpy(query->bytes, bytes, size);
   return &query->box;
@@ -95,8 +97,9 @@ Datum is_consistent(FunctionCallInfo fcinfo, const char* type) {
   *recheck = true;
   switch (strategy) {
     case STRATEGY_MEETS:
-      *recheck = !meets_surely(key, box);
-      PG_RETURN_BOOL(may_meet(key, box));
+      if (!may_meet(key, box)) PG_RETURN_BOOL(false);
+      if (GIST_LEAF(entry)) *recheck = !meets_surely(key, box);
+      PG_RETURN_BOOL(true);
     case STRATEGY_ENCLOSES:
       PG_RETURN_BOOL(may_enclose(key, box));
     case STRATEGY_IS_INSIDE:

@@ -4,7 +4,9 @@
 #include <access/detoast.h>
 #include <access/htup_details.h>
 #include <access/xact.h>
+#include <common/hashfn.h>
 #include <funcapi.h>
+#include <lib/ilist.h>
 #include <utils/memutils.h>
 #include <utils/timestamp.h>
 
@@ -13,28 +15,47 @@ uint64 decoded_count, found_count;
 /* A decoded value, and how its datum is known again: values in a TOAST table by their numbers there, which do not
  * change as long as a statement can see them; others by their bytes. */
 typedef struct KeptValue {
-  a3d_value* value; /* null: the place is free */
+  dlist_node by_use;      /* in one of the lists below */
+  struct KeptValue* next; /* of the same bucket */
+  a3d_value* value;
   const char* type; /* a literal */
   Oid toast_table, toast_value;
-  char* bytes;
+  uint32 hash;
+  bool is_of_pair;
   size_t size;
-  uint64 memory; /* that decoding took */
-  uint64 used;   /* greater for later uses */
+  uint64 memory; /* that decoding took, with the bytes */
+  char bytes[FLEXIBLE_ARRAY_MEMBER];
 } KeptValue;
 
-#define PLACES 8
-static KeptValue kept[PLACES];
-static uint64 uses;
+/* Values of calls with one value are few: the row that a statement is at has them. Calls with two are conditions of
+ * joins, too, in which the values of both sides come again and again: of these as many are kept as memory allows. */
+#define MOST_SINGLE_VALUES 8
+#define BUCKETS 32768
+static KeptValue* buckets[BUCKETS];
+static dlist_head singles = DLIST_STATIC_INIT(singles), of_pairs = DLIST_STATIC_INIT(of_pairs); /* used last: first */
+static int single_count;
+static uint64 memory_of_all;
 static TimestampTz statement;
 
-static void release(KeptValue* place) {
-  a3d_release(place->value);
-  if (place->bytes != NULL) pfree(place->bytes);
-  memset(place, 0, sizeof *place);
+static void release(KeptValue* kept) {
+  KeptValue** place = &buckets[kept->hash % BUCKETS];
+  while (*place != kept) place = &(*place)->next;
+  *place = kept->next;
+  dlist_delete(&kept->by_use);
+  if (!kept->is_of_pair) --single_count;
+  memory_of_all -= kept->memory;
+  a3d_release(kept->value);
+  pfree(kept);
+}
+
+/* That was not used for the longest time; null if there is none. */
+static KeptValue* oldest(dlist_head* list) {
+  return dlist_is_empty(list) ? NULL : dlist_tail_element(KeptValue, by_use, list);
 }
 
 void release_kept_values(void) {
-  for (int i = 0; i < PLACES; ++i) release(&kept[i]);
+  while (oldest(&singles) != NULL) release(oldest(&singles));
+  while (oldest(&of_pairs) != NULL) release(oldest(&of_pairs));
 }
 
 static void at_end_of_transaction(XactEvent event, void* given) {
@@ -53,101 +74,105 @@ static void begin_statement(void) {
   statement = now;
 }
 
-/* How a datum is known again, without a value. */
-static KeptValue key_of(struct varlena* datum, const char* type) {
-  KeptValue key = {0};
-  key.type = type;
+/* How a datum is known again. */
+typedef struct KeyOfDatum {
+  const char* type;
+  Oid toast_table, toast_value;
+  const char* bytes;
+  size_t size;
+  uint32 hash;
+} KeyOfDatum;
+
+/* Of the beginning of a value, which has a checksum of the rest. */
+#define HASHED_BYTES 112
+
+static KeyOfDatum key_of(struct varlena* datum, const char* type) {
+  KeyOfDatum key = {.type = type};
   if (VARATT_IS_EXTERNAL_ONDISK(datum)) {
     struct varatt_external pointer;
     VARATT_EXTERNAL_GET_POINTER(pointer, datum);
     key.toast_table = pointer.va_toastrelid;
     key.toast_value = pointer.va_valueid;
+    key.hash = hash_bytes_uint32(pointer.va_valueid);
+  } else {
+    struct varlena* bytes = PG_DETOAST_DATUM_PACKED(PointerGetDatum(datum));
+    key.bytes = VARDATA_ANY(bytes);
+    key.size = VARSIZE_ANY_EXHDR(bytes);
+    key.hash = hash_bytes((const unsigned char*)key.bytes, Min(key.size, HASHED_BYTES));
   }
   return key;
 }
 
-static bool is_same(const KeptValue* place, const KeptValue* key) {
-  if (place->value == NULL || strcmp(place->type, key->type) != 0) return false;
-  if (key->toast_value != InvalidOid)
-    return place->toast_value == key->toast_value && place->toast_table == key->toast_table;
-  return place->toast_value == InvalidOid && place->size == key->size &&
-         memcmp(place->bytes, key->bytes, key->size) == 0;
+static bool is_same(const KeptValue* kept, const KeyOfDatum* key) {
+  return kept->hash == key->hash && kept->toast_value == key->toast_value && kept->toast_table == key->toast_table &&
+         kept->size == key->size && strcmp(kept->type, key->type) == 0 &&
+         (key->size == 0 || memcmp(kept->bytes, key->bytes, key->size) == 0);
 }
 
-static KeptValue* found(const KeptValue* key) {
-  for (int i = 0; i < PLACES; ++i)
-    if (is_same(&kept[i], key)) return &kept[i];
-  return NULL;
+static KeptValue* found(const KeyOfDatum* key) {
+  KeptValue* kept = buckets[key->hash % BUCKETS];
+  while (kept != NULL && !is_same(kept, key)) kept = kept->next;
+  return kept;
 }
 
-/* A free place; null if there is none. */
-static KeptValue* free_place(void) {
-  for (int i = 0; i < PLACES; ++i)
-    if (kept[i].value == NULL) return &kept[i];
-  return NULL;
-}
-
-/* The place of the value that was not used for the longest time; null if there are no values. */
-static KeptValue* oldest(void) {
-  KeptValue* result = NULL;
-  for (int i = 0; i < PLACES; ++i)
-    if (kept[i].value != NULL && (result == NULL || kept[i].used < result->used)) result = &kept[i];
-  return result;
-}
-
-static uint64 memory_of_all(void) {
-  uint64 sum = 0;
-  for (int i = 0; i < PLACES; ++i) sum += kept[i].memory;
-  return sum;
-}
-
-static void keep(KeptValue key, a3d_value* value) {
-  const uint64 most = memory_limit() / 4;
-  KeptValue* place;
-  char* copy = NULL;
-  if (key.memory + key.size > most) return;
-  if (key.toast_value == InvalidOid) {
-    copy = MemoryContextAllocExtended(TopMemoryContext, key.size + 1, MCXT_ALLOC_NO_OOM | MCXT_ALLOC_HUGE);
-    if (copy == NULL) return;
-    memcpy(copy, key.bytes, key.size);
-    key.memory += key.size;
+static void keep(const KeyOfDatum* key, a3d_value* value, uint64 memory, bool is_of_pair) {
+  const uint64 most = memory_limit() / 4, needed = memory + key->size + sizeof(KeptValue);
+  dlist_head* list = is_of_pair ? &of_pairs : &singles;
+  KeptValue* kept;
+  if (needed > most) return;
+  /* What operators attach to a value is not in `memory`; all that the library holds leaves half to the statement. */
+  while (!dlist_is_empty(&of_pairs) || !dlist_is_empty(&singles)) {
+    if (memory_of_all + needed <= most && a3d_memory_used(backend_session()) <= memory_limit() / 2) break;
+    release(oldest(&singles) != NULL ? oldest(&singles) : oldest(&of_pairs));
   }
-  key.bytes = copy;
-  while ((place = oldest()) != NULL && (free_place() == NULL || memory_of_all() + key.memory > most)) release(place);
-  place = free_place();
-  key.value = a3d_retain(value);
-  key.used = ++uses;
-  *place = key;
+  if (!is_of_pair && single_count == MOST_SINGLE_VALUES) release(oldest(&singles));
+  kept = MemoryContextAllocExtended(TopMemoryContext, sizeof(KeptValue) + key->size,
+                                    MCXT_ALLOC_NO_OOM | MCXT_ALLOC_HUGE | MCXT_ALLOC_ZERO);
+  if (kept == NULL) return;
+  if (key->size > 0) memcpy(kept->bytes, key->bytes, key->size);
+  kept->value = a3d_retain(value);
+  kept->type = key->type;
+  kept->toast_table = key->toast_table;
+  kept->toast_value = key->toast_value;
+  kept->hash = key->hash;
+  kept->is_of_pair = is_of_pair;
+  kept->size = key->size;
+  kept->memory = needed;
+  kept->next = buckets[key->hash % BUCKETS];
+  buckets[key->hash % BUCKETS] = kept;
+  dlist_push_head(list, &kept->by_use);
+  memory_of_all += needed;
+  if (!is_of_pair) ++single_count;
 }
 
-a3d_value* kept_value(Datum datum, const char* type) {
-  struct varlena* given = (struct varlena*)DatumGetPointer(datum);
-  struct varlena* bytes = NULL;
-  KeptValue key;
-  KeptValue* place;
+a3d_value* kept_value(Datum datum, const char* type, bool is_of_pair) {
+  struct varlena* bytes;
+  KeyOfDatum key;
+  KeptValue* kept;
   a3d_value* value;
   uint64 before, after;
-  begin_statement();
-  key = key_of(given, type);
-  if (key.toast_value == InvalidOid) {
+  if (is_stored_short(type)) {
     bytes = PG_DETOAST_DATUM_PACKED(datum);
-    key.bytes = VARDATA_ANY(bytes);
-    key.size = VARSIZE_ANY_EXHDR(bytes);
-    if (is_stored_short(type)) return value_of_bytes(type, key.bytes, key.size);
+    return value_of_bytes(type, VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes));
   }
-  place = found(&key);
-  if (place != NULL) {
+  begin_statement();
+  key = key_of((struct varlena*)DatumGetPointer(datum), type);
+  kept = found(&key);
+  if (kept != NULL) {
     ++found_count;
-    place->used = ++uses;
-    return owned_value(a3d_retain(place->value));
+    dlist_move_head(kept->is_of_pair ? &of_pairs : &singles, &kept->by_use);
+    return owned_value(a3d_retain(kept->value));
   }
-  if (bytes == NULL) bytes = PG_DETOAST_DATUM_PACKED(datum);
   before = a3d_memory_used(backend_session());
-  value = value_of_bytes(type, VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes));
+  if (key.bytes != NULL) {
+    value = value_of_bytes(type, key.bytes, key.size);
+  } else {
+    bytes = PG_DETOAST_DATUM_PACKED(datum);
+    value = value_of_bytes(type, VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes));
+    pfree(bytes);
+  }
   after = a3d_memory_used(backend_session());
-  key.memory = after > before ? after - before : 0;
-  keep(key, value);
-  if ((Pointer)bytes != DatumGetPointer(datum)) pfree(bytes);
+  keep(&key, value, after > before ? after - before : 0, is_of_pair);
   return value;
 }
 

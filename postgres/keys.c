@@ -73,12 +73,15 @@ bool may_be_inside(const Key* key, const a3d_header* box) {
 double least_distance(const Key* key, const a3d_header* box) {
   /* Roundings of the sum and of the root. */
   const double kRoundings = 1 - 16 * DBL_EPSILON;
-  double sum = 0;
+  double gaps[3], square = 0, length;
   if (is_empty(box)) return 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double below = key->min[axis] - box->max[axis], above = box->min[axis] - key->max[axis];
-    const double gap = Max(Max(below, above), 0);
-    sum = hypot(sum, gap);
+    gaps[axis] = Max(Max(below, above), 0);
+    square += gaps[axis] * gaps[axis];
   }
-  return isfinite(sum) ? sum * kRoundings : 0;
+  /* Squares that neither overflow nor lose digits, or all zero. */
+  if (square > 1e-280 && square < 1e300) return sqrt(square) * kRoundings;
+  length = hypot(hypot(gaps[0], gaps[1]), gaps[2]);
+  return isfinite(length) ? length * kRoundings : 0;
 }

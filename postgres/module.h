@@ -49,8 +49,9 @@ a3d_value* value_of_bytes(const char* type, const char* bytes, size_t size);
 
 /* Decoded values of the running statement: what it reads again, such as one side of a join or a constant, is decoded
  * once. They take a quarter of the memory of the backend at most. */
-/* The value in a stored datum, decoded or kept. Owned by the current memory context. */
-a3d_value* kept_value(Datum datum, const char* type);
+/* The value in a stored datum, decoded or kept. Owned by the current memory context. `is_of_pair`: the call has another
+ * value, so it may be a condition of a join. */
+a3d_value* kept_value(Datum datum, const char* type, bool is_of_pair);
 /* At the end of a transaction, and when memory is short. */
 void release_kept_values(void);
 /* How many values were decoded, and how many were found decoded, since the backend began. */
@@ -61,6 +62,8 @@ size_t element_count(const a3d_value* value);
 
 /* The value in a datum of a type of the library, or of bigint, float8, boolean, text: named by the library's name. */
 a3d_value* value_of_datum(Datum datum, const char* type);
+/* The same for one of two or more values of a call. */
+a3d_value* value_of_pair(Datum datum, const char* type);
 /* The datum of a defined value, which may be an expanded object. */
 Datum datum_of_value(a3d_value* value);
 /* Bytes of the library as a varlena; frees them. */

@@ -51,7 +51,8 @@ inline std::string trimmed(std::string_view text) {
   return std::string(text);
 }
 
-/// The statements of a script without their semicolons, comments and lines of psql. Semicolons in quotes end none.
+/// The statements of a script without their semicolons, comments and lines of psql. Semicolons in quotes, and between
+/// BEGIN ATOMIC and END, end none.
 inline std::vector<std::string> statements_of(std::string_view script) {
   std::vector<std::string> statements;
   std::string current;
@@ -72,7 +73,8 @@ inline std::vector<std::string> statements_of(std::string_view script) {
     } else if ((c == '\'' || c == '"') && (quote == 0 || quote == c)) {
       quote = quote == 0 ? c : '\0';
     }
-    if (c == ';' && quote == 0) {
+    const bool is_in_body = current.find(" BEGIN ATOMIC ") != std::string::npos && !current.ends_with(" END");
+    if (c == ';' && quote == 0 && !is_in_body) {
       statements.push_back(trimmed(current));
       current.clear();
     } else {

@@ -9,6 +9,7 @@
 #include <catalog/pg_statistic.h>
 #include <catalog/pg_type.h>
 #include <commands/vacuum.h>
+#include <common/hashfn.h>
 #include <nodes/nodeFuncs.h>
 #include <utils/builtins.h>
 #include <utils/lsyscache.h>
@@ -22,6 +23,10 @@
  * the groups. */
 #define STATISTIC_KIND_BOXES 21300
 #define GROUPS_PER_TARGET 5
+/* The least checksums of different boxes, and before them the share of different boxes among all rows. By them a join
+ * knows which rows are in both tables: rows joined with themselves, and copies. */
+#define STATISTIC_KIND_CHECKSUMS 21301
+#define CHECKSUMS 512
 
 /* A group: a box of centres, and half the size of its boxes. */
 typedef struct Group {
@@ -80,6 +85,50 @@ static double spread(const Sampled* rows, int count, int axis) {
   return greatest - least;
 }
 
+/* Of the bounds of a box: 48 bits. */
+static uint64 checksum_of(const a3d_header* box) {
+  double bounds[6];
+  memcpy(bounds, box->min, sizeof box->min);
+  memcpy(bounds + 3, box->max, sizeof box->max);
+  for (int i = 0; i < 6; ++i) bounds[i] += 0.0; /* of both zeros one */
+  return hash_bytes_extended((const unsigned char*)bounds, sizeof bounds, 0) >> 16;
+}
+
+static int compare_checksums(const void* a, const void* b) {
+  const uint64 x = *(const uint64*)a, y = *(const uint64*)b;
+  return x < y ? -1 : x > y;
+}
+
+/* The share of different boxes among `total` rows, from the sorted checksums of a sample. Source: [haas1998], Duj1. */
+static double distinct_share(const uint64* sorted, int count, double total) {
+  double distinct = 0, once = 0, estimate;
+  for (int i = 0; i < count; ++i) {
+    const bool begins = i == 0 || sorted[i - 1] != sorted[i], ends = i + 1 == count || sorted[i + 1] != sorted[i];
+    distinct += begins;
+    once += begins && ends;
+  }
+  total = Max(total, count);
+  estimate = count * distinct / (count - once + once * count / total);
+  return Min(1, Max(distinct, estimate) / total);
+}
+
+static void keep_checksums(VacAttrStats* stats, uint64* checksums, int count, double total) {
+  float4* numbers = MemoryContextAlloc(stats->anl_context, (1 + 2 * CHECKSUMS) * sizeof(float4));
+  int kept = 0;
+  qsort(checksums, count, sizeof *checksums, compare_checksums);
+  numbers[0] = (float4)distinct_share(checksums, count, total);
+  for (int i = 0; i < count && kept < CHECKSUMS; ++i) {
+    if (i > 0 && checksums[i - 1] == checksums[i]) continue;
+    /* Two floats of 24 bits each. */
+    numbers[1 + 2 * kept] = (float4)(checksums[i] >> 24);
+    numbers[2 + 2 * kept] = (float4)(checksums[i] & 0xFFFFFF);
+    ++kept;
+  }
+  stats->stakind[1] = STATISTIC_KIND_CHECKSUMS;
+  stats->stanumbers[1] = numbers;
+  stats->numnumbers[1] = 1 + 2 * kept;
+}
+
 static Group group_of(const Sampled* rows, int count) {
   Group group = {.rows = (float4)count};
   for (int axis = 0; axis < 3; ++axis) {
@@ -121,6 +170,7 @@ static void divide(Gathered* result, Sampled* rows, int count, int groups) {
 static void compute_statistics(VacAttrStatsP stats, AnalyzeAttrFetchFunc fetch, int row_count, double total) {
   Gathered* gathered = stats->extra_data;
   Sampled* rows = palloc(Max(1, row_count) * sizeof *rows);
+  uint64* checksums = palloc(Max(1, row_count) * sizeof *checksums);
   int count = 0, nulls = 0, empty = 0;
   double width = 0;
   float4* numbers;
@@ -144,6 +194,7 @@ static void compute_statistics(VacAttrStatsP stats, AnalyzeAttrFetchFunc fetch, 
       ++empty;
       continue;
     }
+    checksums[count] = checksum_of(&box);
     box = box_within_floats(box);
     for (int axis = 0; axis < 3; ++axis) {
       rows[count].numbers[axis] = box.min[axis] / 2 + box.max[axis] / 2;
@@ -166,6 +217,7 @@ static void compute_statistics(VacAttrStatsP stats, AnalyzeAttrFetchFunc fetch, 
   stats->stakind[0] = STATISTIC_KIND_BOXES;
   stats->stanumbers[0] = numbers;
   stats->numnumbers[0] = 2 + (int)(gathered->count * NUMBERS_OF_GROUP);
+  if (count > 0) keep_checksums(stats, checksums, count, total * count / row_count);
 }
 
 Datum analyze_boxes(FunctionCallInfo fcinfo, const char* type) {
@@ -268,6 +320,71 @@ static double share_for_pairs(const Histogram* left, const Histogram* right, Str
   return left->rows > 0 && right->rows > 0 ? pairs / (left->rows * right->rows) : 0;
 }
 
+/* ---- Rows that are in both tables ---- */
+
+typedef struct Checksums {
+  double rows;           /* of the table, with a box */
+  double sampled;        /* the share of them that was looked at */
+  double distinct;       /* different boxes */
+  const float4* numbers; /* two for each checksum */
+  int count;
+  AttStatsSlot slot;
+} Checksums;
+
+static bool read_checksums(const VariableStatData* variable, const Histogram* histogram, Checksums* result) {
+  const double share_with_box = (1 - null_share(variable)) * (1 - histogram->empty_rows / Max(1, histogram->rows));
+  if (variable->rel == NULL || variable->rel->tuples < 1) return false;
+  if (!get_attstatsslot(&result->slot, variable->statsTuple, STATISTIC_KIND_CHECKSUMS, InvalidOid,
+                        ATTSTATSSLOT_NUMBERS))
+    return false;
+  result->rows = Max(1, variable->rel->tuples * share_with_box);
+  result->sampled = Min(1, (histogram->rows - histogram->empty_rows) / result->rows);
+  result->distinct = Max(1, result->slot.numbers[0] * result->rows);
+  result->numbers = result->slot.numbers + 1;
+  result->count = (result->slot.nnumbers - 1) / 2;
+  return true;
+}
+
+static int compare_numbers(const float4* a, const float4* b) {
+  for (int i = 0; i < 2; ++i)
+    if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
+  return 0;
+}
+
+/* The share of pairs whose boxes are equal. The checksums below a bound that both lists reach are a random choice of
+ * the boxes of each sample; which of them are in both samples tells how many are in both tables. */
+static double share_of_equal_boxes(const Checksums* left, const Checksums* right) {
+  int i = 0, j = 0, common = 0;
+  double seen, part;
+  while (i < left->count && j < right->count) {
+    const int order = compare_numbers(left->numbers + 2 * i, right->numbers + 2 * j);
+    common += order == 0;
+    i += order <= 0;
+    j += order >= 0;
+  }
+  /* A list that is shorter than could be has all of its sample. */
+  if (right->count < CHECKSUMS) i = left->count;
+  if (i == 0 || common == 0) return 0;
+  /* How likely a box of the table on the right is in its sample, with its copies. */
+  seen = Min(1, right->sampled * right->rows / right->distinct);
+  part = Min(1, (double)common / i / seen);
+  return part / right->distinct;
+}
+
+static double share_of_copies(const VariableStatData* left, const Histogram* of_left, const VariableStatData* right,
+                              const Histogram* of_right) {
+  Checksums a, b;
+  double share = 0;
+  if (!read_checksums(left, of_left, &a)) return 0;
+  if (read_checksums(right, of_right, &b)) {
+    share = share_of_equal_boxes(&a, &b);
+    free_attstatsslot(&b.slot);
+  }
+  free_attstatsslot(&a.slot);
+  return share * (1 - of_left->empty_rows / Max(1, of_left->rows)) *
+         (1 - of_right->empty_rows / Max(1, of_right->rows));
+}
+
 /* ---- What the planner asks ---- */
 
 #define SHARE_WITHOUT_STATISTICS 0.001
@@ -330,8 +447,9 @@ double join_share(PlannerInfo* root, StrategyNumber strategy, List* arguments, N
   get_join_variables(root, list_make2(linitial(arguments), lsecond(arguments)), join, &left, &right, &is_reversed);
   if (read_histogram(&left, function, &of_left)) {
     if (read_histogram(&right, function, &of_right)) {
-      share = share_for_pairs(&of_left, &of_right, strategy, limit_of(limit)) * (1 - null_share(&left)) *
-              (1 - null_share(&right));
+      share = share_for_pairs(&of_left, &of_right, strategy, limit_of(limit)) +
+              share_of_copies(&left, &of_left, &right, &of_right);
+      share *= (1 - null_share(&left)) * (1 - null_share(&right));
       free_attstatsslot(&of_right.slot);
     }
     free_attstatsslot(&of_left.slot);

@@ -83,7 +83,7 @@ static bool is_large(const a3d_value* value) {
 
 /* ---- Plain values ---- */
 
-a3d_value* value_of_datum(Datum datum, const char* type) {
+static a3d_value* argument(Datum datum, const char* type, bool is_of_pair) {
   a3d_session* session = backend_session();
   a3d_value* result = NULL;
   if (strcmp(type, "int") == 0) {
@@ -102,9 +102,17 @@ a3d_value* value_of_datum(Datum datum, const char* type) {
     check_status(a3d_make_bytes(session, VARDATA_ANY(given), VARSIZE_ANY_EXHDR(given), &result));
   } else {
     result = expanded_value(datum);
-    return result != NULL ? result : kept_value(datum, type);
+    return result != NULL ? result : kept_value(datum, type, is_of_pair);
   }
   return owned_value(result);
+}
+
+a3d_value* value_of_datum(Datum datum, const char* type) {
+  return argument(datum, type, false);
+}
+
+a3d_value* value_of_pair(Datum datum, const char* type) {
+  return argument(datum, type, true);
 }
 
 /* A copy of bytes that the library made, which are freed, behind so many bytes of room. */
@@ -293,9 +301,29 @@ Datum text_of_value(FunctionCallInfo fcinfo, const char* type) {
 
 /* ---- Boxes ---- */
 
+/* A box, or a point of doubles (docs/file_format.md), without making a value of it. */
+static bool is_plain_box(Datum datum, const char* type, a3d_header* result) {
+  struct varlena* bytes;
+  double numbers[6];
+  const bool is_box = strcmp(type, "rect3") == 0;
+  if (!is_box && strcmp(type, "point3d") != 0) return false;
+  bytes = PG_DETOAST_DATUM_PACKED(datum);
+  if (VARSIZE_ANY_EXHDR(bytes) != (is_box ? 6 : 3) * sizeof(double) + (is_box ? 0 : 1)) return false;
+  if (!is_box && *VARDATA_ANY(bytes) != 0) return false;
+  memcpy(numbers, VARDATA_ANY(bytes) + (is_box ? 0 : 1), (is_box ? 6 : 3) * sizeof(double));
+  for (int axis = 0; axis < 3; ++axis) {
+    result->min[axis] = numbers[is_box ? 2 * axis : axis];
+    result->max[axis] = numbers[is_box ? 2 * axis + 1 : axis];
+  }
+  result->count = 1;
+  return true;
+}
+
 a3d_header header_of_datum(Datum datum, const char* type) {
   a3d_header result;
-  const a3d_value* value = is_stored_short(type) ? value_of_datum(datum, type) : expanded_value(datum);
+  const a3d_value* value;
+  if (is_plain_box(datum, type, &result)) return result;
+  value = is_stored_short(type) ? value_of_datum(datum, type) : expanded_value(datum);
   if (value != NULL) {
     check_status(a3d_header_of(backend_session(), value, &result));
   } else {
@@ -364,8 +392,8 @@ static a3d_status hash(void* given) {
 static int compared(FunctionCallInfo fcinfo, const char* type) {
   MemoryContext before = enter_scratch();
   Comparing comparing = {0};
-  comparing.a = value_of_datum(PG_GETARG_DATUM(0), type);
-  comparing.b = value_of_datum(PG_GETARG_DATUM(1), type);
+  comparing.a = value_of_pair(PG_GETARG_DATUM(0), type);
+  comparing.b = value_of_pair(PG_GETARG_DATUM(1), type);
   comparing.session = backend_session();
   check_status(is_large(comparing.a) && is_large(comparing.b) ? run_aside(compare, &comparing) : compare(&comparing));
   leave_scratch(before);

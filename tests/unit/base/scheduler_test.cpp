@@ -146,6 +146,25 @@ TEST(Scheduler, UsesSoManyThreadsAsAllowed) {
   });
 }
 
+TEST(Scheduler, OneThreadDoesEverythingInOrder) {
+  std::vector<std::size_t> order;
+  with_threads(1, [&] {
+    parallel_for(10, 3, [&](std::size_t i) { order.push_back(i); });
+    parallel_invoke(
+        true, [&] { order.push_back(10); }, [&] { order.push_back(11); });
+    // Within it, another number holds, and afterwards this one again.
+    with_threads(4, [] { EXPECT_GE(threads_at_work(), 2U); });
+    EXPECT_EQ(threads_at_work(), 1U);
+    EXPECT_THROW(parallel_for(10, 3,
+                              [](std::size_t i) {
+                                if (i == 7) throw std::runtime_error("seven");
+                              }),
+                 std::runtime_error);
+  });
+  for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(order.at(i), i);
+  EXPECT_EQ(order.size(), 12U);
+}
+
 TEST(Scheduler, AWaitingThreadTakesNoWorkOfOthers) {
   // Each outer step notes whether its thread is inside of another outer step.
   static thread_local bool is_inside = false;
