@@ -94,6 +94,7 @@ class Pull {
   MovedColumns columns_;
 
   std::optional<CopyReader> reader_;
+  bool is_at_end_ = false;
   RowPlace last_place_;
   Store::PulledTable journal_;
   RowDigest all_pulled_;  // into the relation, also from other tables
@@ -110,10 +111,10 @@ Status Pull::transfer() {
              ServerConnection::open({*pq, host_.cancel, [this](const std::string& text) { report_.note(text); }},
                                     options_.server));
   A3D_TRY(open_table());
+  A3D_ASSIGN(const ServerAnswer count, connection_->query("SELECT count(*) FROM ONLY " + table_.sql()));
   A3D_TRY(open_relation(extension_));
   A3D_TRY(read_journal());
   A3D_TRY(check_relation());
-  A3D_ASSIGN(const ServerAnswer count, connection_->query("SELECT count(*) FROM ONLY " + table_.sql()));
   report_.begin("the relation '" + relation_ + "'", journal_.count, std::stoull(count.text(0, 0)));
   A3D_TRY(check_place());
   A3D_TRY(start_copy());
@@ -255,7 +256,10 @@ Result<std::vector<ReceivedRow>> Pull::next_rows() {
   std::vector<ReceivedRow> rows;
   for (double bytes = 0; rows.empty() || bytes < limit;) {
     A3D_ASSIGN(auto message, connection_->next_copied());
-    if (!message) break;
+    if (!message) {
+      is_at_end_ = true;
+      break;
+    }
     A3D_ASSIGN(const CopyReader::Fields* const fields, reader_->take(message->view()));
     if (fields == nullptr) continue;
     A3D_ASSIGN(const RowPlace place, RowPlace::of(fields->front()));
@@ -314,14 +318,15 @@ Status Pull::store_rows(const std::vector<ReceivedRow>& rows) {
 }
 
 Status Pull::copy_rows() {
-  while (true) {
+  while (!is_at_end_) {
     A3D_ASSIGN(const auto rows, next_rows());
-    if (rows.empty()) return {};
+    if (rows.empty()) break;
     for (const ReceivedRow& row : rows) bytes_ += row.message.size;
     report_.advance((pulled_ - begun_).count, rows.size(), bytes_);
     A3D_TRY(store_rows(rows));
     report_.advance((pulled_ - begun_).count, 0, bytes_);
   }
+  return {};
 }
 
 Status Pull::end_copy() {

@@ -26,24 +26,30 @@ Status read_columns(ServerConnection& connection, ServerTable& table) {
   return {};
 }
 
+Status check_table_name(ServerConnection& connection, const std::string& name) {
+  auto parts = connection.query("SELECT cardinality(parse_ident($1))", {name});
+  if (!parts) {
+    Error error = std::move(parts).error();
+    if (error.code == ErrorCode::io_error && error.message.find("22023") != std::string::npos)
+      error.code = ErrorCode::wrong_usage;
+    return std::move(error).about("--table");
+  }
+  if (parts->text(0, 0) == "1" || parts->text(0, 0) == "2") return {};
+  return Error{ErrorCode::wrong_usage, "'{}' is no name of a table: expected NAME or SCHEMA.NAME", name};
+}
+
 /// Where a table of this name would be made.
 Result<ServerTable> place_for_table(ServerConnection& connection, const std::string& name) {
   A3D_ASSIGN(const ServerAnswer parts,
-             connection.query("SELECT cardinality(p), p[1]::name, p[2]::name, current_schema() FROM parse_ident($1) p",
+             connection.query("SELECT coalesce(p[2], p[1])::name, CASE WHEN p[2] IS NULL THEN current_schema() ELSE "
+                              "p[1]::name END FROM parse_ident($1) p",
                               {name}));
+  if (parts.is_null(0, 1))
+    return Error{ErrorCode::wrong_usage,
+                 "there is no table '{}', and no schema of the search_path where it could be made", name};
   ServerTable table;
-  if (parts.text(0, 0) == "1") {
-    if (parts.is_null(0, 3))
-      return Error{ErrorCode::wrong_usage,
-                   "there is no schema for the table '{}': the search_path of the user is empty", name};
-    table.schema = parts.text(0, 3);
-    table.name = parts.text(0, 1);
-  } else if (parts.text(0, 0) == "2") {
-    table.schema = parts.text(0, 1);
-    table.name = parts.text(0, 2);
-  } else {
-    return Error{ErrorCode::wrong_usage, "'{}' is no name of a table: expected NAME or SCHEMA.NAME", name};
-  }
+  table.name = parts.text(0, 0);
+  table.schema = parts.text(0, 1);
   return table;
 }
 
@@ -57,6 +63,7 @@ Status check_server(const ServerConnection& connection) {
 }
 
 Result<ServerTable> find_table(ServerConnection& connection, const std::string& name) {
+  A3D_TRY(check_table_name(connection, name));
   A3D_ASSIGN(
       const ServerAnswer found,
       connection.query("SELECT n.nspname, c.relname, c.relkind, c.relhassubclass FROM pg_class c JOIN pg_namespace n "
