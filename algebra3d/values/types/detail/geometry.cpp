@@ -189,8 +189,30 @@ std::size_t hash_point_set(const Geometry& geometry, Orientation orientation) {
   return hash;
 }
 
+// By hashes of the rounded coordinates, which compare faster than points: only points of one hash are compared.
 bool has_equal_points(const TriangleMesh& mesh) {
-  return rank_points(mesh.points()).points.size() < mesh.vertex_count();
+  const PointArray& points = mesh.points();
+  std::vector<std::pair<std::size_t, std::uint32_t>> hashed(points.size());
+  for (std::uint32_t i = 0; i < hashed.size(); ++i) {
+    const Vec3& place = points[i].approx;
+    hashed[i] = {combine_hashes(combine_hashes(hash_real(place[0]), hash_real(place[1])), hash_real(place[2])), i};
+  }
+  std::ranges::sort(hashed);
+  for (auto first = hashed.begin(); first != hashed.end();) {
+    const auto last = std::find_if(first, hashed.end(), [&](const auto& each) { return each.first != first->first; });
+    const auto point_of = [&](const auto& each) { return points[each.second]; };
+    const auto before = [](const PointRef& a, const PointRef& b) {
+      poll_interruption();
+      return std::is_lt(compare(a, b));
+    };
+    const auto is_same = [](const PointRef& a, const PointRef& b) { return equal(a, b); };
+    if (last - first > 1) {
+      std::ranges::sort(first, last, before, point_of);
+      if (std::ranges::adjacent_find(first, last, is_same, point_of) != last) return true;
+    }
+    first = last;
+  }
+  return false;
 }
 
 }  // namespace algebra3d
