@@ -118,8 +118,10 @@ Status Pull::transfer() {
   report_.begin("the relation '" + relation_ + "'", journal_.count, std::stoull(count.text(0, 0)));
   A3D_TRY(check_place());
   A3D_TRY(start_copy());
+  report_.set_resumable(true);
   A3D_TRY(copy_rows());
   A3D_TRY(end_copy());
+  report_.set_resumable(false);
   A3D_TRY(compare());
   report_.conclude("the table " + table_.text(), pulled_);
   return {};
@@ -207,7 +209,7 @@ Status Pull::check_relation() {
   const RowDigest others = at_start_ - all_pulled_;
   if (at_start_.count < all_pulled_.count)
     return Error{
-        ErrorCode::wrong_usage,
+        ErrorCode::io_error,
         "the relation '{}' has {}, but {} were pulled into it: tuples were deleted since; --replace empties it and "
         "begins anew",
         relation_, algebra3d::counted(at_start_.count, "tuple"), all_pulled_.count};
@@ -228,7 +230,7 @@ Status Pull::check_place() {
              columns_.digest_of(*connection_, table_, fmt::format("ctid <= '{}'::tid", journal_.place)));
   if (digest == begun_) return {};
   return Error{
-      ErrorCode::wrong_usage,
+      ErrorCode::io_error,
       "the rows of {} up to {} are not those that were pulled into '{}': {}, but {} were pulled. The table was "
       "changed since, or is that of another server; --replace empties the relation and begins anew",
       table_.text(),

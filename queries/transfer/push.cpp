@@ -43,6 +43,7 @@ class Push {
   Status send_all(const PushJournal& journal);
   Result<std::optional<CopyLane::Batch>> next_batch(const PushJournal& journal);
   Status start_batches(const PushJournal& journal);
+  std::string before_copy_sql() const;
   Status end_batches();
   Status wait_for_lanes() const;
   Status stream(const PushJournal& journal);
@@ -88,7 +89,9 @@ Status Push::transfer() {
   report_.begin("the table " + table_.text(), journal.entry().digest.count, static_cast<std::uint64_t>(tuple_count_));
   lanes_.push_back(std::make_unique<CopyLane>(std::move(connection)));
   A3D_TRY(skip_pushed(journal));
+  report_.set_resumable(true);
   A3D_TRY(stream(journal));
+  report_.set_resumable(false);
   A3D_TRY(compare());
   report_.conclude("the relation " + options_.relation, committed_.digest);
   return {};
@@ -143,7 +146,7 @@ Status Push::prepare_journal(ServerConnection& connection, PushJournal& journal)
   }
   const RowDigest others = at_start_ - journal.all();
   if (at_start_.count < journal.all().count)
-    return Error{ErrorCode::wrong_usage,
+    return Error{ErrorCode::io_error,
                  "the table {} has {}, but {} were pushed into it: rows were deleted since; --replace deletes all and "
                  "begins anew",
                  table_.text(), algebra3d::counted(at_start_.count, "row"), journal.all().count};
@@ -170,7 +173,7 @@ Status Push::skip_pushed(const PushJournal& journal) {
   }
   if (digest == journal.entry().digest) return {};
   return Error{
-      ErrorCode::wrong_usage,
+      ErrorCode::io_error,
       "the first tuples of '{}' are not those that were pushed into {}: {}, but {} were pushed. The relation was "
       "changed since, or is that of another database; --replace deletes the rows of the table and begins anew",
       options_.relation,
@@ -204,10 +207,15 @@ Status Push::start_batches(const PushJournal& journal) {
     if (lane->state() != CopyLane::State::free) continue;
     A3D_ASSIGN(auto batch, next_batch(journal));
     if (!batch) return {};
-    A3D_TRY(lane->store(*std::move(batch), copy_sql_));
+    A3D_TRY(lane->store(*std::move(batch), before_copy_sql(), copy_sql_));
     running_.push_back({lane.get(), sent_});
   }
   return {};
+}
+
+// A batch that waits for a later one, whose rows have the same keys, would wait for ever.
+std::string Push::before_copy_sql() const {
+  return lanes_.size() > 1 ? "SET LOCAL lock_timeout = '3s'; " : "";
 }
 
 // Batches are committed in their order, so that one number says how far the relation has come.

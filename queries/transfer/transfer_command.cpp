@@ -31,7 +31,8 @@ CLI::App* add_push_command(CLI::App& app, TransferOptions& options) {
                    "Table, created if it does not exist: NAME or SCHEMA.NAME, as in SQL (default: the relation's name)")
       ->type_name("TABLE");
   add_common_options(*push, options, "Delete the rows of the table first, and begin anew");
-  push->add_option("--connections", options.connections, "Connections that rows are sent over")
+  push->add_option("--connections", options.connections,
+                   "Connections that rows are sent over; with one they lie in the table in the order of ids")
       ->check(CLI::Range(1, 16))
       ->capture_default_str();
   push->footer(

@@ -37,8 +37,8 @@ std::uint64_t row_checksum(const RelationLayout& layout, std::vector<Cell>& cell
   return result;
 }
 
-/// The encoded bytes of a defined value; a value that our own database defers is not decoded for this, nor is one encoded
-/// that has its binary form.
+/// The encoded bytes of a defined value; a value that our own database defers is not decoded for this, nor is one
+/// encoded that has its binary form.
 Result<std::string> encoded_bytes(const Database& database, const Value& value) {
   if (const auto deferred = value.deferred()) {
     const auto* stored = dynamic_cast<const StoredValue*>(deferred.get());

@@ -9,17 +9,18 @@
 namespace queries {
 namespace {
 
+constexpr std::string_view kLockTimeout = "55P03";
 /// Rows are given to libpq in pieces, since it keeps what the network does not take yet.
 constexpr std::size_t kPiece = std::size_t{1} << 16U;
 
 }  // namespace
 
-Status CopyLane::store(Batch batch, const std::string& copy_sql) {
+Status CopyLane::store(Batch batch, const std::string& before_copy_sql, const std::string& copy_sql) {
   batch_ = std::move(batch);
   sent_ = 0;
   has_sent_end_ = false;
   state_ = State::opening;
-  return connection_->send("BEGIN; " + copy_sql);
+  return connection_->send("BEGIN; " + before_copy_sql + copy_sql);
 }
 
 Status CopyLane::commit() {
@@ -75,6 +76,11 @@ Status CopyLane::take_answers() {
 }
 
 Status CopyLane::take(const ServerAnswer& answer) {
+  if (answer.sql_state() == kLockTimeout)
+    return Error{
+        ErrorCode::io_error,
+        "another session, or a later batch with the same keys, has kept a row of the table locked for seconds; "
+        "with --connections 1 the server says which key is there twice"};
   A3D_TRY(answer.check());
   if (state_ == State::opening && answer.status() == Libpq::kCopyIn) {
     state_ = State::sending;

@@ -31,8 +31,8 @@ class CopyLane {
 
   State state() const { return state_; }
   ServerConnection& connection() { return *connection_; }
-  /// Requires `free`.
-  Status store(Batch batch, const std::string& copy_sql);
+  /// Requires `free`. The statements before COPY end with a semicolon, or are empty.
+  Status store(Batch batch, const std::string& before_copy_sql, const std::string& copy_sql);
   /// Requires `stored`.
   Status commit();
   /// Errors: those of the server.

@@ -74,7 +74,7 @@ Result<ServerTable> find_table(ServerConnection& connection, const std::string& 
   table.schema = found.text(0, 0);
   table.name = found.text(0, 1);
   table.is_there = true;
-  table.kind = found.text(0, 2).front();
+  table.kind = (found.text(0, 2) + ' ').front();
   table.has_children = found.is_true(0, 3);
   A3D_TRY(read_columns(connection, table));
   return table;

@@ -11,6 +11,7 @@
 #include "base/interruption_scope.h"
 #include "base/memory_limit.h"
 #include "base/propagate.h"
+#include "base/text.h"
 
 namespace queries {
 namespace {
@@ -32,11 +33,11 @@ TransferReport::TransferReport(const TransferHost& host, bool is_quiet, std::str
 
 void TransferReport::note(const std::string& text) {
   progress_.clear();
-  host_.err << "note: " << text << "\n";
+  host_.err << "note: " << algebra3d::one_line(text) << "\n";
 }
 
-void TransferReport::begin(std::string target, std::uint64_t before_count, std::uint64_t total) {
-  target_ = std::move(target);
+void TransferReport::begin(std::string_view target, std::uint64_t before_count, std::uint64_t total) {
+  target_ = algebra3d::one_line(target);
   before_ = before_count;
   total_ = total;
 }
@@ -65,10 +66,11 @@ void TransferReport::work_at(const std::string& what) {
   progress_.update(part(), [&] { return what; });
 }
 
+// Names and messages of a server are shown without what could control a terminal.
 int TransferReport::fail(const Error& error) {
   progress_.clear();
   const bool is_interrupt = error.code == ErrorCode::interrupted;
-  if (!is_interrupt) host_.err << "error: " << command_ << ": " << error.text() << "\n";
+  if (!is_interrupt) host_.err << "error: " << command_ << ": " << algebra3d::one_line(error.text()) << "\n";
   const std::string far = target_.empty()
                               ? "nothing was copied"
                               : fmt::format(
@@ -80,7 +82,7 @@ int TransferReport::fail(const Error& error) {
     host_.err << "interrupted: " << far << "\n";
     return kEndedBySignal;
   }
-  if (before_ + committed_ > 0) host_.err << far << "\n";
+  if (can_be_resumed_) host_.err << far << "\n";
   return error.code == ErrorCode::wrong_usage ? kUsedWrongly : kTransferFailed;
 }
 
@@ -90,7 +92,7 @@ void TransferReport::conclude(const std::string& source, const RowDigest& digest
   const auto row = [&](std::string_view label, std::string_view value) {
     host_.out << fmt::format("  {:<28}{:>16}\n", label, value);
   };
-  host_.out << fmt::format("{} of {} into {}\n", command_, source, target_);
+  host_.out << fmt::format("{} of {} into {}\n", command_, algebra3d::one_line(source), target_);
   row("rows", grouped(digest.count));
   if (before_ > 0) row("  of these before", grouped(before_));
   row("MB", fmt::format("{:.1f}", static_cast<double>(bytes_) / 1e6));

@@ -19,8 +19,9 @@ class TransferReport {
 
   void note(const std::string& text);
   /// `target`: where the rows are to be, once that is known; `total`: all rows, where that is known.
-  void begin(std::string target, std::uint64_t before_count, std::uint64_t total);
-  void set_total(std::uint64_t total) { total_ = total; }
+  void begin(std::string_view target, std::uint64_t before_count, std::uint64_t total);
+  /// Whether the same command goes on after an error, as it does after an interrupt in any case.
+  void set_resumable(bool can_be_resumed) { can_be_resumed_ = can_be_resumed; }
   /// Rows that were committed, and rows that were moved but are not committed yet; `bytes` of both.
   void advance(std::uint64_t committed, std::uint64_t pending, std::uint64_t bytes);
   /// Says what is done where rows do not advance: "comparing checksums".
@@ -41,6 +42,7 @@ class TransferReport {
   algebra3d::ProgressDisplay progress_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::string target_;
+  bool can_be_resumed_ = false;
   std::uint64_t before_ = 0, total_ = 0, committed_ = 0, bytes_ = 0;
 };
 
