@@ -29,29 +29,6 @@ Result<std::array<ExactPoint, 3>> corners_from_nested(const NestedList& list, st
   return corners;
 }
 
-/// The points in ascending order; equal points have one rank.
-struct RankedPoints {
-  std::vector<std::uint32_t> ranks;   // of each point
-  std::vector<std::uint32_t> points;  // of each rank, one point
-};
-
-RankedPoints rank_points(const PointArray& points) {
-  std::vector<std::uint32_t> order(points.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
-    poll_interruption();
-    const auto by_place = compare(points[a], points[b]);
-    return std::is_eq(by_place) ? a < b : std::is_lt(by_place);
-  });
-  RankedPoints result;
-  result.ranks.resize(points.size());
-  for (const std::uint32_t point : order) {
-    if (result.points.empty() || !equal(points[result.points.back()], points[point])) result.points.push_back(point);
-    result.ranks[point] = static_cast<std::uint32_t>(result.points.size() - 1);
-  }
-  return result;
-}
-
 std::strong_ordering compare_boxes(const Box3& a, const Box3& b) {
   for (const auto& [p, q] : {std::pair{a.min, b.min}, std::pair{a.max, b.max}})
     for (std::size_t axis = 0; axis < 3; ++axis)
