@@ -143,11 +143,13 @@ Status ServerConnection::flush() {
   }
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): it changes the connection
 Status ServerConnection::send(const std::string& sql) {
   if (pq().send_query(handle(), sql.c_str()) == 0) return lost();
   return {};
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): likewise
 Result<std::optional<ServerAnswer>> ServerConnection::next_answer_if_ready(bool& is_ready) {
   is_ready = pq().is_busy(handle()) == 0;
   if (!is_ready) return std::optional<ServerAnswer>();
@@ -170,6 +172,7 @@ Result<std::optional<ServerAnswer>> ServerConnection::next_answer() {
 
 Result<ServerAnswer> ServerConnection::query(const std::string& sql, const std::vector<std::string>& parameters) {
   std::vector<const char*> values;
+  values.reserve(parameters.size());
   for (const std::string& each : parameters) values.push_back(each.c_str());
   const int sent = values.empty() ? pq().send_query(handle(), sql.c_str())
                                   : pq().send_query_params(handle(), sql.c_str(), static_cast<int>(values.size()),

@@ -12,20 +12,17 @@ namespace {
 constexpr std::size_t kBlock = 64;
 constexpr std::size_t kRounds = 64;
 
-struct Primes {
-  std::array<std::uint64_t, kRounds> numbers{};
-};
-
-constexpr Primes first_primes() {
-  Primes primes;
+constexpr std::array<std::uint64_t, kRounds> first_primes() {
+  std::array<std::uint64_t, kRounds> primes{};
   std::size_t count = 0;
   for (std::uint64_t candidate = 2; count < kRounds; ++candidate) {
     bool is_prime = true;
-    for (std::size_t i = 0; i < count && is_prime; ++i) is_prime = candidate % primes.numbers[i] != 0;
-    if (is_prime) primes.numbers[count++] = candidate;
+    for (std::size_t i = 0; i < count && is_prime; ++i) is_prime = candidate % primes[i] != 0;
+    if (is_prime) primes[count++] = candidate;
   }
   return primes;
 }
+constexpr std::array<std::uint64_t, kRounds> kPrimes = first_primes();
 
 /// The first 32 bits of the fraction of the root of `prime`: of degree 2 or 3, by halving.
 constexpr std::uint32_t root_bits(std::uint64_t prime, int degree) {
@@ -43,13 +40,13 @@ constexpr std::uint32_t root_bits(std::uint64_t prime, int degree) {
 
 constexpr std::array<std::uint32_t, kRounds> round_constants() {
   std::array<std::uint32_t, kRounds> constants{};
-  for (std::size_t i = 0; i < kRounds; ++i) constants[i] = root_bits(first_primes().numbers[i], 3);
+  for (std::size_t i = 0; i < kRounds; ++i) constants[i] = root_bits(kPrimes[i], 3);
   return constants;
 }
 
 constexpr std::array<std::uint32_t, 8> start_values() {
   std::array<std::uint32_t, 8> values{};
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = root_bits(first_primes().numbers[i], 2);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = root_bits(kPrimes[i], 2);
   return values;
 }
 
