@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """The extension of PostgreSQL beside PostGIS with SFCGAL, in one private server (scripts/postgres) that is made for the run.
 
-Usage: bench/postgis_bench.py PROGRAM [--whole] [--rows N] [--only PART...]
+Usage: bench/postgis_bench.py PROGRAM [--whole] [--rows N] [--connections N...] [--only PART...]
 
 PROGRAM lies in the build whose extension is measured. Needs postgresql-15-postgis-3 and postgresql-15-postgis-3-scripts.
 Prints a table of medians of the processor time that a backend takes for each call, which other work on the machine changes
 little, and how often each was measured. Answers of PostGIS that take more than a
 few seconds are measured once; those that take minutes are quoted from an earlier measurement on a machine of the same
-kind ("quoted"), and measured with --whole. N are the rows of COPY (10,000).
+kind ("quoted"), and measured with --whole. N are the rows of COPY,
+and of push and pull (10,000); --only load measures these alone.
 
 Spheres are geodesic: the faces of an icosahedron, each divided by a frequency, with corners on the unit sphere. The
 second of a pair is rotated about (1, sqrt 2, sqrt 3) by sqrt(2)/7 rad and moved by 0.3 in x.
@@ -208,6 +209,51 @@ def measure_copy(bench, folder, rows):
     print(f"of {rows:,} rows {same} came back equal")
 
 
+class Load:
+    """A client that loads a table: its time by the clock, and the processor time of the client and its backends."""
+
+    def __init__(self, folder):
+        self.postmaster = pathlib.Path(folder, "data", "postmaster.pid").read_text().split()[0]
+
+    def ended_backends(self):
+        fields = pathlib.Path(f"/proc/{self.postmaster}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[13]) + int(fields[14])) / os.sysconf("SC_CLK_TCK")
+
+    def seconds(self, command):
+        before, clock, backends = os.times(), time.monotonic(), self.ended_backends()
+        subprocess.run(command, check=True, capture_output=True)
+        clock = time.monotonic() - clock
+        after = os.times()
+        time.sleep(0.5)  # until the backends have ended
+        client = after.children_user + after.children_system - before.children_user - before.children_system
+        return clock, client, self.ended_backends() - backends
+
+
+def measure_load(bench, folder, program, rows, connections):
+    """Relation to table by `push`, table to relation by `pull`, beside psql's \\copy of the same solids for PostGIS."""
+    load, database = Load(folder), f"{folder}/load.db"
+    server = f"host={folder} user=postgres dbname=postgres"
+    move = {"pull": [program, "pull", "--pg", server, "--db", database, "--table", "ours", "--replace", "--quiet"]}
+    for count in connections:
+        move[f"push, {count} connection{'s' if count > 1 else ''}"] = [
+            program, "push", "--pg", server, "--db", database, "--relation", "Ours", "--table", "pushed", "--connections", str(count), "--quiet"]
+    psql = ["psql", "-X", "-q", "-h", folder, "-U", "postgres", "postgres", "-c"]
+    for form in ("binary", "text"):
+        subprocess.run([*psql, f"\\copy theirs TO '{folder}/theirs.{form}' (FORMAT {form})"], check=True)
+        move[f"PostGIS, \\copy in {form} format"] = [*psql, f"\\copy loaded FROM '{folder}/theirs.{form}' (FORMAT {form})"]
+    times = {name: [] for name in move}
+    for _ in range(3):
+        for name, command in move.items():  # in turns
+            bench.run("DROP TABLE IF EXISTS pushed, loaded; CREATE TABLE loaded (LIKE theirs); CHECKPOINT")
+            times[name].append(load.seconds(command))
+    print(f"\n{rows:,} solids of 1,280 triangles, medians of 3 in turns: seconds by the clock, of the processor in client and server")
+    medians = {name: [statistics.median(column) for column in zip(*each)] for name, each in times.items()}
+    peer = next(each for name, each in medians.items() if "binary" in name)
+    for name, (clock, client, backends) in medians.items():
+        print(f"| {name} | {clock:.2f} s | {client:.2f} s | {backends:.2f} s | "
+              f"{peer[0] / clock:.2f} times PostGIS in binary format by the clock, {sum(peer[1:]) / (client + backends):.2f} by the processor |")
+
+
 TWO_PARTS = {
     "ours": "WITH s AS (SELECT create_cube('(0 0 0)', '(3 3 1)') - create_cube('(1 0 0)', '(2 2 1)') AS clamp, "
             "create_cube('(-1 -1 0)', '(4 0.2 1)') AS bar) SELECT volume(clamp * bar), (SELECT count(*) FROM components(clamp * bar)) FROM s",
@@ -335,7 +381,8 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--whole", action="store_true")
     parser.add_argument("--rows", type=int, default=10000)
-    parser.add_argument("--only", nargs="+", default=["operations", "numbers", "copy", "parts", "index", "join", "parallel"])
+    parser.add_argument("--connections", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--only", nargs="+", default=["operations", "numbers", "copy", "load", "parts", "index", "join", "parallel"])
     options = parser.parse_args()
     if not pathlib.Path("/usr/share/postgresql/15/extension/postgis_sfcgal.control").exists():
         print("left out: postgresql-15-postgis-3 and postgresql-15-postgis-3-scripts are not installed")
@@ -351,8 +398,10 @@ def main():
             # The times are those of one backend.
             bench.run("SET max_parallel_workers_per_gather = 0")
             parts = {"operations": lambda: measure_operations(bench), "numbers": lambda: measure_numbers(bench),
-                     "copy": lambda: measure_copy(bench, folder, options.rows), "parts": lambda: ask_for_two_parts(connection),
-                     "index": lambda: measure_index(bench), "join": lambda: measure_join(bench, pathlib.Path(options.program).resolve(), folder),
+                     "copy": lambda: measure_copy(bench, folder, options.rows),
+                     "load": lambda: measure_load(bench, folder, options.program, options.rows, options.connections),
+                     "parts": lambda: ask_for_two_parts(connection), "index": lambda: measure_index(bench),
+                     "join": lambda: measure_join(bench, pathlib.Path(options.program).resolve(), folder),
                      "parallel": lambda: measure_parallel(bench)}
             for part in options.only:
                 parts[part]()

@@ -71,6 +71,8 @@ set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${CPACK_PACKAGE_CONTACT}")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME algebra3d)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+# For push and pull, which load it.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS libpq5)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "solids and surfaces as values in a database, with exact geometry
  Stores solids in relations, indexes and joins them in space, unites, intersects

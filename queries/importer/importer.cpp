@@ -15,14 +15,13 @@
 
 #include "algebra3d/values/conversions/import_solid.h"
 #include "base/memory_limit.h"
+#include "base/progress_display.h"
 #include "base/propagate.h"
+#include "queries/importer/detail/import_progress.h"
 #include "queries/importer/detail/import_summary.h"
-#include "queries/importer/detail/progress_display.h"
 #include "queries/importer/detail/relation_writer.h"
 #include "queries/importer/file_list.h"
 #include "queries/language/parser.h"
-#include "queries/language/scanner.h"
-#include "queries/language/token.h"
 #include "queries/store/database_creation.h"
 #include "queries/store/store.h"
 #include "queries/store/store_options.h"
@@ -53,26 +52,16 @@ std::uint64_t seed_of(const algebra3d::RepairOptions& repair) {
   return text.empty() ? 0 : XXH3_64bits(text.data(), text.size());
 }
 
-Status check_relation_name(const std::string& name) {
-  Scanner scanner(name);
-  const Token word = scanner.take();
-  if (word.kind != Token::Kind::word || word.text != name)
-    return Error{ErrorCode::wrong_usage,
-                 "'{}' cannot name a relation: a name is a letter, followed by letters, digits and _", name};
-  if (is_reserved(name))
-    return Error{ErrorCode::reserved_name, "'{}' is a word of the language and cannot name a relation", name};
-  return {};
-}
-
 class Import {
  public:
   Import(const ImportOptions& options, const ImportHost& host)
-      : options_(options), host_(host), progress_(host.err, progress_style(options, host)) {}
+      : options_(options),
+        host_(host),
+        progress_(host.err, algebra3d::ProgressDisplay::usual_style(options.quiet, host.err_is_terminal), "import") {}
 
   int run();
 
  private:
-  static ProgressDisplay::Style progress_style(const ImportOptions& options, const ImportHost& host);
   Status take_in(const FileList& list);
   Status pump(FileLoader& loader, RelationWriter& writer);
   Status drop_gone(const FileList& list, RelationWriter& writer);
@@ -83,7 +72,7 @@ class Import {
 
   const ImportOptions& options_;
   const ImportHost& host_;
-  ProgressDisplay progress_;
+  algebra3d::ProgressDisplay progress_;
   ImportSummary summary_;
   std::uint64_t committed_count_ = 0;
   std::uint64_t batch_count_ = 0;
@@ -92,13 +81,9 @@ class Import {
   bool is_new_relation_ = false;
 };
 
-ProgressDisplay::Style Import::progress_style(const ImportOptions& options, const ImportHost& host) {
-  if (options.quiet) return ProgressDisplay::Style::none;
-  return host.err_is_terminal ? ProgressDisplay::Style::bar : ProgressDisplay::Style::lines;
-}
-
 int Import::run() {
-  if (const Status named = check_relation_name(options_.relation); !named) return fail(named.error(), kWrongUsage);
+  if (const Status named = check_object_name(options_.relation, "a relation"); !named)
+    return fail(named.error(), kWrongUsage);
   const auto list = list_files(options_.paths);
   if (!list) return fail(list.error(), kFailed);
   summary_ = ImportSummary(*list);
@@ -170,7 +155,8 @@ Status Import::pump(FileLoader& loader, RelationWriter& writer) {
       summary_.count(next.file, written);
     }
     A3D_TRY(writer.commit_if_due());
-    progress_.update(summary_, writer.pending_count(), loader.longest_at_work());
+    progress_.update(done_part(summary_),
+                     [&] { return progress_text(summary_, writer.pending_count(), loader.longest_at_work()); });
   }
 }
 
@@ -179,8 +165,8 @@ int Import::fail(const Error& error, int status) {
   host_.err << "error: import: " << error.text() << "\n";
   if (committed_count_ > 0)
     host_.err << fmt::format("{} of {} files are in '{}'; run the same import again to go on from there\n",
-                             grouped(committed_count_ + summary_.known_count), grouped(summary_.file_count),
-                             options_.relation);
+                             algebra3d::grouped(committed_count_ + summary_.known_count),
+                             algebra3d::grouped(summary_.file_count), options_.relation);
   return status;
 }
 
@@ -197,7 +183,8 @@ int Import::conclude(const FileList& list) {
     host_.err << "error: import: the folder was left out: " << folder << "\n";
   if (was_interrupted_) {
     host_.err << fmt::format("interrupted: {} of {} files are in '{}'; run the same import again to go on from there\n",
-                             grouped(summary_.done_count()), grouped(summary_.file_count), options_.relation);
+                             algebra3d::grouped(summary_.done_count()), algebra3d::grouped(summary_.file_count),
+                             options_.relation);
     return kInterrupted;
   }
   return list.unread_folders.empty() ? kOk : kFailed;

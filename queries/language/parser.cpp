@@ -9,6 +9,7 @@
 #include "queries/language/detail/command_parser.h"
 #include "queries/language/expression_parser.h"
 #include "queries/language/nested_reader.h"
+#include "queries/language/scanner.h"
 
 namespace queries {
 namespace {
@@ -144,6 +145,15 @@ bool means_implicit_parameter(std::string_view word) {
 
 bool is_reserved(std::string_view word) {
   return std::ranges::find(kReservedWords, word) != kReservedWords.end() || means_implicit_parameter(word);
+}
+
+algebra3d::Status check_object_name(std::string_view name, std::string_view what) {
+  if (!is_identifier(name))
+    return Error{ErrorCode::wrong_usage, "'{}' cannot name {}: a name is a letter, followed by letters, digits and _",
+                 name, what};
+  if (is_reserved(name))
+    return Error{ErrorCode::reserved_name, "'{}' is a word of the language and cannot name {}", name, what};
+  return {};
 }
 
 std::string no_operand_text(std::string_view word) {

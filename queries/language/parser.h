@@ -45,6 +45,9 @@ std::string did_you_mean(std::string_view word, const algebra3d::Registry& regis
 
 /// True for reserved words, which cannot be names. Names of operators are not reserved.
 bool is_reserved(std::string_view word);
+/// Whether a name from outside of the language can be that of an object or attribute, `what` ("a relation"). Errors:
+/// wrong_usage, reserved_name.
+algebra3d::Status check_object_name(std::string_view name, std::string_view what);
 /// The message for a reserved word in place of an operand.
 std::string no_operand_text(std::string_view word);
 

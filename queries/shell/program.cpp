@@ -38,6 +38,8 @@
 #include "queries/shell/detail/screen.h"
 #include "queries/streams/all.h"
 #include "queries/test_runner/test_runner.h"
+#include "queries/transfer/transfer.h"
+#include "queries/transfer/transfer_command.h"
 
 namespace queries {
 namespace {
@@ -358,6 +360,7 @@ int run_arguments(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
   Options options;
   ImportOptions import_options;
+  TransferOptions transfer_options;
   CLI::App app{"algebra3d: solids and surfaces as values in a database, with exact geometry"};
   app.footer(
       "New here? The tutorial leads to answers on your own files in a quarter of an hour: docs/tutorial.md in the\n"
@@ -369,6 +372,8 @@ int run_arguments(int argc, char** argv) {
   app.require_subcommand(0, 1);  // so that `help test` asks for help
   add_options(app, options);
   const CLI::App* import = add_import_command(app, import_options);
+  const CLI::App* push = add_push_command(app, transfer_options);
+  const CLI::App* pull = add_pull_command(app, transfer_options);
   const CLI::App* test = add_test_command(app, options);
   ServerOptions server_options;
   const CLI::App* serve = add_serve_command(app, server_options);
@@ -406,6 +411,8 @@ int run_arguments(int argc, char** argv) {
   algebra3d::Registry registry = algebra3d::make_registry();
   register_stream_operators(registry);
   if (import->parsed()) return run_import(import_options, registry, &Interruption::flag());
+  if (push->parsed()) return run_push(transfer_options, registry, &Interruption::flag());
+  if (pull->parsed()) return run_pull(transfer_options, registry, &Interruption::flag());
   if (test->parsed()) return run_tests(options, registry);
   if (help->parsed()) return run_help(app, options, registry);
   if (const auto status = until_interrupted(console, [&] { return take_files(options, console); })) return *status;

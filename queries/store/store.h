@@ -186,6 +186,20 @@ class Store {
   /// Forgets that the file at `path` was imported.
   virtual Status forget_imported(const std::string& relation, const std::string& path) = 0;
 
+  /// How much of a table of a server `algebra3d pull` has put into a relation; recorded for resuming.
+  struct PulledTable {
+    std::string source;          ///< the table
+    std::string place = {};      ///< of its last row that was pulled
+    std::uint64_t count = 0;     ///< of the rows
+    std::uint64_t checksum = 0;  ///< of the rows
+  };
+  /// What was pulled into the relation, by the names of tables. May be called outside a transaction.
+  virtual Result<std::vector<PulledTable>> pulled_tables(const std::string& relation) = 0;
+  /// Replaces what is recorded for the same source.
+  virtual Status remember_pulled(const std::string& relation, const PulledTable& table) = 0;
+  /// Forgets all tables that were pulled into the relation.
+  virtual Status forget_pulled(const std::string& relation) = 0;
+
  protected:
   Store() = default;
 };

@@ -7,9 +7,12 @@
 #include <fmt/format.h>
 
 #include "algebra3d/values/types/utf8.h"
+#include "base/progress_display.h"
 
 namespace queries {
 namespace {
+
+using algebra3d::grouped;
 
 constexpr std::size_t kReasonsShown = 8;
 constexpr std::size_t kLongestReason = 72;
@@ -144,12 +147,6 @@ std::vector<std::string> reason_kinds(const LoadedFile& file) {
   replace_all(kind, "\n", " ");
   if (kind.size() <= kLongestReason) return {kind};
   return {std::string(algebra3d::utf8_prefix(kind, kLongestReason)) + "..."};
-}
-
-std::string grouped(std::uint64_t number) {
-  std::string digits = std::to_string(number);
-  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
-  return digits;
 }
 
 std::string summary_table(const ImportSummary& summary, std::string_view relation, std::uint64_t batch_count) {

@@ -54,7 +54,4 @@ std::vector<std::string> reason_kinds(const LoadedFile& file);
 /// The table at the end of an import, for people.
 std::string summary_table(const ImportSummary& summary, std::string_view relation, std::uint64_t batch_count);
 
-/// A number with separators: "1,234,567".
-std::string grouped(std::uint64_t number);
-
 }  // namespace queries

@@ -9,6 +9,7 @@
 #include "queries/store/detail/frozen_index.h"
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/index_pages.h"
+#include "queries/store/detail/pulled_tables.h"
 #include "queries/store/detail/sqlite_error.h"
 #include "queries/store/detail/stored_object.h"
 #include "queries/store/detail/tables.h"
@@ -48,6 +49,8 @@ Result<std::vector<Finding>> IntegrityCheck::run() {
   A3D_TRY(check_columns());
   A3D_TRY(check_numbers("object_values", "id"));
   A3D_TRY(check_numbers("imported_files", "relation"));
+  const auto has_pulled = has_pulled_tables(database_->connection());
+  if (!has_pulled || *has_pulled) A3D_TRY(check_numbers("pulled_tables", "relation"));
   A3D_TRY(check_chunks());
   A3D_TRY(check_index_pages());
   A3D_TRY(check_levels());

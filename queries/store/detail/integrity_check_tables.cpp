@@ -4,6 +4,7 @@
 
 #include "base/propagate.h"
 #include "queries/store/detail/integrity_check.h"
+#include "queries/store/detail/pulled_tables.h"
 #include "queries/store/detail/shape_levels.h"
 #include "queries/store/detail/sqlite_error.h"
 #include "queries/store/detail/tables.h"
@@ -22,6 +23,7 @@ constexpr std::pair<const char*, const char*> kOwnTables[] = {
     {"index_pages", "the table index_pages, which holds spatial indexes: "},
     {"shape_levels", "the table shape_levels, which holds levels of detail: "},
     {"imported_files", "the table imported_files, which says what was imported: "},
+    {"pulled_tables", "the table pulled_tables, which says what was pulled from servers: "},
 };
 
 bool is_about_free_pages(std::string_view text) {
@@ -85,10 +87,14 @@ Result<std::vector<std::string>> column_names(SqliteConnection& connection, cons
 /// All tables that belong here, each with the beginning of findings about it.
 std::vector<std::pair<std::string, Finding>> IntegrityCheck::tables() {
   std::vector<std::pair<std::string, Finding>> result;
+  // Two of them are in files that have something for them.
   const auto has_levels = has_level_table(database_->connection());
-  for (const auto& [table, begin] : kOwnTables)
-    if (table != std::string_view("shape_levels") || !has_levels || *has_levels)
-      result.emplace_back(table, Finding{.message = begin});
+  const auto has_pulled = has_pulled_tables(database_->connection());
+  for (const auto& [table, begin] : kOwnTables) {
+    const bool is_missing = (table == std::string_view("shape_levels") && has_levels && !*has_levels) ||
+                            (table == std::string_view("pulled_tables") && has_pulled && !*has_pulled);
+    if (!is_missing) result.emplace_back(table, Finding{.message = begin});
+  }
   for (const auto& [name, entry] : database_->catalogue().entries()) {
     if (!entry.type.is_relation() || entry.table_number == 0) continue;
     if (const auto layout = database_->layout_of(entry))
@@ -216,6 +222,7 @@ Status IntegrityCheck::check_columns() {
   A3D_ASSIGN(const auto model, SqliteConnection::open_temporary());
   for (const char* sql : kCreateTables) A3D_TRY(model->execute(sql));
   A3D_TRY(model->execute(kCreateShapeLevels));
+  A3D_TRY(model->execute(kCreatePulledTables));
   for (const auto& [number, layout] : layouts_) A3D_TRY(model->execute(layout->create_sql()));
   for (const auto& [table, place] : tables()) {
     const bool is_new = place.object.empty() || std::ranges::any_of(layouts_, [&table = table](const auto& each) {

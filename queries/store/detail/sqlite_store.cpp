@@ -8,6 +8,7 @@
 #include "base/propagate.h"
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/integrity_check.h"
+#include "queries/store/detail/pulled_tables.h"
 #include "queries/store/detail/read_scope.h"
 #include "queries/store/detail/stored_object.h"
 #include "queries/store/detail/stored_relation.h"
@@ -316,6 +317,23 @@ Status SqliteStore::forget_imported(const std::string& relation, const std::stri
     statement.bind(1, entry->id).bind(2, path);
     return statement.run();
   });
+}
+
+Result<std::vector<Store::PulledTable>> SqliteStore::pulled_tables(const std::string& relation) {
+  const ReadScope scope(*database_);
+  A3D_TRY(scope.status());
+  A3D_ASSIGN(const CatalogueEntry* entry, required(relation));
+  return read_pulled_tables(database_->connection(), entry->id);
+}
+
+Status SqliteStore::remember_pulled(const std::string& relation, const PulledTable& table) {
+  A3D_ASSIGN(const CatalogueEntry* entry, required(relation));
+  return database_->change([&] { return write_pulled_table(database_->connection(), entry->id, table); });
+}
+
+Status SqliteStore::forget_pulled(const std::string& relation) {
+  A3D_ASSIGN(const CatalogueEntry* entry, required(relation));
+  return database_->change([&] { return erase_pulled_tables(database_->connection(), entry->id); });
 }
 
 }  // namespace queries

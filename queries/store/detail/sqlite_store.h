@@ -51,6 +51,9 @@ class SqliteStore final : public Store {
   Result<bool> is_imported(const std::string& relation, const ImportedFile& file) override;
   Status remember_imported(const std::string& relation, const ImportedFile& file) override;
   Status forget_imported(const std::string& relation, const std::string& path) override;
+  Result<std::vector<PulledTable>> pulled_tables(const std::string& relation) override;
+  Status remember_pulled(const std::string& relation, const PulledTable& table) override;
+  Status forget_pulled(const std::string& relation) override;
 
  private:
   Result<const CatalogueEntry*> required(const std::string& name);

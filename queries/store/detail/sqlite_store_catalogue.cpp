@@ -1,6 +1,7 @@
 // The parts of the store that remove and rename objects, and the named types.
 #include "base/propagate.h"
 #include "queries/store/detail/chunks.h"
+#include "queries/store/detail/pulled_tables.h"
 #include "queries/store/detail/read_scope.h"
 #include "queries/store/detail/sqlite_store.h"
 #include "queries/store/detail/stored_object.h"
@@ -33,6 +34,7 @@ Status SqliteStore::remove_entry(const CatalogueEntry& entry) {
     A3D_ASSIGN(SqliteStatement statement, connection.use(sql));
     A3D_TRY(statement.bind(1, entry.id).run());
   }
+  A3D_TRY(erase_pulled_tables(connection, entry.id));
   database_->catalogue().remove(std::string(entry.name));
   return {};
 }

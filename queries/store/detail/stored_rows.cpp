@@ -9,6 +9,7 @@
 #include "algebra3d/values/types/scalars.h"
 #include "base/propagate.h"
 #include "queries/store/detail/chunks.h"
+#include "queries/store/detail/formed_value.h"
 #include "queries/store/detail/stored_value.h"
 
 namespace queries {
@@ -36,11 +37,13 @@ std::uint64_t row_checksum(const RelationLayout& layout, std::vector<Cell>& cell
   return result;
 }
 
-/// The encoded bytes of a defined value; a value that our own database defers is not decoded for this.
+/// The encoded bytes of a defined value; a value that our own database defers is not decoded for this, nor is one
+/// encoded that has its binary form.
 Result<std::string> encoded_bytes(const Database& database, const Value& value) {
   if (const auto deferred = value.deferred()) {
     const auto* stored = dynamic_cast<const StoredValue*>(deferred.get());
     if (stored != nullptr && stored->database() == &database) return stored->encoded();
+    if (const auto* formed = dynamic_cast<const FormedValue*>(deferred.get())) return formed->form();
   }
   A3D_ASSIGN(const Value loaded, value.loaded());
   return algebra3d::encode_to_store(loaded);

@@ -45,6 +45,12 @@ inline constexpr const char* kCreateShapeLevels =
     "NULL, number INTEGER NOT NULL, value_sum INTEGER NOT NULL, checksum INTEGER NOT NULL, bytes BLOB NOT NULL, "
     "PRIMARY KEY(owner, tuple, attribute, number))";
 
+/// How much of tables of a server was put into relations, in files that have some. Programs that know nothing of it go
+/// on working: they leave rows of relations that they remove.
+inline constexpr const char* kCreatePulledTables =
+    "CREATE TABLE IF NOT EXISTS pulled_tables(relation INTEGER NOT NULL, source TEXT NOT NULL, place TEXT NOT NULL, "
+    "count INTEGER NOT NULL, checksum INTEGER NOT NULL, PRIMARY KEY(relation, source))";
+
 /// SQL statements that create the tables of a new database; relations add their own.
 inline constexpr std::array kCreateTables = {
     "CREATE TABLE meta(id INTEGER PRIMARY KEY, next_number INTEGER NOT NULL, object_count INTEGER NOT NULL, "

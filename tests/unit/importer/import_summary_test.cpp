@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "queries/importer/detail/progress_display.h"
+#include "base/progress_display.h"
+#include "queries/importer/detail/import_progress.h"
 
 namespace queries {
 namespace {
+
+using algebra3d::grouped;
 
 std::vector<std::string> kinds_of(const std::string& status) {
   LoadedFile file;
@@ -66,22 +69,26 @@ TEST(ImportSummary, the_table_counts_what_was_counted) {
     EXPECT_NE(table.find(row), std::string::npos) << row << table;
 }
 
+std::string line_of(const ImportSummary& summary, std::uint64_t pending_count) {
+  return algebra3d::progress_line(done_part(summary), progress_text(summary, pending_count));
+}
+
 TEST(ProgressLine, shows_the_share_of_bytes) {
   ImportSummary summary;
   summary.file_count = 2;
   summary.byte_count = 100;
-  EXPECT_TRUE(progress_line(summary, 0).starts_with("[          ] 0/2 files")) << progress_line(summary, 0);
+  EXPECT_TRUE(line_of(summary, 0).starts_with("[          ] 0/2 files")) << line_of(summary, 0);
   summary.done_bytes = 50;
   summary.inserted_count = 1;
-  EXPECT_TRUE(progress_line(summary, 1).starts_with("[#####     ] 1/2 files")) << progress_line(summary, 1);
+  EXPECT_TRUE(line_of(summary, 1).starts_with("[#####     ] 1/2 files")) << line_of(summary, 1);
   summary.done_bytes = 120;  // a file has grown since it was listed
-  EXPECT_TRUE(progress_line(summary, 1).starts_with("[##########] ")) << progress_line(summary, 1);
+  EXPECT_TRUE(line_of(summary, 1).starts_with("[##########] ")) << line_of(summary, 1);
 }
 
 TEST(ProgressLine, fits_into_a_terminal_of_eighty_columns) {
   ImportSummary summary;
   summary.file_count = summary.inserted_count = summary.undefined_count = 10000;
-  EXPECT_LE(progress_line(summary, 10000).size(), 80);
+  EXPECT_LE(line_of(summary, 10000).size(), 80);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ class StoreIntegrity : public StoreTest {
       ok(store_->create("never", type("(rel (tuple ((A int))))")));
       ok(store_->create_type("t", "real"));
       ok(store_->remember_imported("R", {"a.stl", 84, 1}));
+      ok(store_->remember_pulled("R", {"d.s.t", "(0,1)", 84, 1}));
     });
     read([&] {
       EXPECT_EQ(*index("I")->size(), 9U);
@@ -130,6 +131,8 @@ TEST_F(StoreIntegrity, what_belongs_to_no_object_is_named) {
             Texts{"the table object_values has rows of the object number 99, which is not there"});
   EXPECT_EQ(after("INSERT INTO imported_files VALUES(99, 'a', 1, 1)"),
             Texts{"the table imported_files has rows of the object number 99, which is not there"});
+  EXPECT_EQ(after("INSERT INTO pulled_tables VALUES(99, 'a', 'b', 1, 1)"),
+            Texts{"the table pulled_tables has rows of the object number 99, which is not there"});
 }
 
 TEST_F(StoreIntegrity, a_lost_table_is_an_unreadable_relation) {

@@ -2,6 +2,8 @@
 #include <bit>
 #include <limits>
 
+#include "algebra3d/values/types/codec.h"
+#include "queries/store/stored_form.h"
 #include "unit/store/store_fixture.h"
 
 namespace queries {
@@ -214,6 +216,50 @@ TEST_F(StoredValues, imported_files_are_known_by_path_size_and_hash) {
     let_parts(1);
   });
   EXPECT_FALSE(*store_->is_imported("Parts", {"a/b.stl", 10, 0xffffffffffffffffU}));
+}
+
+TEST_F(StoredValues, tables_that_were_pulled_are_remembered_with_their_relation) {
+  const auto pulled = [&] {
+    std::string text;
+    const auto tables = store_->pulled_tables("Parts");
+    EXPECT_TRUE(tables.ok());
+    for (const Store::PulledTable& each : *tables)
+      text += fmt::format("{} {} {} {:x};", each.source, each.place, each.count, each.checksum);
+    return text;
+  };
+  write([&] { let_parts(1); });
+  EXPECT_EQ(pulled(), "");  // also without the table
+  write([&] {
+    ok(store_->remember_pulled("Parts", {"d.s.t", "(0,1)", 1, 5}));
+    ok(store_->remember_pulled("Parts", {"d.s.u", "(7,3)", 2, 0xffffffffffffffffU}));
+    ok(store_->remember_pulled("Parts", {"d.s.t", "(1,9)", 3, 6}));
+  });
+  reopen(OpenMode::read_write);
+  EXPECT_EQ(pulled(), "d.s.t (1,9) 3 6;d.s.u (7,3) 2 ffffffffffffffff;");
+  write([&] {
+    ok(store_->remove("Parts"));
+    let_parts(1);
+  });
+  EXPECT_EQ(pulled(), "");
+  EXPECT_EQ(sql("SELECT count(*) FROM pulled_tables"), "0");
+}
+
+TEST_F(StoredValues, a_value_is_written_in_the_form_that_it_came_in) {
+  const Value cube = value("volume3d", solid(1));
+  const std::string form = algebra3d::encode(cube);
+  EXPECT_EQ(*stored_form(cube), form);
+  EXPECT_EQ(*stored_form(with_form(cube, form)), form);
+  // What is in the file is copied: bytes that no encoding gives stay.
+  write([&] { let_relation("R", "(tuple ((Solid volume3d)))", {Tuple{{with_form(cube, form + "x")}, 0}}); });
+  EXPECT_EQ(sql("SELECT length(a1_Solid) FROM " + sql("SELECT name FROM sqlite_schema WHERE name LIKE 'rel_%_R'")),
+            std::to_string(form.size() + 1));
+  read([&] {
+    const Datum datum = *store_->read("R");
+    const auto tuples = *datum.relation()->scan();
+    const Value stored = (*tuples->next())->attributes[0];
+    ASSERT_TRUE(stored.is_deferred());
+    EXPECT_EQ(*stored_form(stored), form + "x");
+  });
 }
 
 }  // namespace

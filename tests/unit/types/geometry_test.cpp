@@ -274,5 +274,16 @@ TEST(geometry, equal_points_are_found) {
   EXPECT_TRUE(has_equal_points(mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, -0.0, 0}})));
 }
 
+TEST(geometry, points_with_the_same_doubles_may_differ) {
+  const Rational tiny = Rational(1, 1'000'000'007) * Rational(1, 1'000'000'007) * Rational(1, 1'000'000'007);
+  const auto at = [&](int steps) { return ExactPoint(RationalVec3(Rational(1, 3) + tiny * Rational(steps), 0, 0)); };
+  ASSERT_EQ(at(0).ref().approx, at(2).ref().approx);
+  PointArray points;
+  for (int steps : {2, 0, 1}) points.push_back(at(steps));
+  EXPECT_FALSE(has_equal_points(TriangleMesh(points, std::vector<Triangle>{{0, 1, 2}})));
+  points.push_back(at(0));
+  EXPECT_TRUE(has_equal_points(TriangleMesh(points, std::vector<Triangle>{{0, 1, 2}})));
+}
+
 }  // namespace
 }  // namespace algebra3d
