@@ -1,8 +1,27 @@
 import { useEffect, useState } from "preact/hooks";
-import type { LoadProgress, SceneView } from "../scene/api";
-import { useSceneReports } from "./SceneHost";
+import type { LoadProgress, SceneProblem, SceneView } from "../scene/api";
 import { WithCode } from "./ui/WithCode";
 import { Icon } from "./ui/Icon";
+
+/** The progress of a scene that is loading, and the reason why it cannot draw. */
+function useSceneReports(view: SceneView): {
+  progress: readonly LoadProgress[];
+  problem: SceneProblem | null;
+} {
+  const [progress, setProgress] = useState(view.progress);
+  const [problem, setProblem] = useState(view.problem);
+  useEffect(() => {
+    setProgress(view.progress);
+    setProblem(view.problem);
+    const ends = [
+      view.on("progress", () => setProgress([...view.progress])),
+      view.on("shapes", () => setProgress([...view.progress])),
+      view.on("problem", setProblem),
+    ];
+    return () => ends.forEach((end) => end());
+  }, [view]);
+  return { progress, problem };
+}
 
 /** Loading, failed loading, objects far out of sight, and a missing WebGL, drawn over a scene. */
 export function SceneMessages({ view }: { view: SceneView }) {

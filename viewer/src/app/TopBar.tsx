@@ -1,4 +1,4 @@
-import { useApp } from "./context";
+import { useApp, useKeeper } from "./context";
 import { copyLink } from "./link";
 import { Icon } from "./ui/Icon";
 import { IconButton } from "./ui/controls";
@@ -16,6 +16,7 @@ const themes: readonly { readonly choice: ThemeChoice; readonly label: string }[
 export function TopBar() {
   const app = useApp();
   const { store, workspace } = app;
+  const keeper = useKeeper();
   const { layout, mode, theme } = store;
   const compare = mode.value === "compare";
   return (
@@ -28,6 +29,18 @@ export function TopBar() {
       <strong class="wordmark">algebra3d</strong>
       <ServerState />
       <span class="grow" />
+      <IconButton
+        icon="undo"
+        label="Undo (Ctrl+Z)"
+        disabled={!keeper.canUndo.value}
+        onClick={() => void keeper.undo()}
+      />
+      <IconButton
+        icon="redo"
+        label="Redo (Ctrl+Shift+Z)"
+        disabled={!keeper.canRedo.value}
+        onClick={() => void keeper.redo()}
+      />
       <button
         type="button"
         class="btn quiet"

@@ -14,6 +14,7 @@ import type {
   CameraState,
   CellRef,
   Color,
+  Hit,
   ScenePatch,
   SceneState,
   StandardView,
@@ -102,28 +103,6 @@ export interface ShapeInfo {
 // ---------------------------------------------------------------------------------------------------------------
 // Events
 
-/** The place under the pointer. */
-export interface Hit {
-  readonly cell: CellRef;
-  readonly point: Vec3;
-  /** What the point was snapped to. */
-  readonly snap: "vertex" | "edge" | "face" | "point";
-  /** Numbers in the value, as by faces(v) and vertices(v); null where the level of detail does not know them. */
-  readonly face: number | null;
-  readonly vertex: number | null;
-  /** The corners of the triangle, or null; `ids` are their numbers in the value. */
-  readonly triangle: {
-    readonly corners: readonly [Vec3, Vec3, Vec3];
-    readonly ids: readonly [number | null, number | null, number | null];
-    readonly normal: Vec3;
-    readonly area: number;
-  } | null;
-  /** The ends of the edge to which the point was snapped. */
-  readonly edge: readonly [Vec3, Vec3] | null;
-  /** The drawn level of detail is a coarser one, so that the point lies up to this far from the value. */
-  readonly deviation: number;
-}
-
 export interface VertexMove {
   readonly cell: CellRef;
   /** Number in the value, as by vertices(v). */
@@ -133,8 +112,6 @@ export interface VertexMove {
   /** False while dragging, true when the button was let go. */
   readonly finished: boolean;
 }
-
-export type TransformMode = "translate" | "rotate" | "scale";
 
 /** What was done to an object by its handle. */
 export type Transformation =
@@ -158,12 +135,8 @@ export interface SceneEvents {
   selection: { readonly cells: readonly CellRef[]; readonly byPerson: boolean };
   /** A double click on an object: show its properties. */
   open: { readonly hit: Hit };
-  /** Another tool was chosen, by a key or by setting `tool`. */
-  tool: { readonly tool: Tool };
   /** The pointer is over a point, or over nothing. */
   hover: { readonly hit: Hit | null };
-  /** A click while tool is `measure` or `inspect`. */
-  pick: { readonly hit: Hit; readonly tool: Tool };
   /** The section plane rests at a new place: ask the database for the exact cut. */
   section: { readonly point: Vec3; readonly normal: Vec3 };
   /** The shapes or their levels of detail changed. */
@@ -172,15 +145,13 @@ export interface SceneEvents {
   /** See SceneView.farCount. */
   far: { readonly count: number };
   vertex: VertexMove;
-  /** The handle of an object was let go; the object is drawn there until `transformTarget` is set or it goes. */
+  /** The handle of an object was let go; the object is drawn there until another one takes its place or `resetDrag`. */
   transform: { readonly cell: CellRef; readonly transformation: Transformation };
   /** null when it is over. */
   problem: SceneProblem | null;
   /** A keyboard shortcut that the application has to carry out, see `shortcuts.ts`. */
   action: SceneAction;
 }
-
-export type Tool = "select" | "measure" | "inspect" | "vertex";
 
 // ---------------------------------------------------------------------------------------------------------------
 // The view
@@ -286,14 +257,8 @@ export interface SceneView {
   setCamera(camera: CameraState, options?: { readonly animate?: boolean }): void;
 
   // Tools
-  tool: Tool;
-  /** Snaps of measuring. */
-  snap: { vertices: boolean; edges: boolean };
-  /** The object whose vertices are dragged while tool is `vertex`. */
-  vertexTarget: { readonly cell: CellRef; readonly along: "normal" | "plane" | "free" } | null;
-
-  /** The object with a handle by which it is moved, turned or scaled. */
-  transformTarget: { readonly cell: CellRef; readonly mode: TransformMode } | null;
+  /** Draws what is dragged by its handle where it was before, as after a transformation that failed. */
+  resetDrag(): void;
 
   // Additions to the picture that do not belong to a result
   setCaps(caps: readonly { readonly cell: CellRef; readonly bytes: ArrayBuffer }[]): void;

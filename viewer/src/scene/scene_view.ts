@@ -11,23 +11,31 @@ import { Emitter } from "./events";
 import { Interaction } from "./interaction";
 import { Loader } from "./loader";
 import { Picker } from "./picking";
+import { SectionOwners } from "./section_owners";
 import { PointerInput } from "./pointer";
 import type { QualityStep } from "./quality";
 import { takeScreenshot } from "./screenshot";
+import { cellKey } from "./shape_store";
 import type { Column } from "./shape_store";
 import { Sight } from "./sight";
 import { kDefaultState, patched, stateToJson } from "./state";
 import { stateFromJson } from "./state_json";
 import { Stage } from "./stage";
-import { toBox3 } from "./vec";
+import { handleTarget, inOwnPlace, picked, vertexTarget, withoutObjects } from "./tools";
+import { fromVector3, toBox3 } from "./vec";
+
+/** What the colours of objects, and where they are drawn, depend on. */
+const kColoringParts: ReadonlySet<keyof api.SceneState> = new Set([
+  "appearance",
+  "overrides",
+  "display",
+  "focus",
+]);
 
 export class View implements api.SceneView {
   state: api.SceneState = kDefaultState;
   problem: api.SceneProblem | null = null;
   selection: readonly api.CellRef[] = [];
-  readonly snap = { vertices: true, edges: true };
-  private currentTool: api.Tool = "select";
-  private target: api.SceneView["vertexTarget"] = null;
   readonly emitter = new Emitter<api.SceneEvents>();
   readonly stage: Stage;
   readonly canvas: Canvas;
@@ -40,6 +48,7 @@ export class View implements api.SceneView {
   private readonly input: PointerInput;
   private coloringStale = false;
   private readonly sight: Sight;
+  private readonly sectionOwners = new SectionOwners();
 
   constructor(readonly element: HTMLElement) {
     if (getComputedStyle(element).position === "static") element.style.position = "relative";
@@ -80,15 +89,6 @@ export class View implements api.SceneView {
       get state() {
         return view.state;
       },
-      get tool() {
-        return view.tool;
-      },
-      get snap() {
-        return view.snap;
-      },
-      get vertexTarget() {
-        return view.vertexTarget;
-      },
       get selection() {
         return view.selection;
       },
@@ -96,8 +96,8 @@ export class View implements api.SceneView {
       update: (patch, moving) => this.change(patch, moving ?? false),
       selectByPerson: (cells) => this.setSelection(cells, true),
       opened: (hit) => this.emitter.emit("open", { hit }),
-      picked: (hit) => this.emitter.emit("pick", { hit, tool: this.tool }),
-      hovered: (hit) => this.emitter.emit("hover", { hit }),
+      picked: (hit) => this.change({ tools: picked(this.state.tools, this.own(hit)) }, false),
+      hovered: (hit) => this.emitter.emit("hover", { hit: hit && this.own(hit) }),
       sectionRests: () => this.sectionRests(),
       vertexMoved: (move) => this.emitter.emit("vertex", move),
       transformed: (cell, transformation) => this.emitter.emit("transform", { cell, transformation }),
@@ -106,9 +106,13 @@ export class View implements api.SceneView {
     };
   }
 
+  private own(hit: api.Hit): api.Hit {
+    return inOwnPlace(hit, this.stage.store.record(hit.cell)?.look?.offset ?? [0, 0, 0]);
+  }
+
   private draw(quality: QualityStep): void {
     this.applyColoring();
-    this.stage.draw(this.canvas, this.state, { software: this.canvas.software, quality, tool: this.tool });
+    this.stage.draw(this.canvas, this.state, { software: this.canvas.software, quality });
   }
 
   on<K extends keyof api.SceneEvents>(event: K, listener: (data: api.SceneEvents[K]) => void): () => void {
@@ -132,8 +136,13 @@ export class View implements api.SceneView {
 
   removeResult(result: string, column?: string): void {
     this.contents.remove(result, column);
-    const left = this.selection.filter((cell) => this.stage.store.record(cell));
-    if (left.length !== this.selection.length) this.setSelection(left, false);
+    const isGone = (cell: api.CellRef): boolean =>
+      cell.result === result && (column === undefined || cell.column === column);
+    this.setSelection(
+      this.selection.filter((cell) => !isGone(cell)),
+      false,
+    );
+    this.update(withoutObjects(this.state, isGone));
     this.contentChanged();
     this.sight.othersAreSeen();
   }
@@ -143,8 +152,9 @@ export class View implements api.SceneView {
   }
 
   private shapesCame(column: Column, came: "first" | "more" | "finer"): void {
+    this.contents.applyFocus(this.state.focus);
     this.contentChanged();
-    if (this.currentTool === "vertex") this.showGrips(true);
+    this.showGrips(true);
     this.sight.came(column, came);
   }
 
@@ -153,18 +163,39 @@ export class View implements api.SceneView {
     this.applyColoring();
     this.stage.contentChanged();
     this.canvas.contentChanged();
+    this.keepSectionWithObjects();
     this.emitter.emit("shapes", {});
+  }
+
+  /** The section plane goes with what it was placed for; for other objects it is placed anew, in their middle. */
+  private keepSectionWithObjects(): void {
+    const box = this.stage.contentBox;
+    if (!this.state.section.on || box.isEmpty()) return;
+    if (this.sectionOwners.take(this.stage.store.visibleColumns())) return;
+    this.update({ section: { point: fromVector3(box.getCenter(box.min.clone())), cap: "preview" } });
+    this.sectionRests();
   }
 
   setVisible(what: api.ColumnRef & { readonly row?: number }, visible: boolean): void {
     if (!this.contents.has(what)) return;
+    const { row } = what;
+    if (row !== undefined) {
+      this.hide({ ...what, row }, !visible);
+      return;
+    }
     const appeared = this.contents.setVisible(what, visible);
     this.visibilityChanged();
     if (appeared) this.sight.bringIn(appeared);
   }
 
-  /** After `hidden` of records was changed. */
-  visibilityChanged(): void {
+  private hide(cell: api.CellRef, isHidden: boolean): void {
+    const key = cellKey(cell);
+    const others = this.state.focus.hidden.filter((other) => cellKey(other) !== key);
+    this.update({ focus: { hidden: isHidden ? [...others, cell] : others } });
+  }
+
+  /** After columns or objects were shown or hidden. */
+  private visibilityChanged(): void {
     this.contents.refreshVisibility();
     this.contentChanged();
     this.sight.othersAreSeen();
@@ -232,12 +263,16 @@ export class View implements api.SceneView {
     const before = this.state;
     this.state = parts.includes("camera") ? { ...state, camera: normalizedCamera(state.camera) } : state;
     if (parts.includes("camera")) this.sight.changed();
-    if (parts.some((part) => part === "appearance" || part === "overrides" || part === "display")) {
-      this.coloringStale = true;
-    }
+    if (before.section.on !== state.section.on) this.sectionOwners.forget();
+    if (parts.some((part) => kColoringParts.has(part))) this.coloringStale = true;
+    if (parts.includes("tools")) this.toolsChanged(before);
     if (before.display.explode !== state.display.explode) {
       this.applyColoring();
       this.stage.contentChanged();
+    }
+    if (parts.includes("focus")) {
+      this.contents.applyFocus(state.focus);
+      this.visibilityChanged();
     }
     this.canvas.request(moving);
     this.emitter.emit("state", { parts });
@@ -257,6 +292,7 @@ export class View implements api.SceneView {
   restore(json: unknown): readonly string[] {
     const { patch, rejected } = stateFromJson(json);
     const { camera, overrides, ...rest } = { ...kDefaultState, ...patch };
+    this.sectionOwners.forget();
     for (const [part, value] of Object.entries(rest)) {
       const whole = { ...Reflect.get(kDefaultState, part), ...value } as unknown;
       this.update({ [part]: whole });
@@ -306,43 +342,29 @@ export class View implements api.SceneView {
 
   // Tools and additions -------------------------------------------------------------------------------------------
 
-  get tool(): api.Tool {
-    return this.currentTool;
-  }
-
-  set tool(tool: api.Tool) {
-    if (tool === this.currentTool) return;
-    this.currentTool = tool;
-    this.showGrips(tool === "vertex");
+  private toolsChanged(before: api.SceneState): void {
+    const { tool } = this.state.tools;
     this.canvas.element.style.cursor = tool === "select" ? "" : "crosshair";
-    this.canvas.request();
-    this.emitter.emit("tool", { tool });
+    const [old, now] = [vertexTarget(before), vertexTarget(this.state)];
+    if (JSON.stringify(old) !== JSON.stringify(now)) {
+      if (old) this.stage.store.record(old.cell)?.finest?.body.showGrips(false);
+      this.showGrips(true);
+    }
+    const handle = handleTarget(this.state);
+    if (JSON.stringify(handle) !== JSON.stringify(this.stage.handle.target))
+      this.stage.handle.target = handle;
   }
 
-  get vertexTarget(): api.SceneView["vertexTarget"] {
-    return this.target;
-  }
-
-  set vertexTarget(target: api.SceneView["vertexTarget"]) {
-    this.showGrips(false);
-    this.target = target;
-    this.showGrips(this.currentTool === "vertex");
-  }
-
-  get transformTarget(): api.SceneView["transformTarget"] {
-    return this.stage.handle.target;
-  }
-
-  set transformTarget(target: api.SceneView["transformTarget"]) {
-    this.stage.handle.target = target;
+  resetDrag(): void {
+    this.stage.handle.target = handleTarget(this.state);
     this.canvas.request();
   }
 
   /** The vertices that can be dragged. */
   private showGrips(show: boolean): void {
-    const record = this.target && this.stage.store.record(this.target.cell);
+    const target = vertexTarget(this.state);
+    const record = target && this.stage.store.record(target.cell);
     record?.finest?.body.showGrips(show);
-    this.canvas.request();
   }
 
   /** The section plane was let go: the exact cut can be asked for. */

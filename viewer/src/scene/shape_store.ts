@@ -147,6 +147,11 @@ export class ShapeStore {
     for (const column of this.columns) yield* column.records.values();
   }
 
+  /** Those of which something is there. */
+  visibleColumns(): readonly Column[] {
+    return this.columns.filter(({ visible, records }) => visible && records.size > 0);
+  }
+
   *visibleRecords(): Generator<ShapeRecord> {
     for (const record of this.records()) if (record.visible) yield record;
   }

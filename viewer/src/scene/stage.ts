@@ -3,7 +3,7 @@
 import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Scene, Vector3 } from "three";
 import type { Box3 } from "three";
 
-import type { CameraState, SceneState, Tool } from "./api";
+import type { CameraState, SceneState } from "./api";
 import { cornersOf } from "./camera";
 import type { Canvas } from "./canvas";
 import { Dots } from "./dots";
@@ -21,13 +21,13 @@ import { ShapeStore } from "./shape_store";
 import { themeOf } from "./theme";
 import { TransformHandle } from "./transform_handle";
 import type { SceneTheme } from "./theme";
+import { vertexTarget } from "./tools";
 import { isFarOrigin, toVector3 } from "./vec";
 
 export interface FrameOptions {
   /** Drawn by the processor. */
   readonly software: boolean;
   readonly quality: QualityStep;
-  readonly tool: Tool;
   readonly backgroundless?: boolean;
 }
 
@@ -124,7 +124,7 @@ export class Stage {
     renderer.clear(true, true, true);
     renderer.render(this.scene, camera);
     this.overlay.begin(Math.max(1, globalThis.devicePixelRatio || 1));
-    this.drawOverlay(state, options.tool);
+    this.drawOverlay(state);
     this.overlay.end();
   }
 
@@ -171,7 +171,7 @@ export class Stage {
     return box;
   }
 
-  private drawOverlay(state: SceneState, tool: Tool): void {
+  private drawOverlay(state: SceneState): void {
     const { overlay, projector, theme } = this;
     const { display, camera } = state;
     if (display.grid) this.grid.drawNumbers(overlay, projector, theme);
@@ -180,7 +180,7 @@ export class Stage {
     if (state.lights.markers) drawLightMarkers(overlay, projector, state.lights, theme);
     if (display.axes) drawAxes(overlay, camera, projector.size.height);
     if (display.scaleBar) drawScaleBar(overlay, camera, projector, theme);
-    if (tool === "vertex") this.drawVertexHint();
+    if (vertexTarget(state)) this.drawVertexHint();
   }
 
   private drawPlane(state: SceneState): void {

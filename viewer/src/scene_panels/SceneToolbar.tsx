@@ -9,8 +9,8 @@ import type { SceneIconName } from "./icons";
 
 /** The most frequent actions, with their shortcuts as tooltips. */
 export function SceneToolbar({ view }: { view: SceneView }) {
-  useSceneEvents(view, "state", "tool");
-  const { camera, section, display, appearance } = view.state;
+  useSceneEvents(view, "state");
+  const { camera, section, display, appearance, tools } = view.state;
   const orthographic = camera.projection === "orthographic";
   const bar = useRef<HTMLDivElement>(null);
   const more = useMoreBeside(bar);
@@ -34,8 +34,8 @@ export function SceneToolbar({ view }: { view: SceneView }) {
         <Tool view={view} action="edges" icon="edges" pressed={appearance.edges !== "none"} />
         <Tool view={view} action="grid" icon="grid" pressed={display.grid} />
         <Tool view={view} action="section" icon="section" pressed={section.on} />
-        <Tool view={view} action="measure" icon="measure" pressed={view.tool === "measure"} />
-        <Tool view={view} action="inspect" icon="inspect" pressed={view.tool === "inspect"} />
+        <Tool view={view} action="measure" icon="measure" pressed={tools.tool === "measure"} />
+        <Tool view={view} action="inspect" icon="inspect" pressed={tools.tool === "inspect"} />
         <Tool view={view} action="screenshot" icon="camera" />
         <Tool view={view} action="shortcuts" icon="keys" />
       </div>

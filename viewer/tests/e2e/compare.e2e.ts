@@ -212,7 +212,7 @@ test("a link restores the split screen", async () => {
     page = await other.open(link);
     // Only objects are shown and operations of the split screen done: nobody has to be asked.
     await expectSteps("right", /Ball › minus/);
-    expect(await side("left").locator(".steps").innerText()).toMatch(/Cube › subdivide catmull-clark/);
+    expect(await session.stepsOf("left")).toMatch(/Cube › subdivide catmull-clark/);
     await expectFact("left", "Faces", "24");
     await expectFact("right", "Volume", volume);
     expect(await page.getByLabel("Same camera").isChecked()).toBe(false);
@@ -270,7 +270,7 @@ test("counting is stopped, and the mesh stays", async () => {
   expect(held.length).toBe(1);
   expect(await side("left").locator('[data-fact="Faces"]').innerText()).toBe("12");
   expect(await side("left").locator('[data-fact="Volume"]').count()).toBe(0);
-  expect(await side("left").locator(".steps").innerText()).toBe("Cube");
+  expect(await session.stepsOf("left")).toBe("Cube");
   held.forEach((end) => end());
   await page.unroute("**/api/query");
 });
@@ -281,7 +281,7 @@ test("a running step is stopped, and what was there stays", async () => {
   await press("right", "Subdivide");
   await side("right").getByRole("button", { name: "Stop" }).click();
   await side("right").getByText("Stopped.").waitFor({ timeout: 60_000 });
-  expect(await side("right").locator(".steps").innerText()).toContain("Ball");
+  expect(await session.stepsOf("right")).toContain("Ball");
   await side("right").locator('[data-fact="Faces"]').waitFor({ timeout: 60_000 });
 });
 

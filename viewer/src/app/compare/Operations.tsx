@@ -1,4 +1,4 @@
-import { useEffect, useState } from "preact/hooks";
+import { useState } from "preact/hooks";
 import type { SceneView } from "../../scene/api";
 import { cellOf, type Side } from "../../state/workbench";
 import {
@@ -15,6 +15,7 @@ import {
   type Scheme,
   type SetOperation,
 } from "../../state/workbench_operations";
+import { useSceneState } from "../../scene_panels";
 import { useApp } from "../context";
 
 interface Props {
@@ -186,15 +187,16 @@ type Drag = (typeof drags)[number]["id"];
 
 /** What is dragged in the scene: vertices, or the whole mesh by a handle. */
 function Drags({ side, view }: Props) {
-  const [drag, setDrag] = useState<Drag | null>(null);
+  const { tools } = useSceneState(view, "tools");
+  const drag = tools.tool === "drag" ? tools.drag?.how : undefined;
   const step = side.step.value;
-  useEffect(() => {
-    const cell = drag && step && cellOf(step);
-    const isVertex = drag === "normal" || drag === "plane";
-    view.tool = isVertex ? "vertex" : "select";
-    view.vertexTarget = cell && isVertex ? { cell, along: drag } : null;
-    view.transformTarget = cell && !isVertex ? { cell, mode: drag } : null;
-  }, [view, drag, step]);
+  const choose = (how: Drag): void => {
+    if (!step) return;
+    const isEnd = drag === how;
+    view.update({
+      tools: { tool: isEnd ? "select" : "drag", drag: isEnd ? null : { cell: cellOf(step), how } },
+    });
+  };
   return (
     <div class="btn-group" role="group" aria-label="Drag in the scene">
       {drags.map(({ id, label, title }) => (
@@ -204,7 +206,7 @@ function Drags({ side, view }: Props) {
           class="btn"
           aria-pressed={drag === id}
           title={title}
-          onClick={() => setDrag(drag === id ? null : id)}
+          onClick={() => choose(id)}
         >
           {label}
         </button>

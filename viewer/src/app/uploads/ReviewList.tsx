@@ -120,7 +120,7 @@ function ShownLine({ label, outcome }: { label: string; outcome: Outcome }) {
 /** The triangles that the repair added and took away, marked in 3D while a form of the mesh is shown. */
 function ChangesLine({ review }: { review: Review }) {
   const { store, workspace } = useApp();
-  const scene = workspace.scene.value;
+  const scene = workspace.scene.value?.view;
   const changes = review.changes.value;
   const [wanted, setWanted] = useState(true);
   const isDrawn = (outcome: Outcome | null) =>
