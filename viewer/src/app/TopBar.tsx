@@ -80,12 +80,14 @@ export function TopBar() {
           pressed={layout.leftOpen.value}
           onClick={() => (layout.leftOpen.value = !layout.leftOpen.value)}
         />
-        <IconButton
-          icon="panelBottom"
-          label="Results"
-          pressed={layout.bottomOpen.value}
-          onClick={() => (layout.bottomOpen.value = !layout.bottomOpen.value)}
-        />
+        {!compare && (
+          <IconButton
+            icon="panelBottom"
+            label="Results"
+            pressed={layout.bottomOpen.value}
+            onClick={() => (layout.bottomOpen.value = !layout.bottomOpen.value)}
+          />
+        )}
         <IconButton
           icon="panelRight"
           label="Settings of the view"

@@ -107,7 +107,11 @@ export class ViewKeeper {
     if (!view) return;
     this.#fragment = hash;
     await this.#restore(view);
-    this.#changed();
+    if (pendingView.value) return;
+    const { view: now } = viewOf(this.#app, true);
+    this.#history.record(now);
+    await this.#write(now, false);
+    this.settled.value = true;
   }
 
   async #travel(step: () => LinkView | null): Promise<void> {
@@ -116,7 +120,10 @@ export class ViewKeeper {
     const view = step();
     if (!view) return;
     await this.#restore(view);
-    await this.#write(view, false);
+    // Results that were made since stay beside those of the view.
+    const { view: now } = viewOf(this.#app, true);
+    this.#history.amend(now);
+    await this.#write(now, false);
     this.settled.value = true;
   }
 

@@ -183,6 +183,7 @@ export class View implements api.SceneView {
       this.hide({ ...what, row }, !visible);
       return;
     }
+    if (this.contents.isVisible(what) === visible) return;
     const appeared = this.contents.setVisible(what, visible);
     this.visibilityChanged();
     if (appeared) this.sight.bringIn(appeared);
@@ -263,7 +264,7 @@ export class View implements api.SceneView {
     const before = this.state;
     this.state = parts.includes("camera") ? { ...state, camera: normalizedCamera(state.camera) } : state;
     if (parts.includes("camera")) this.sight.changed();
-    if (before.section.on !== state.section.on) this.sectionOwners.forget();
+    if (before.section.on !== state.section.on) this.sectionOwners.start(this.stage.store.visibleColumns());
     if (parts.some((part) => kColoringParts.has(part))) this.coloringStale = true;
     if (parts.includes("tools")) this.toolsChanged(before);
     if (before.display.explode !== state.display.explode) {

@@ -5,6 +5,12 @@ import type { Column } from "./shape_store";
 export class SectionOwners {
   private names: ReadonlySet<string> | null = null;
 
+  /** A plane is placed for what is shown. */
+  start(columns: readonly Column[]): void {
+    this.forget();
+    this.take(columns);
+  }
+
   /** The next columns that are shown are those of the plane. */
   forget(): void {
     this.names = null;

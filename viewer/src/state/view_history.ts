@@ -28,6 +28,11 @@ export class ViewHistory {
     return true;
   }
 
+  /** Puts a view in the place of the present one. */
+  amend(view: LinkView): void {
+    this.#views.value = this.#views.value.map((other, index) => (index === this.#at.value ? view : other));
+  }
+
   undo(): LinkView | null {
     return this.#go(-1);
   }

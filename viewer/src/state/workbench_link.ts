@@ -117,7 +117,7 @@ export async function restoreSides(
     const side = link.right.steps.includes(number) ? workbench.right : workbench.left;
     const cells = resolved(inputs, made, results);
     const step =
-      there.find(({ outcome }) => kept !== undefined && outcome.resultId === kept.id) ??
+      (kept && there.find(({ outcome }) => outcome.resultId === kept.id)) ??
       (kept && (await side.takeUp(label, statement, cells, kept))) ??
       (await side.make(label, statement, cells));
     if (!step) return false;

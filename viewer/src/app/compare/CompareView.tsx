@@ -28,8 +28,7 @@ export function CompareView() {
   }, [left, right, sameCamera.value]);
   return (
     <div class="compare" data-testid="compare">
-      <CompareSide name="left" />
-      <div class="compare-middle">
+      <div class="compare-head">
         <label class="check" title="Turn both views together">
           <input
             type="checkbox"
@@ -39,6 +38,8 @@ export function CompareView() {
           <span>Same camera</span>
         </label>
       </div>
+      <CompareSide name="left" />
+      <div class="compare-middle" />
       <CompareSide name="right" />
     </div>
   );

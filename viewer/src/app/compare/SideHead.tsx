@@ -84,7 +84,7 @@ function StepList({ side }: { side: Side }) {
   const all = [...side.steps.value, ...side.undone.value];
   if (all.length < 2) return null;
   return (
-    <ol class="steps" aria-label="Steps">
+    <ol class="steps" aria-label="What was done">
       {all.map((step, index) => (
         <li key={index}>
           <button
