@@ -1,6 +1,6 @@
 /** What the actions of shortcuts.ts do; the group "Application" is handed on as events. */
 
-import type { Appearance, ColorScheme, FocusState, StandardView, Tool } from "./api";
+import type { Appearance, ColorScheme, DisplayState, FocusState, StandardView, Tool } from "./api";
 import { orbit, pan, zoom } from "./camera";
 import type { View } from "./scene_view";
 import { kShortcuts } from "./shortcuts";
@@ -94,7 +94,8 @@ const kActions: Readonly<Record<string, Action>> = {
   "opacity.less": (view) => changeOpacity(view, -0.1),
   "light.more": (view) => changeLight(view, 1.15),
   "light.less": (view) => changeLight(view, 1 / 1.15),
-  explode: (view) => view.update({ display: { explode: view.state.display.explode > 0 ? 0 : 0.6 } }),
+  explode: (view) => toggleArrangement(view, "exploded"),
+  sheet: (view) => toggleArrangement(view, "grid"),
 
   hide: (view) => {
     view.update({ focus: { hidden: [...view.state.focus.hidden, ...view.selection] } });
@@ -161,6 +162,11 @@ function changeLight(view: View, factor: number): void {
   const { global } = view.state.lights;
   const brightness = Math.min(10, Math.max(0.05, global.brightness * factor));
   view.update({ lights: { global: { ...global, brightness } } });
+}
+
+function toggleArrangement(view: View, arrangement: DisplayState["arrangement"]): void {
+  const isThere = view.state.display.arrangement === arrangement;
+  view.update({ display: { arrangement: isThere ? "place" : arrangement } });
 }
 
 function toggleTool(view: View, tool: Tool): void {

@@ -77,7 +77,8 @@ export interface Appearance {
   /** 0 invisible to 1 solid. */
   readonly opacity: number;
   readonly color: Color;
-  readonly edgeColor: Color;
+  /** null: one that is seen well on faces, or without them on the background. */
+  readonly edgeColor: Color | null;
   /** Diameter of points and vertices in pixels. */
   readonly pointSize: number;
   readonly scheme: ColorScheme;
@@ -135,8 +136,13 @@ export interface DisplayState {
   readonly boundary: boolean;
   readonly nonManifold: boolean;
   readonly legend: boolean;
-  /** 0 together, 1 moved from the common centre by their distance from it. */
+  /** Where objects are drawn: in their places, as a contact sheet, or moved apart. */
+  readonly arrangement: "place" | "grid" | "exploded";
+  /** How far they are moved apart: 1 by their distance from the common centre. */
   readonly explode: number;
+  /** The attribute by whose values the contact sheet is sorted; "" for the order of the rows. */
+  readonly sortBy: string;
+  readonly descending: boolean;
 }
 
 /** The R-tree of the database whose boxes the panel of indexes draws. */

@@ -10,8 +10,8 @@ import { Contents } from "./contents";
 import { Emitter } from "./events";
 import { Interaction } from "./interaction";
 import { Loader } from "./loader";
+import { Owners } from "./owners";
 import { Picker } from "./picking";
-import { SectionOwners } from "./section_owners";
 import { PointerInput } from "./pointer";
 import type { QualityStep } from "./quality";
 import { takeScreenshot } from "./screenshot";
@@ -23,6 +23,12 @@ import { stateFromJson } from "./state_json";
 import { Stage } from "./stage";
 import { handleTarget, inOwnPlace, picked, vertexTarget, withoutObjects } from "./tools";
 import { fromVector3, toBox3 } from "./vec";
+
+function isArrangedAnew(before: api.DisplayState, now: api.DisplayState): boolean {
+  const key = ({ arrangement, explode, sortBy, descending }: api.DisplayState): string =>
+    JSON.stringify([arrangement, explode, sortBy, descending]);
+  return key(before) !== key(now);
+}
 
 /** What the colours of objects, and where they are drawn, depend on. */
 const kColoringParts: ReadonlySet<keyof api.SceneState> = new Set([
@@ -48,7 +54,7 @@ export class View implements api.SceneView {
   private readonly input: PointerInput;
   private coloringStale = false;
   private readonly sight: Sight;
-  private readonly sectionOwners = new SectionOwners();
+  private readonly owners = new Owners();
 
   constructor(readonly element: HTMLElement) {
     if (getComputedStyle(element).position === "static") element.style.position = "relative";
@@ -163,15 +169,16 @@ export class View implements api.SceneView {
     this.applyColoring();
     this.stage.contentChanged();
     this.canvas.contentChanged();
-    this.keepSectionWithObjects();
+    this.keepWithObjects();
     this.emitter.emit("shapes", {});
   }
 
-  /** The section plane goes with what it was placed for; for other objects it is placed anew, in their middle. */
-  private keepSectionWithObjects(): void {
+  /** What was placed for other objects is placed anew: a section in the middle, the objects in their own places. */
+  private keepWithObjects(): void {
+    if (this.owners.take(this.stage.store.visibleColumns())) return;
+    this.update({ display: { arrangement: "place", sortBy: "" } });
     const box = this.stage.contentBox;
-    if (!this.state.section.on || box.isEmpty()) return;
-    if (this.sectionOwners.take(this.stage.store.visibleColumns())) return;
+    if (!this.state.section.on) return;
     this.update({ section: { point: fromVector3(box.getCenter(box.min.clone())), cap: "preview" } });
     this.sectionRests();
   }
@@ -244,6 +251,7 @@ export class View implements api.SceneView {
     if (!this.coloringStale) return;
     this.coloringStale = false;
     this.coloring.apply(this.state, this.selection);
+    this.stage.names = this.coloring.labels;
   }
 
   get legend(): api.Legend | null {
@@ -264,19 +272,22 @@ export class View implements api.SceneView {
     const before = this.state;
     this.state = parts.includes("camera") ? { ...state, camera: normalizedCamera(state.camera) } : state;
     if (parts.includes("camera")) this.sight.changed();
-    if (before.section.on !== state.section.on) this.sectionOwners.start(this.stage.store.visibleColumns());
     if (parts.some((part) => kColoringParts.has(part))) this.coloringStale = true;
     if (parts.includes("tools")) this.toolsChanged(before);
-    if (before.display.explode !== state.display.explode) {
-      this.applyColoring();
-      this.stage.contentChanged();
-    }
+    if (isArrangedAnew(before.display, state.display)) this.arrange();
     if (parts.includes("focus")) {
       this.contents.applyFocus(state.focus);
       this.visibilityChanged();
     }
     this.canvas.request(moving);
     this.emitter.emit("state", { parts });
+  }
+
+  /** Draws the objects in other places, and shows them all. */
+  private arrange(): void {
+    this.applyColoring();
+    this.stage.contentChanged();
+    this.sight.arranged();
   }
 
   reset(...parts: (keyof api.SceneState)[]): void {
@@ -293,7 +304,7 @@ export class View implements api.SceneView {
   restore(json: unknown): readonly string[] {
     const { patch, rejected } = stateFromJson(json);
     const { camera, overrides, ...rest } = { ...kDefaultState, ...patch };
-    this.sectionOwners.forget();
+    this.owners.forget();
     for (const [part, value] of Object.entries(rest)) {
       const whole = { ...Reflect.get(kDefaultState, part), ...value } as unknown;
       this.update({ [part]: whole });

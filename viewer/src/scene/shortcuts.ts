@@ -95,6 +95,14 @@ export const kShortcuts: readonly Shortcut[] = [
     words: "components",
   },
 
+  {
+    action: "sheet",
+    keys: "Shift+d",
+    title: "Contact sheet, or the objects in their places",
+    group: "Display",
+    words: "grid arrange overview",
+  },
+
   { action: "hide", keys: "h", title: "Hide the selection", group: "Objects" },
   { action: "isolate", keys: "i", title: "Show only the selection", group: "Objects" },
   {

@@ -79,6 +79,11 @@ export class Sight {
     this.follow.put(result, this.control.goal);
   }
 
+  /** The same objects are drawn in other places. */
+  arranged(): void {
+    if (this.isSet && !this.boxOf().isEmpty()) this.control.fit(this.boxOf(), false);
+  }
+
   /** The view has another shape: what was put into it by itself must fit again. */
   resized(): void {
     const result = this.follow.followed(this.control.goal);

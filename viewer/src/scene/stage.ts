@@ -3,7 +3,8 @@
 import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Scene, Vector3 } from "three";
 import type { Box3 } from "three";
 
-import type { CameraState, SceneState } from "./api";
+import type { Appearance, CameraState, SceneState } from "./api";
+import type { SheetLabel } from "./arrangement";
 import { cornersOf } from "./camera";
 import type { Canvas } from "./canvas";
 import { Dots } from "./dots";
@@ -13,6 +14,7 @@ import type { Style } from "./look";
 import { drawLabels } from "./markers";
 import type { Addition } from "./markers";
 import { clip, SharedMaterials } from "./materials";
+import { Outline } from "./outline";
 import { Overlay } from "./overlay";
 import { Projector } from "./projection";
 import { outlineOf, Section } from "./section";
@@ -23,6 +25,23 @@ import { TransformHandle } from "./transform_handle";
 import type { SceneTheme } from "./theme";
 import { vertexTarget } from "./tools";
 import { isFarOrigin, toVector3 } from "./vec";
+
+/** Edges on faces of the usual colours. */
+const kEdgesOnFaces = "#0f151c";
+const kEdgesOnDark = "#dde3ec";
+
+/** Pixels below which a name is left out. */
+const kLeastRoom = 28;
+/** About the width of a letter in pixels. */
+const kLetter = 6.5;
+
+/** The end of a name tells it apart from others: its middle gives way. */
+function shortened(text: string, pixels: number): string {
+  const most = Math.max(3, Math.floor(pixels / kLetter));
+  if (text.length <= most) return text;
+  const head = Math.ceil((most - 1) / 2);
+  return `${text.slice(0, head)}…${text.slice(text.length - (most - 1 - head))}`;
+}
 
 export interface FrameOptions {
   /** Drawn by the processor. */
@@ -38,6 +57,7 @@ export class Stage {
   readonly lights = new Lights();
   readonly section = new Section();
   readonly dots = new Dots();
+  private readonly outline = new Outline();
   readonly additions = new Map<string, Addition>();
   readonly overlay: Overlay;
   theme: SceneTheme;
@@ -49,6 +69,8 @@ export class Stage {
   private readonly boxes = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
   private box: Box3;
   private boxesStale = true;
+  /** Of objects on a contact sheet. */
+  names: readonly SheetLabel[] = [];
   private styleKey = "";
 
   constructor(private readonly element: HTMLElement) {
@@ -110,7 +132,7 @@ export class Stage {
     this.store.setCoarse(options.quality.coarse);
     this.materials.edges.visible = options.quality.edges || !state.appearance.faces;
     this.lights.update(state.lights, state.camera);
-    this.section.update(state.section, this.box, state.appearance.edgeColor);
+    this.section.update(state.section, this.box, this.edgeColor(state.appearance));
     this.updateFurniture(state);
     const camera = projector.camera(state.camera, this.depthBox(state));
     this.world.position.copy(projector.origin).negate();
@@ -123,6 +145,11 @@ export class Stage {
     renderer.info.reset();
     renderer.clear(true, true, true);
     renderer.render(this.scene, camera);
+    const selected = this.store.selectedBox();
+    if (!selected.isEmpty() && state.appearance.faces) {
+      const clipping = this.section.clipping(state.section, projector.origin);
+      this.outline.draw(renderer, this.scene, camera, { projector, box: selected, clipping });
+    }
     this.overlay.begin(Math.max(1, globalThis.devicePixelRatio || 1));
     this.drawOverlay(state);
     this.overlay.end();
@@ -131,10 +158,11 @@ export class Stage {
   private applyStyle(state: SceneState): void {
     const clipping = this.section.clipping(state.section, toVector3(state.camera.target));
     const stencil = state.section.on && state.section.cap === "preview";
-    const key = JSON.stringify([state.appearance, state.display, state.section.on, stencil]);
+    const key = JSON.stringify([this.theme, state.appearance, state.display, state.section.on, stencil]);
     if (key === this.styleKey) return;
     this.styleKey = key;
     const style: Style = {
+      edgeColor: this.edgeColor(state.appearance),
       appearance: state.appearance,
       display: state.display,
       clipping,
@@ -144,6 +172,14 @@ export class Stage {
     this.store.setStyle(style);
     this.dots.setStyle(style);
     clip(this.boxes.material, clipping);
+  }
+
+  /** Without faces, edges must be seen on the background. */
+  edgeColor({ edgeColor, faces, background }: Appearance): string {
+    if (edgeColor !== null) return edgeColor;
+    if (faces) return kEdgesOnFaces;
+    if (background === null) return this.theme.text;
+    return new Color(background).getHSL({ h: 0, s: 0, l: 0 }).l > 0.5 ? kEdgesOnFaces : kEdgesOnDark;
   }
 
   private updateFurniture(state: SceneState): void {
@@ -177,10 +213,23 @@ export class Stage {
     if (display.grid) this.grid.drawNumbers(overlay, projector, theme);
     if (state.section.on && state.section.plane && !this.box.isEmpty()) this.drawPlane(state);
     for (const { labels } of this.additions.values()) drawLabels(overlay, labels, theme);
+    this.drawNames(camera);
     if (state.lights.markers) drawLightMarkers(overlay, projector, state.lights, theme);
     if (display.axes) drawAxes(overlay, camera, projector.size.height);
     if (display.scaleBar) drawScaleBar(overlay, camera, projector, theme);
     if (vertexTarget(state)) this.drawVertexHint();
+  }
+
+  /** Names below the cells of a contact sheet, as far as there is room for them. */
+  private drawNames(camera: CameraState): void {
+    const { overlay, projector, theme } = this;
+    const scale = projector.size.height / camera.height;
+    for (const { at, text, width } of this.names) {
+      const room = width * scale;
+      if (room < kLeastRoom) continue;
+      const place = projector.project(at);
+      if (place.visible) overlay.text(shortened(text, room), place.x, place.y, { color: theme.text });
+    }
   }
 
   private drawPlane(state: SceneState): void {
@@ -203,6 +252,7 @@ export class Stage {
     this.handle.dispose();
     this.store.dispose();
     this.dots.dispose();
+    this.outline.dispose();
     this.materials.dispose();
     this.lights.dispose();
     this.section.dispose();

@@ -112,7 +112,7 @@ const kFields: Readonly<Record<Exclude<keyof SceneState, "overrides">, Readonly<
     shading: isOneOf("smooth", "flat", "unlit"),
     opacity: isNumber(0, 1),
     color: isColor,
-    edgeColor: isColor,
+    edgeColor: isNullOr(isColor),
     pointSize: isNumber(1, 100),
     scheme: isScheme,
     background: (value) => value === null || isColor(value),
@@ -137,7 +137,10 @@ const kFields: Readonly<Record<Exclude<keyof SceneState, "overrides">, Readonly<
     boundary: isBoolean,
     nonManifold: isBoolean,
     legend: isBoolean,
+    arrangement: isOneOf("place", "grid", "exploded"),
     explode: isNumber(0, 100),
+    sortBy: (name) => typeof name === "string",
+    descending: isBoolean,
   },
   tools: {
     tool: isOneOf("select", "measure", "inspect"),
@@ -172,13 +175,25 @@ function withDirection(camera: unknown): unknown {
   return { direction, rest: [0, 0, 0], ...others };
 }
 
+/** Links of former versions explode by a number alone. */
+function withArrangement(display: unknown): unknown {
+  if (!isRecord(display) || display["arrangement"] !== undefined || !display["explode"]) return display;
+  return { ...display, arrangement: "exploded" };
+}
+
+/** What links of former versions have otherwise. */
+const kFormer: Readonly<Record<string, (given: unknown) => unknown>> = {
+  camera: withDirection,
+  display: withArrangement,
+};
+
 /** The fields that are understood, as a patch, and the names of those that are not. */
 export function stateFromJson(json: unknown): { patch: ScenePatch; rejected: string[] } {
   const rejected: string[] = [];
   if (!isRecord(json)) return { patch: {}, rejected: ["the whole view"] };
   const patch: Record<string, unknown> = {};
   for (const [part, given] of Object.entries(json)) {
-    const value = part === "camera" ? withDirection(given) : given;
+    const value = Object.hasOwn(kFormer, part) ? kFormer[part]!(given) : given;
     if (part === "overrides") {
       if (isListOf(isOverride, 100_000)(value)) patch[part] = value;
       else rejected.push(part);

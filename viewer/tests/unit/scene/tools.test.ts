@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 
 import type { Hit, SceneState } from "../../../src/scene/api";
 import { facingEye } from "../../../src/scene/section";
-import { SectionOwners } from "../../../src/scene/section_owners";
+import { Owners } from "../../../src/scene/owners";
 import type { Column } from "../../../src/scene/shape_store";
 import { kDefaultState, patched, stateToJson } from "../../../src/scene/state";
 import { stateFromJson } from "../../../src/scene/state_json";
@@ -94,10 +94,10 @@ test("the cut turns to the eye", () => {
   expect(facingEye([1, 0, 0], [0, -1, 0])).toEqual([1, 0, 0]);
 });
 
-test("a section belongs to what it was placed for", () => {
+test("a view belongs to what it was made for", () => {
   const column = (title: string) => ({ source: { title, column: "Solid" } }) as unknown as Column;
-  const owners = new SectionOwners();
-  owners.start([column("A")]);
+  const owners = new Owners();
+  owners.take([column("A")]);
   expect(owners.take([column("A"), column("B")])).toBe(true);
   expect(owners.take([column("B")])).toBe(true);
   expect(owners.take([])).toBe(true);

@@ -1,22 +1,16 @@
-/** What a section plane was placed for: it goes with these columns, and is placed anew for others. */
+/** What a view was made for: it goes with these columns, and is placed anew for others. */
 
 import type { Column } from "./shape_store";
 
-export class SectionOwners {
+export class Owners {
   private names: ReadonlySet<string> | null = null;
 
-  /** A plane is placed for what is shown. */
-  start(columns: readonly Column[]): void {
-    this.forget();
-    this.take(columns);
-  }
-
-  /** The next columns that are shown are those of the plane. */
+  /** The view is that of a link: the next columns that are shown are its own. */
   forget(): void {
     this.names = null;
   }
 
-  /** Takes what is shown now; false if the plane was placed for other columns than these. */
+  /** Takes what is shown now; false if none of it was there before. Nothing is taken for what is still to come. */
   take(columns: readonly Column[]): boolean {
     const shown = new Set(columns.map(nameOf));
     if (shown.size === 0) return true;
