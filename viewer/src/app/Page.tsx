@@ -13,6 +13,7 @@ import { SceneKeys } from "../scene_panels";
 import { SceneHost } from "./SceneHost";
 import { SheetTabs } from "./SheetTabs";
 import { TopBar } from "./TopBar";
+import { Tour } from "./Tour";
 import { DropTarget } from "./uploads/DropTarget";
 import { MenuHost } from "./ui/menu";
 import { Splitter } from "./ui/Splitter";
@@ -110,6 +111,7 @@ export function Page({ app, keeper }: { app: App; keeper: ViewKeeper }) {
           <MenuHost />
           <TokenDialog />
           <LinkDialog />
+          <Tour />
           <NameDialog />
         </div>
       </KeeperContext.Provider>

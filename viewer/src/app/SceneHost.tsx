@@ -1,6 +1,7 @@
 import { useApp } from "./context";
 import { bindScene } from "./scene_bridge";
 import { SceneFrame } from "./SceneFrame";
+import { StartPanel } from "./StartPanel";
 import { ReviewList } from "./uploads/ReviewList";
 
 /** The scene of the results, with its messages. */
@@ -13,13 +14,14 @@ export function SceneHost() {
       label="3D view"
       testId="scene"
       hint={
-        nothing
+        nothing && store.results.list.value.length > 0
           ? "Run a query with solids, surfaces or points, click an object, or drop a mesh file here."
           : null
       }
       bind={(view) => bindScene(view, app)}
       onModel={(model) => (workspace.scene.value = model)}
     >
+      <StartPanel />
       <ReviewList />
     </SceneFrame>
   );

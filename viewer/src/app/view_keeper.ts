@@ -37,6 +37,7 @@ export class ViewKeeper {
   /** Brings the page to the view of its address, and follows it from then on. */
   async start(): Promise<void> {
     await this.#openAddress();
+    if (this.#fragment === "") await this.#showFirst();
     addEventListener("hashchange", () => void this.#openAddress());
     addEventListener("pagehide", () => void this.#settle());
     const { workspace } = this.#app;
@@ -54,6 +55,14 @@ export class ViewKeeper {
 
   async redo(): Promise<void> {
     await this.#travel(() => this.#history.redo());
+  }
+
+  /** An address without a view: the contact sheet of the largest relation. */
+  async #showFirst(): Promise<void> {
+    const { store, workspace } = this.#app;
+    await store.preview();
+    if (store.results.list.value.some(({ isPreview }) => isPreview))
+      workspace.scene.value?.view.update({ display: { arrangement: "grid" } });
   }
 
   #changed(): void {

@@ -88,6 +88,12 @@ export class Workspace {
   /** Opens the browser's choice of files; the chosen ones are uploaded. */
   chooseFiles: () => void = () => undefined;
 
+  /** Runs a statement that is offered, and puts it into the editor, where it can be changed. */
+  async tryStatement(statement: string): Promise<void> {
+    this.editor.value?.setText(`${statement};`);
+    await this.store.run(statement);
+  }
+
   /** Runs a statement from a list, and puts it into the editor if this is empty. */
   async query(statement: string): Promise<void> {
     const { editor, store } = { editor: this.editor.value, store: this.store };

@@ -15,13 +15,15 @@ export interface KeptResult {
   readonly columns: readonly Column[];
   readonly diagnostics: readonly string[];
   readonly seconds: number;
+  readonly isPreview?: boolean;
 }
 
 /** null of an outcome that has nothing on the server. */
-export function keptOf({ answer: { type, result, diagnostics, seconds } }: Outcome): KeptResult | null {
+export function keptOf({ answer, isPreview }: Outcome): KeptResult | null {
+  const { type, result, diagnostics, seconds } = answer;
   if (!result || type === null) return null;
   const { id, count, columns } = result;
-  return { id, type, count, columns, diagnostics, seconds };
+  return { id, type, count, columns, diagnostics, seconds, ...(isPreview ? { isPreview } : {}) };
 }
 
 /** The outcome of a statement that was run before; null if the server no longer has its result. Rejects as Client does. */
@@ -29,7 +31,7 @@ export async function takeUp(
   client: Client,
   statement: string,
   parameters: Parameters,
-  { id, count, columns, ...answer }: KeptResult,
+  { id, count, columns, isPreview, ...answer }: KeptResult,
 ): Promise<Outcome | null> {
   let rows;
   try {
@@ -40,7 +42,8 @@ export async function takeUp(
   }
   const isSingle = columns.length === 1 && columns[0]?.name === "value";
   const value: Json = isSingle ? (rows[0]?.["value"] ?? null) : rows;
-  return makeOutcome(client, statement, parameters, { ...answer, value, result: { id, count, columns } });
+  const whole = { ...answer, value, result: { id, count, columns } };
+  return makeOutcome(client, statement, parameters, whole, isPreview);
 }
 
 export function isKept(value: unknown): value is KeptResult {

@@ -75,7 +75,7 @@ export class Editor {
             ...defaultKeymap,
             indentWithTab,
           ]),
-          placeholder("query createSphere(makePoint3D(0, 0, 0), 1, 24);"),
+          placeholder("Write a statement, for example: query createSphere(makePoint3D(0, 0, 0), 1, 24);"),
           EditorView.lineWrapping,
           EditorView.contentAttributes.of({
             "aria-label": "Statements",
