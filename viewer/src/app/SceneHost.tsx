@@ -10,19 +10,21 @@ export function SceneHost() {
   const { store, workspace } = app;
   const nothing = store.results.list.value.every(({ shown }) => shown.value.size === 0);
   return (
-    <SceneFrame
-      label="3D view"
-      testId="scene"
-      hint={
-        nothing && store.results.list.value.length > 0
-          ? "Run a query with solids, surfaces or points, click an object, or drop a mesh file here."
-          : null
-      }
-      bind={(view) => bindScene(view, app)}
-      onModel={(model) => (workspace.scene.value = model)}
-    >
+    <div class="scene-host">
+      <SceneFrame
+        label="3D view"
+        testId="scene"
+        hint={
+          nothing && store.results.list.value.length > 0
+            ? "Run a query with solids, surfaces or points, click an object, or drop a mesh file here."
+            : null
+        }
+        bind={(view) => bindScene(view, app)}
+        onModel={(model) => (workspace.scene.value = model)}
+      >
+        <ReviewList />
+      </SceneFrame>
       <StartPanel />
-      <ReviewList />
-    </SceneFrame>
+    </div>
   );
 }

@@ -14,7 +14,7 @@ export function bindScene(view: SceneView, app: App): () => void {
     effect(() => {
       const cells = selectedCells(app);
       untracked(() => {
-        if (!sameCells(cells, view.selection)) view.select(cells, { fit: true });
+        if (!sameCells(cells, view.selection)) view.select(cells, { reveal: true });
       });
     }),
     effect(() => {

@@ -229,7 +229,8 @@ export interface SceneView {
 
   // Selection
   readonly selection: readonly CellRef[];
-  select(cells: readonly CellRef[], options?: { readonly fit?: boolean }): void;
+  /** With `reveal` the camera goes to them, unless they are seen well. */
+  select(cells: readonly CellRef[], options?: { readonly reveal?: boolean }): void;
 
   // State
   readonly state: SceneState;

@@ -30,7 +30,7 @@ const kNoOffset: Vec3 = [0, 0, 0];
 /** Free space between cells, as a share of the middle size of the objects. */
 const kGap = 0.25;
 /** Width of a sheet by its height, about that of a view. */
-const kAspect = 1.5;
+const kAspect = 2;
 const { right: kRight, up: kUp } = basisOf(kDefaultCamera);
 
 export function arranged(store: ShapeStore, display: DisplayState, values: AttributeValues): Arranged {

@@ -64,6 +64,7 @@ export class View implements api.SceneView {
       camera: () => this.state.camera,
       show: (camera, moving) => this.change({ camera }, moving),
       aspect: () => this.stage.projector.aspect,
+      points: (box) => this.stage.pointsIn(box),
       isBlind: () => this.canvas.renderer === null,
       farChanged: (count) => this.emitter.emit("far", { count }),
     });
@@ -227,9 +228,9 @@ export class View implements api.SceneView {
 
   // Selection -----------------------------------------------------------------------------------------------------
 
-  select(cells: readonly api.CellRef[], options: { readonly fit?: boolean } = {}): void {
+  select(cells: readonly api.CellRef[], options: { readonly reveal?: boolean } = {}): void {
     this.setSelection(cells, false);
-    if (options.fit) this.fit(cells);
+    if (options.reveal) this.sight.reveal(cells.flatMap((cell) => this.stage.store.record(cell) ?? []));
   }
 
   private setSelection(cells: readonly api.CellRef[], byPerson: boolean): void {

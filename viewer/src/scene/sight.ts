@@ -1,5 +1,6 @@
 /** Where the camera looks: by itself at what comes first and at what would not be seen, else where a person wants it. */
 
+import { Vector3 } from "three";
 import type { Box3 } from "three";
 
 import type { CameraState, StandardView } from "./api";
@@ -8,6 +9,11 @@ import { CameraFollow } from "./camera_follow";
 import { isDotBeside, mainBox } from "./main_box";
 import type { Column, ShapeRecord } from "./shape_store";
 import type { Stage } from "./stage";
+
+/** Of the height of the view: what is smaller is not seen well. */
+const kLeastShare = 0.08;
+/** What is seen around an object, by its size. */
+const kAround = 0.5;
 
 export interface SightHost extends CameraHost {
   /** Another number of objects is left out of sight. */
@@ -77,6 +83,17 @@ export class Sight {
     if (!this.follow.follows(result, this.control.goal)) return;
     this.control.fit(this.mainBox());
     this.follow.put(result, this.control.goal);
+  }
+
+  /** Goes to objects, but not so near that nothing else is seen; stays where they are seen well. */
+  reveal(records: readonly ShapeRecord[]): void {
+    const box = this.stage.store.box(records);
+    if (box.isEmpty()) return;
+    const { goal } = this.control;
+    const size = box.getSize(new Vector3()).length();
+    const isSeen = this.stage.isInSight(box, goal) && size > kLeastShare * goal.height && size < goal.height;
+    if (isSeen) return;
+    this.control.fit(box.clone().expandByScalar(kAround * size));
   }
 
   /** The same objects are drawn in other places. */

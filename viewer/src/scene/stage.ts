@@ -3,7 +3,7 @@
 import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Scene, Vector3 } from "three";
 import type { Box3 } from "three";
 
-import type { Appearance, CameraState, SceneState } from "./api";
+import type { Appearance, CameraState, SceneState, Vec3 } from "./api";
 import type { SheetLabel } from "./arrangement";
 import { cornersOf } from "./camera";
 import type { Canvas } from "./canvas";
@@ -20,6 +20,7 @@ import { Projector } from "./projection";
 import { outlineOf, Section } from "./section";
 import type { QualityStep } from "./quality";
 import { ShapeStore } from "./shape_store";
+import { kDefaultCamera } from "./state";
 import { themeOf } from "./theme";
 import { TransformHandle } from "./transform_handle";
 import type { SceneTheme } from "./theme";
@@ -31,9 +32,14 @@ const kEdgesOnFaces = "#0f151c";
 const kEdgesOnDark = "#dde3ec";
 
 /** Pixels below which a name is left out. */
-const kLeastRoom = 28;
+const kLeastRoom = 40;
 /** About the width of a letter in pixels. */
-const kLetter = 6.5;
+const kLetter = 7.5;
+
+/** Whether two directions are nearly the same. */
+function isAlong(a: Vec3, b: Vec3): boolean {
+  return toVector3(a).normalize().dot(toVector3(b).normalize()) > 0.95;
+}
 
 /** The end of a name tells it apart from others: its middle gives way. */
 function shortened(text: string, pixels: number): string {
@@ -87,6 +93,14 @@ export class Stage {
   /** The box of all that is visible, with additions left out. */
   get contentBox(): Box3 {
     return this.box;
+  }
+
+  /** Of a contact sheet, the corners of the objects in a box: its plane is not that of an axis, so that boxes are too large. */
+  pointsIn(box: Box3): readonly Vector3[] | undefined {
+    if (this.names.length === 0) return undefined;
+    const around = box.clone().expandByScalar(1e-9 * box.getSize(new Vector3()).length());
+    const boxes = [...this.store.visibleRecords()].map((record) => record.box());
+    return boxes.filter((own) => around.containsBox(own)).flatMap(cornersOf);
   }
 
   /** Whether a part of a box is in the view. */
@@ -224,6 +238,7 @@ export class Stage {
   private drawNames(camera: CameraState): void {
     const { overlay, projector, theme } = this;
     const scale = projector.size.height / camera.height;
+    if (!isAlong(camera.direction, kDefaultCamera.direction)) return;
     for (const { at, text, width } of this.names) {
       const room = width * scale;
       if (room < kLeastRoom) continue;

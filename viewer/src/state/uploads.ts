@@ -14,6 +14,7 @@ export interface Review {
   readonly key: number;
   /** The same for files that came together. */
   readonly batch: number;
+  readonly isOfMany: boolean;
   readonly fileName: string;
   readonly bytes: number;
   /** Share of the file that was sent, 0 to 1. */
@@ -67,7 +68,7 @@ export class Uploads {
   async take(files: readonly File[]): Promise<void> {
     // The formats are known then.
     if (this.#store.connection.status.value === "online") await this.#store.loaded;
-    const batch = ++this.#batches;
+    const batch = { batch: ++this.#batches, isOfMany: files.length > 1 };
     for (const file of files) {
       const problem = this.#problemOf(file);
       if (problem) this.#refuse(file, batch, problem);
@@ -86,8 +87,8 @@ export class Uploads {
     return `${format} is not read. What is: ${listedFormats(this.#store.catalogue.formats.value, "and")}.`;
   }
 
-  #refuse(file: File, batch: number, problem: string): void {
-    const review = makeReview({ key: ++this.#count, batch, file, stop: () => undefined });
+  #refuse(file: File, batch: Batch, problem: string): void {
+    const review = makeReview({ ...batch, key: ++this.#count, file, stop: () => undefined });
     review.phase.value = "failed";
     review.problem.value = problem;
     this.#reviews.value = [review, ...this.#reviews.value];
@@ -139,9 +140,9 @@ export class Uploads {
     }
   }
 
-  async #review(file: File, batch: number): Promise<void> {
+  async #review(file: File, batch: Batch): Promise<void> {
     const abort = new AbortController();
-    const review = makeReview({ key: ++this.#count, batch, file, stop: () => abort.abort() });
+    const review = makeReview({ ...batch, key: ++this.#count, file, stop: () => abort.abort() });
     this.#reviews.value = [review, ...this.#reviews.value];
     try {
       const upload = await uploadFile(
@@ -217,17 +218,20 @@ export class Uploads {
   }
 }
 
-interface ReviewOf {
-  readonly key: number;
+interface Batch {
   readonly batch: number;
+  readonly isOfMany: boolean;
+}
+
+interface ReviewOf extends Batch {
+  readonly key: number;
   readonly file: File;
   readonly stop: () => void;
 }
 
-function makeReview({ key, batch, file, stop }: ReviewOf): Review {
+function makeReview({ file, ...others }: ReviewOf): Review {
   return {
-    key,
-    batch,
+    ...others,
     fileName: file.name,
     bytes: file.size,
     sent: signal(0),
@@ -238,6 +242,5 @@ function makeReview({ key, batch, file, stop }: ReviewOf): Review {
     report: signal<Outcome | null>(null),
     repaired: signal<Outcome | null>(null),
     changes: signal<MeshDifference | null>(null),
-    stop,
   };
 }

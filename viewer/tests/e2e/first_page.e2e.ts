@@ -137,6 +137,8 @@ test("files that are dropped together are shown together, each with its result, 
     await expect.poll(() => ready2.count(), { timeout: 30_000 }).toBe(2);
     const ply = page.getByRole("region", { name: "x.ply" });
     expect(await ply.innerText()).toMatch(/PLY is not read\. What is: .*STL/);
+    await stillScene(page);
+    await takePicture(page, "uploads-together");
     for (const name of ["one.stl", "two.stl"]) {
       const card = page.getByRole("region", { name });
       await card.getByRole("button", { name: `Details of ${name}` }).click();

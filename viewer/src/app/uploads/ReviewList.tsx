@@ -38,10 +38,7 @@ function ReviewCard({ review }: { review: Review }) {
   const { uploads } = useApp().workspace;
   const phase = review.phase.value;
   // On a narrow page the card lies over the scene, which is what a person wants to see first.
-  const isOneOfMany = uploads.reviews.value.some(
-    ({ batch, key }) => batch === review.batch && key !== review.key,
-  );
-  const [open, setOpen] = useState(() => !isOneOfMany && !matchMedia("(max-width: 760px)").matches);
+  const [open, setOpen] = useState(() => !review.isOfMany && !matchMedia("(max-width: 760px)").matches);
   const shown = open || phase === "failed";
   return (
     <section
