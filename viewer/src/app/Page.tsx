@@ -1,13 +1,13 @@
 import { useEffect } from "preact/hooks";
 import { CompareView } from "./compare/CompareView";
+import { EditorPane } from "./editor/EditorPane";
 import { AppContext, KeeperContext, type App } from "./context";
 import { ConnectionBanner } from "./messages/ConnectionBanner";
 import { LinkDialog } from "./messages/LinkDialog";
 import { NameDialog } from "./messages/NameDialog";
 import { NoticeList } from "./messages/NoticeList";
 import { TokenDialog } from "./messages/TokenDialog";
-import { LeftPanel } from "./panels/LeftPanel";
-import { RightPanel } from "./panels/RightPanel";
+import { SidePanel } from "./panels/SidePanel";
 import { ResultsPanel } from "./results/ResultsPanel";
 import { SceneKeys } from "../scene_panels";
 import { SceneHost } from "./SceneHost";
@@ -23,6 +23,7 @@ import type { ViewKeeper } from "./view_keeper";
 export function Page({ app, keeper }: { app: App; keeper: ViewKeeper }) {
   const { layout, mode } = app.store;
   const compare = mode.value === "compare";
+  const hasTable = layout.bottomOpen.value && !compare;
   const view = app.workspace.keyScene.value?.view;
   const actions: Readonly<Record<string, () => unknown>> = {
     undo: () => keeper.undo(),
@@ -41,30 +42,18 @@ export function Page({ app, keeper }: { app: App; keeper: ViewKeeper }) {
           data-ended={app.store.ended.value}
           data-settled={keeper.settled.value}
         >
+          <button type="button" class="btn skip" onClick={goToScene}>
+            To the 3D view
+          </button>
           <TopBar />
           <ConnectionBanner />
           <div class="page-body">
-            <div
-              class="left-place"
-              hidden={!layout.leftOpen.value}
-              style={{ width: `${layout.leftWidth.value}px` }}
-            >
-              <LeftPanel />
-            </div>
-            {layout.leftOpen.value && (
-              <Splitter
-                size={layout.leftWidth}
-                direction="horizontal"
-                min={240}
-                label="Width of the left panel"
-              />
-            )}
             <main class="centre">
               <div class="scene-place" hidden={compare}>
                 <SceneHost />
               </div>
               {compare && <CompareView />}
-              {layout.bottomOpen.value && !compare && (
+              {hasTable && (
                 <Splitter
                   size={layout.bottomHeight}
                   direction="vertical"
@@ -75,28 +64,29 @@ export function Page({ app, keeper }: { app: App; keeper: ViewKeeper }) {
               )}
               <div
                 class="bottom-place"
-                hidden={!layout.bottomOpen.value || compare}
-                style={{ height: `${layout.bottomHeight.value}px` }}
+                style={hasTable ? { height: `${layout.bottomHeight.value}px` } : undefined}
               >
-                <ResultsPanel />
+                <EditorPane />
+                <div class="table-place" hidden={!hasTable}>
+                  <ResultsPanel />
+                </div>
               </div>
             </main>
-            {layout.rightOpen.value && (
+            <aside
+              class="side-place"
+              aria-label="Lists and settings"
+              hidden={!layout.sideOpen.value}
+              style={{ width: `${layout.sideWidth.value}px` }}
+            >
               <Splitter
-                size={layout.rightWidth}
+                size={layout.sideWidth}
                 direction="horizontal"
                 reverse
                 min={220}
-                label="Width of the right panel"
+                label="Width of the side panel"
               />
-            )}
-            <div
-              class="right-place"
-              hidden={!layout.rightOpen.value}
-              style={{ width: `${layout.rightWidth.value}px` }}
-            >
-              <RightPanel />
-            </div>
+              <SidePanel />
+            </aside>
           </div>
           <SheetTabs />
           <NoticeList />
@@ -117,4 +107,10 @@ export function Page({ app, keeper }: { app: App; keeper: ViewKeeper }) {
       </KeeperContext.Provider>
     </AppContext.Provider>
   );
+}
+
+function goToScene(): void {
+  document
+    .querySelector<HTMLElement>(".scene-place:not([hidden]) .scene-canvas, .compare .scene-canvas")
+    ?.focus();
 }

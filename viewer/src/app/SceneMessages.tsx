@@ -23,8 +23,14 @@ function useSceneReports(view: SceneView): {
   return { progress, problem };
 }
 
+interface Props {
+  readonly view: SceneView;
+  /** Whether a failure of this result is told. */
+  readonly told?: ((result: string) => boolean) | undefined;
+}
+
 /** Loading, failed loading, objects far out of sight, and a missing WebGL, drawn over a scene. */
-export function SceneMessages({ view }: { view: SceneView }) {
+export function SceneMessages({ view, told }: Props) {
   const { progress, problem } = useSceneReports(view);
   if (problem)
     return (
@@ -40,7 +46,9 @@ export function SceneMessages({ view }: { view: SceneView }) {
     );
   // A failure goes with its result.
   const shown = progress.filter(
-    (each) => each.phase !== "done" && (each.phase !== "failed" || view.isVisible(each)),
+    (each) =>
+      each.phase !== "done" &&
+      (each.phase !== "failed" || (view.isVisible(each) && told?.(each.result) !== false)),
   );
   return (
     <>

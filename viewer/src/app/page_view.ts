@@ -24,8 +24,7 @@ export function viewOf(app: App, keep: boolean): { view: LinkView; left: readonl
   });
   const open = {
     layout: {
-      left: layout.leftOpen.value,
-      right: layout.rightOpen.value,
+      side: layout.sideOpen.value,
       bottom: layout.bottomOpen.value,
     },
   };
@@ -95,8 +94,7 @@ export async function restoreView(
   batch(() => showOutcomes(store, view, outcomes));
   const { layout } = view;
   if (layout) {
-    store.layout.leftOpen.value = layout.left;
-    store.layout.rightOpen.value = layout.right;
+    store.layout.sideOpen.value = layout.side;
     store.layout.bottomOpen.value = layout.bottom;
   }
   const ids = idsOf(outcomes);

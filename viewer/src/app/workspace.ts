@@ -52,14 +52,19 @@ export class Workspace {
   /** Shows the properties of an object: its colour, size and opacity. */
   openProperties(cell: CellRef): void {
     this.opened.value = cell;
-    this.store.layout.rightOpen.value = true;
-    this.store.layout.sheet.value = "view";
+    this.#showSettings();
+  }
+
+  #showSettings(): void {
+    const { layout } = this.store;
+    layout.sideOpen.value = true;
+    layout.sideTab.value = "view";
+    layout.sheet.value = "view";
   }
 
   /** Shows the part of the settings of the view for a tool. */
   readonly openSettings = (part: "section" | "measure" | "inspect"): void => {
-    this.store.layout.rightOpen.value = true;
-    this.store.layout.sheet.value = "view";
+    this.#showSettings();
     requestAnimationFrame(() => {
       const panel = document.querySelector<HTMLDetailsElement>(`[data-testid="${part}-panel"]`);
       if (!panel) return;

@@ -55,6 +55,7 @@ const kActions: Readonly<Record<string, Action>> = {
     view.update({ camera: { projection } });
   },
   home: (view) => view.home(),
+  back: (view) => view.back(),
   fit: (view) => view.fit(),
   "fit.selection": (view) => view.fit(view.selection),
   "orbit.left": orbitBy(-kTurn, 0),

@@ -56,6 +56,8 @@ export interface ShapeBatch {
 export interface ShapeSource extends ColumnRef {
   /** What a person calls it: name of an object, or the statement. */
   readonly title: string;
+  /** The page shows it by itself; the same thing that is asked for by a person is another one. */
+  readonly isPreview?: boolean;
   /** Number of rows. */
   readonly count: number;
   /** The columns by whose values objects may be coloured. */
@@ -222,6 +224,8 @@ export interface SceneView {
   isVisible(what: ColumnRef & { readonly row?: number }): boolean;
   shapes(column?: ColumnRef): readonly ShapeInfo[];
   shape(cell: CellRef): ShapeInfo | null;
+  /** What a person calls an object: the first text of its row, else the number of the row. */
+  nameOf(cell: CellRef): string;
   /** The attributes of all results by which objects can be coloured. */
   readonly attributes: readonly { readonly name: string; readonly type: string }[];
   /** How far each column is loaded. */
@@ -248,6 +252,8 @@ export interface SceneView {
   fit(cells?: readonly CellRef[]): void;
   /** The standard view: isometric, all is seen. */
   home(): void;
+  /** The camera before it was last brought elsewhere by a command. */
+  back(): void;
   /** Objects so far from the others that the camera did not go back for them by itself, until `fit` shows all. */
   readonly farCount: number;
   look(view: StandardView): void;

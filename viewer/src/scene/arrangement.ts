@@ -29,6 +29,8 @@ export interface Arranged {
 const kNoOffset: Vec3 = [0, 0, 0];
 /** Free space between cells, as a share of the middle size of the objects. */
 const kGap = 0.25;
+/** Of a cell, by the middle size of the objects. */
+const kLeastWidth = 0.9;
 /** Width of a sheet by its height, about that of a view. */
 const kAspect = 2;
 const { right: kRight, up: kUp } = basisOf(kDefaultCamera);
@@ -81,9 +83,12 @@ interface Cell {
 }
 
 function sheet(records: readonly ShapeRecord[], values: AttributeValues): Arranged {
-  const cells = records.flatMap((record) => cellOf(record) ?? []);
-  const sizes = cells.map(({ width, height }) => Math.max(width, height)).sort((a, b) => a - b);
-  const gap = kGap * (sizes[sizes.length >> 1] ?? 1);
+  const objects = records.flatMap((record) => cellOf(record) ?? []);
+  const sizes = objects.map(({ width, height }) => Math.max(width, height)).sort((a, b) => a - b);
+  const middle = sizes[sizes.length >> 1] ?? 1;
+  const gap = kGap * middle;
+  // A name has room below a small object, too.
+  const cells = objects.map((cell) => ({ ...cell, width: Math.max(cell.width, kLeastWidth * middle) }));
   const area = cells.reduce((sum, { width, height }) => sum + (width + gap) * (height + 2 * gap), 0);
   const rows = rowsOf(cells, Math.sqrt(area * kAspect), gap);
   const offsets = new Map<ShapeRecord, Vec3>();
@@ -93,8 +98,8 @@ function sheet(records: readonly ShapeRecord[], values: AttributeValues): Arrang
     const height = Math.max(...row.map((cell) => cell.height));
     let x = 0;
     for (const cell of row) {
-      const middle = onSheet(x + cell.width / 2, y - height / 2);
-      offsets.set(cell.record, fromVector3(middle.clone().sub(cell.middle)));
+      const place = onSheet(x + cell.width / 2, y - height / 2);
+      offsets.set(cell.record, fromVector3(place.sub(cell.middle)));
       const foot = onSheet(x + cell.width / 2, y - height - gap / 2);
       labels.push({ at: fromVector3(foot), text: nameOf(cell.record, values), width: cell.width + gap });
       x += cell.width + gap;
@@ -139,7 +144,7 @@ function extentAlong(box: Box3, axis: Vector3): number {
 }
 
 /** The first text of its row, else the number of the row. */
-function nameOf({ column, row }: ShapeRecord, values: AttributeValues): string {
+export function nameOf({ column, row }: ShapeRecord, values: AttributeValues): string {
   const attribute = column.source.attributes.find(({ type }) => type === "string" || type === "text");
   const name = attribute && values.of(column, attribute.name)?.[row];
   return typeof name === "string" && name !== "" ? name : `row ${row + 1}`;

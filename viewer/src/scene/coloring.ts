@@ -1,7 +1,7 @@
 /** The look of each object: its colour by the scheme, what was overridden, whether it is selected, where it is moved to. */
 
 import type { AttributeValue, CellRef, Color, Legend, ObjectOverride, SceneState } from "./api";
-import { arranged } from "./arrangement";
+import { arranged, nameOf } from "./arrangement";
 import type { SheetLabel } from "./arrangement";
 import { AttributeValues } from "./attribute_values";
 import { categoryColor, mix, scaleOf } from "./colors";
@@ -85,6 +85,12 @@ export class Coloring {
 
   forget(column: Column): void {
     this.values.forget(column);
+  }
+
+  /** The first text of the row of an object, else the number of the row. */
+  nameOf(cell: CellRef): string {
+    const record = this.store.record(cell);
+    return record ? nameOf(record, this.values) : `row ${cell.row + 1}`;
   }
 
   /** Attributes that the objects may be coloured by, each once. */

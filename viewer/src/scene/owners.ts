@@ -22,5 +22,5 @@ export class Owners {
 
 /** The same statement that is run again shows the same thing, though its result is another one. */
 function nameOf({ source }: Column): string {
-  return `${source.title}\n${source.column}`;
+  return `${source.isPreview ? "preview" : ""}\n${source.title}\n${source.column}`;
 }

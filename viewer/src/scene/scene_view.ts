@@ -329,12 +329,20 @@ export class View implements api.SceneView {
     this.sight.fit(cells?.flatMap((cell) => this.stage.store.record(cell) ?? []));
   }
 
+  nameOf(cell: api.CellRef): string {
+    return this.coloring.nameOf(cell);
+  }
+
   get farCount(): number {
     return this.sight.farCount;
   }
 
   home(): void {
     this.look("isometric");
+  }
+
+  back(): void {
+    this.sight.back();
   }
 
   look(view: api.StandardView): void {
@@ -417,6 +425,8 @@ export class View implements api.SceneView {
   themeChanged(): void {
     this.stage.themeChanged();
     this.canvas.request();
+    // Colours that are not chosen are those of the theme.
+    this.emitter.emit("state", { parts: ["appearance"] });
   }
 
   dispose(): void {

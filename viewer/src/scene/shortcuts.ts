@@ -33,6 +33,13 @@ export const kShortcuts: readonly Shortcut[] = [
     group: "Camera",
     words: "reset home centre",
   },
+  {
+    action: "back",
+    keys: "Backspace",
+    title: "Back to the view before",
+    group: "Camera",
+    words: "return previous",
+  },
   { action: "fit", keys: "Home", title: "Fit everything", group: "Camera", words: "zoom all auto-fit" },
   {
     action: "fit.selection",

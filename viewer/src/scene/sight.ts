@@ -15,6 +15,8 @@ const kLeastShare = 0.08;
 /** What is seen around an object, by its size. */
 const kAround = 0.5;
 
+const kMostPast = 50;
+
 export interface SightHost extends CameraHost {
   /** Another number of objects is left out of sight. */
   farChanged(count: number): void;
@@ -27,6 +29,8 @@ export class Sight {
   /** The camera is that of a link, for objects that are still to come. */
   private isRestored = false;
   private far = 0;
+  /** Cameras before commands, the latest one last. */
+  private readonly past: CameraState[] = [];
 
   constructor(
     private readonly stage: Stage,
@@ -93,6 +97,7 @@ export class Sight {
     const size = box.getSize(new Vector3()).length();
     const isSeen = this.stage.isInSight(box, goal) && size > kLeastShare * goal.height && size < goal.height;
     if (isSeen) return;
+    this.remember();
     this.control.fit(box.clone().expandByScalar(kAround * size));
   }
 
@@ -135,6 +140,7 @@ export class Sight {
   // Commands ----------------------------------------------------------------------------------------------------------
 
   fit(records?: readonly ShapeRecord[]): void {
+    this.remember();
     this.control.fit(this.boxOf(records));
     if (!records) this.setFar(0);
   }
@@ -144,8 +150,20 @@ export class Sight {
   }
 
   look(view: StandardView): void {
+    this.remember();
     this.control.look(view, this.boxOf());
     this.setFar(0);
+  }
+
+  /** Goes to the camera before the latest command. */
+  back(): void {
+    const camera = this.past.pop();
+    if (camera) this.control.go(camera, true);
+  }
+
+  private remember(): void {
+    this.past.push(this.control.goal);
+    if (this.past.length > kMostPast) this.past.shift();
   }
 
   turn(axis: "roll" | "up" | "side", degrees: number): void {

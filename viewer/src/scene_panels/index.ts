@@ -7,6 +7,8 @@
 import "./scene_panels.css";
 
 export { scrollInPanel } from "./fields";
+export { useRoving } from "./roving";
+export { SceneReader } from "./SceneReader";
 export { useSceneState } from "./hooks";
 export { SceneKeys } from "./SceneKeys";
 export { SceneModel } from "./scene_model";

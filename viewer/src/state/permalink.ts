@@ -18,8 +18,7 @@ export interface LinkStatement {
 
 /** Which panels are open. */
 export interface LinkLayout {
-  readonly left: boolean;
-  readonly right: boolean;
+  readonly side: boolean;
   readonly bottom: boolean;
 }
 
@@ -198,7 +197,7 @@ async function readLimited(stream: ReadableStream<Uint8Array>): Promise<string> 
 }
 
 function isLayout(value: Partial<LinkLayout> | null): boolean {
-  return [value?.left, value?.right, value?.bottom].every((open) => typeof open === "boolean");
+  return [value?.side, value?.bottom].every((open) => typeof open === "boolean");
 }
 
 function isView(value: unknown): value is LinkView {

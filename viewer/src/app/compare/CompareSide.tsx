@@ -31,6 +31,7 @@ export function CompareSide({ name }: { name: SideName }) {
         hint={!side.step.value && !busy ? "Choose a mesh for this side." : null}
         bind={(view) => bindSide(view, side, store, setComing)}
         onModel={(made) => (workspace.sideScenes[name].value = made)}
+        told={(result) => side.step.value?.outcome.resultId === result}
         onFocus={() => (workspace.keySide.value = name)}
       />
       {busy && (

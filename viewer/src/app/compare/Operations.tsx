@@ -152,6 +152,13 @@ function Simplify({ side }: { side: Side }) {
   );
 }
 
+const titles: Readonly<Record<SetOperation, string>> = {
+  union: "What is in this mesh or in that of the other side",
+  intersection: "What is in both meshes",
+  minus: "What is in this mesh and not in that of the other side",
+  either: "What is in one of both meshes only: the symmetric difference",
+};
+
 function SetOperations({ side }: { side: Side }) {
   const { workbench } = useApp().workspace;
   const other = workbench.other(side.name).step.value;
@@ -166,10 +173,10 @@ function SetOperations({ side }: { side: Side }) {
           type="button"
           class="btn"
           disabled={!other}
-          title={`${operation} with the mesh of the other side`}
+          title={titles[operation]}
           onClick={() => apply(operation)}
         >
-          {operation}
+          {operation === "either" ? "either, not both" : operation}
         </button>
       ))}
     </div>

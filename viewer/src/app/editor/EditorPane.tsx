@@ -21,7 +21,7 @@ export function EditorPane() {
   const running = store.runner.running.value;
   return (
     <section class="panel editor-pane" aria-label="Editor">
-      <div class="panel-head">
+      <div class="editor-bar">
         <button
           type="button"
           class="btn primary"
@@ -31,6 +31,7 @@ export function EditorPane() {
         >
           <Icon name="play" /> Run
         </button>
+        <div ref={place} class="editor" data-testid="editor" />
         <button
           type="button"
           class="btn quiet"
@@ -39,14 +40,10 @@ export function EditorPane() {
         >
           Run all
         </button>
-        <span class="grow" />
-        <span class="muted hint wide-only">
-          <kbd>{control}</kbd> <kbd>Enter</kbd>
-        </span>
       </div>
-      <div ref={place} class="editor" data-testid="editor" />
       <p id={keysHint} class="muted hint editor-keys">
-        Tab indents; <kbd>Esc</kbd> then <kbd>Tab</kbd> leaves the editor.
+        <kbd>{control}</kbd> <kbd>Enter</kbd> runs the statement, Tab indents; <kbd>Esc</kbd> then{" "}
+        <kbd>Tab</kbd> leaves the editor.
       </p>
       {running.map((each) => (
         <RunningLine key={each.id} running={each} />

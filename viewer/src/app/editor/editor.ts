@@ -64,7 +64,7 @@ export class Editor {
           closeBrackets(),
           highlightSelectionMatches(),
           search({ top: true }),
-          autocompletion({ override: [(context) => complete(context, options.known())] }),
+          autocompletion({ icons: false, override: [(context) => complete(context, options.known())] }),
           hoverTooltip((view, position) => describeWord(view, position, options.known())),
           keymap.of([
             { key: "Tab", run: acceptCompletion },

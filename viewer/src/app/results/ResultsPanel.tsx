@@ -15,7 +15,7 @@ export function ResultsPanel() {
   return (
     <section class="panel results-panel" aria-label="Results">
       <div class="panel-head results-head">
-        <div class="result-tabs" role="tablist" aria-label="Results">
+        <div class="result-tabs" role="group" aria-label="Results that are kept">
           {results.list.value.map((each) => (
             <ResultTab key={each.key} outcome={each} active={each === outcome} />
           ))}
@@ -64,9 +64,8 @@ function ResultTab({ outcome, active }: { outcome: Outcome; active: boolean }) {
       )}
       <button
         type="button"
-        role="tab"
         class="result-title"
-        aria-selected={active}
+        aria-current={active ? "true" : undefined}
         title={outcome.statement}
         onClick={() => (results.activeKey.value = outcome.key)}
         onAuxClick={(event) => event.button === 1 && results.close(outcome)}
