@@ -18,13 +18,13 @@ export interface Layout {
 }
 
 /** Of the height of the page: beside the panel at the side, the scene has half of a small page then. */
-const bottomShare = 0.29;
+const bottomShare = 0.25;
 
 export function makeLayout(storage: Storage): Layout {
   const size = (name: string, initial: number) => keptSignal(storage, `layout.${name}`, initial, isNumber);
   const open = (name: string, initial: boolean) => keptSignal(storage, `layout.${name}`, initial, isBoolean);
   return {
-    sideWidth: size("sideWidth", 290),
+    sideWidth: size("sideWidth", 260),
     bottomHeight: size("bottomHeight", Math.round(bottomShare * innerHeight)),
     sideOpen: open("sideOpen", true),
     bottomOpen: open("bottomOpen", true),

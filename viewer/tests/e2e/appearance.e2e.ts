@@ -158,7 +158,7 @@ test("the smooth shading of a ball has more colours than the flat one", async ()
   const smooth = await stillScene(page);
   await choose(page, "appearance", "Shading", "Flat");
   const flat = await stillScene(page);
-  expect(flat.difference(smooth)).toBeGreaterThan(0.05);
+  expect(flat.difference(smooth)).toBeGreaterThan(0.02);
   expect(flat.colors()).toBeLessThan(smooth.colors());
 });
 
