@@ -35,6 +35,26 @@ export async function viewOfFragment(hash: string, storage: TabStorage): Promise
   return decodeView(link.slice(linkPrefix.length));
 }
 
+const leavingKey = "algebra3d.leaving";
+
+/** Keeps the view of a page that is being left at once: there is no time to pack it into its address. */
+export function keepLeaving(hash: string, view: LinkView, storage: TabStorage): void {
+  try {
+    storage.setItem(leavingKey, JSON.stringify({ hash, view }));
+  } catch {
+    // The address has the view of half a second ago.
+  }
+}
+
+/** The view with which the page of an address was left, if that was the last thing that happened in this tab. */
+export function takeLeaving(hash: string, storage: TabStorage): LinkView | null {
+  const text = storage.getItem(leavingKey);
+  storage.removeItem(leavingKey);
+  if (text === null) return null;
+  const left = JSON.parse(text) as { readonly hash: string; readonly view: LinkView };
+  return left.hash === hash ? left.view : null;
+}
+
 function forgetOldest(storage: TabStorage): void {
   const keys = Array.from({ length: storage.length }, (_, index) => storage.key(index) ?? "");
   // The keys begin with the time, in numbers of equal length.

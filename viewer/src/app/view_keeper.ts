@@ -10,7 +10,7 @@ import { ViewHistory } from "../state/view_history";
 import type { App } from "./context";
 import { openView, pendingView } from "./link";
 import { viewOf } from "./page_view";
-import { fragmentOf, viewOfFragment } from "./view_address";
+import { fragmentOf, keepLeaving, takeLeaving, viewOfFragment } from "./view_address";
 
 /** Milliseconds of rest after which a change counts as made. */
 const restTime = 500;
@@ -36,10 +36,12 @@ export class ViewKeeper {
 
   /** Brings the page to the view of its address, and follows it from then on. */
   async start(): Promise<void> {
-    await this.#openAddress();
+    const left = takeLeaving(location.hash, sessionStorage);
+    if (left) await this.#open(left, location.hash);
+    else await this.#openAddress();
     if (this.#fragment === "") await this.#showFirst();
     addEventListener("hashchange", () => void this.#openAddress());
-    addEventListener("pagehide", () => void this.#settle());
+    addEventListener("pagehide", () => this.#leave());
     const { workspace } = this.#app;
     effect(() => {
       void viewOf(this.#app, true);
@@ -113,7 +115,10 @@ export class ViewKeeper {
       this.#app.store.notices.add("error", messageOf(error));
       return;
     }
-    if (!view) return;
+    if (view) await this.#open(view, hash);
+  }
+
+  async #open(view: LinkView, hash: string): Promise<void> {
     this.#fragment = hash;
     await this.#restore(view);
     if (pendingView.value) return;
@@ -121,6 +126,12 @@ export class ViewKeeper {
     this.#history.record(now);
     await this.#write(now, false);
     this.settled.value = true;
+  }
+
+  /** What was changed in the last half second is not in the address yet. */
+  #leave(): void {
+    if (!this.settled.value && !this.#restoring && !pendingView.value)
+      keepLeaving(location.hash, viewOf(this.#app, true).view, sessionStorage);
   }
 
   async #travel(step: () => LinkView | null): Promise<void> {

@@ -91,7 +91,7 @@ export function setOperation(operation: SetOperation, type: MeshType, other: Mes
     intersection: `intersection(${a}, ${b})`,
     minus: `(${a}) minus (${b})`,
     // What is in one of them only.
-    either: `((${a}) minus (${b})) union ((${b}) minus (${a}))`,
+    either: `symmetricDifference(${a}, ${b})`,
   };
   const label = operation === "either" ? "symmetric difference" : operation;
   return { label: `${label} with the other side`, expression: expressions[operation], needsOther: true };
@@ -137,7 +137,7 @@ export function vertexMove(type: MeshType, vertex: number, to: Triple): Operatio
 const kWords = new Set(
   (
     "query subdivide limitPosition simplify dual triangulate volume2mesh surface2mesh mesh2volume moveVertex " +
-    "union intersection minus translate scaleDir rotate const point3d vector3d value TRUE e"
+    "union intersection minus symmetricDifference translate scaleDir rotate const point3d vector3d value TRUE e"
   ).split(" "),
 );
 

@@ -206,3 +206,14 @@ test("hidden and ghosted objects are part of what is undone", async () => {
   await page.mouse.move(2, 2); // so that no coordinates are shown
   await expect.poll(async () => (await stillScene(page)).difference(both)).toBeLessThan(0.002);
 });
+
+test("a reload in the moment after a change does not lose it", async () => {
+  const { page } = session;
+  await session.show("query Cube");
+  await settled(page);
+  await press(page, "c");
+  await page.getByTestId("section-readout").waitFor();
+  await page.reload();
+  await ready(page);
+  await page.getByTestId("section-readout").waitFor();
+});

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { fragmentOf, viewOfFragment } from "../../../src/app/view_address";
+import { fragmentOf, keepLeaving, takeLeaving, viewOfFragment } from "../../../src/app/view_address";
 import type { LinkView } from "../../../src/state/permalink";
 
 function tabStorage(): Storage {
@@ -52,6 +52,15 @@ test("the oldest stored views give way, and one that is gone is told", async () 
   expect(storage.length).toBe(30);
   await expect(viewOfFragment(first, storage)).rejects.toThrow("kept in another tab");
   expect(await viewOfFragment("#other", storage)).toBeNull();
+});
+
+test("a page that is left at once leaves its view for its own address, once", () => {
+  const storage = tabStorage();
+  keepLeaving("#view=a", viewWith("x"), storage);
+  expect(takeLeaving("#view=a", storage)).toEqual(viewWith("x"));
+  expect(takeLeaving("#view=a", storage)).toBeNull();
+  keepLeaving("#view=a", viewWith("x"), storage);
+  expect(takeLeaving("#view=b", storage)).toBeNull();
 });
 
 test("without storage a long view is a long fragment", async () => {
