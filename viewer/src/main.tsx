@@ -2,8 +2,8 @@ import { options, render } from "preact";
 import { Client } from "./api/client";
 import { takeToken } from "./api/token";
 import { Page } from "./app/Page";
+import { ViewKeeper } from "./app/view_keeper";
 import { Workspace } from "./app/workspace";
-import { openLink } from "./app/link";
 import { Store } from "./state/store";
 import { makeTheme } from "./state/theme";
 
@@ -21,8 +21,9 @@ const store = new Store(client, makeTheme(localStorage), localStorage, sessionSt
 const workspace = new Workspace(store);
 const root = document.getElementById("app");
 if (!root) throw new Error("index.html has no element #app.");
-render(<Page app={{ store, workspace }} />, root);
+const app = { store, workspace };
+const keeper = new ViewKeeper(app);
+render(<Page app={app} keeper={keeper} />, root);
 void store.connection.check();
-void store.loaded.then(() => openLink({ store, workspace }, location.hash));
+void store.loaded.then(() => keeper.start());
 addEventListener("focus", () => void store.refreshObjects());
-addEventListener("hashchange", () => void openLink({ store, workspace }, location.hash));

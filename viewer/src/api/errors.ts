@@ -52,3 +52,10 @@ export function errorFromBody(status: number, body: string): ApiError {
   const message = `The server answered with status ${status}${start ? `: ${start}` : " and without a message"}.`;
   return new ApiError(status, { code: "unexpected_answer", message });
 }
+
+/** Whether the server has dropped what was asked for. */
+export function isGone(error: unknown): boolean {
+  return (
+    error instanceof ApiError && (error.status === 410 || error.code === "gone" || error.code === "not_found")
+  );
+}

@@ -1,11 +1,36 @@
 import { useEffect, useState } from "preact/hooks";
-import type { LoadProgress, SceneView } from "../scene/api";
-import { useSceneReports } from "./SceneHost";
+import type { LoadProgress, SceneProblem, SceneView } from "../scene/api";
 import { WithCode } from "./ui/WithCode";
 import { Icon } from "./ui/Icon";
 
+/** The progress of a scene that is loading, and the reason why it cannot draw. */
+function useSceneReports(view: SceneView): {
+  progress: readonly LoadProgress[];
+  problem: SceneProblem | null;
+} {
+  const [progress, setProgress] = useState(view.progress);
+  const [problem, setProblem] = useState(view.problem);
+  useEffect(() => {
+    setProgress(view.progress);
+    setProblem(view.problem);
+    const ends = [
+      view.on("progress", () => setProgress([...view.progress])),
+      view.on("shapes", () => setProgress([...view.progress])),
+      view.on("problem", setProblem),
+    ];
+    return () => ends.forEach((end) => end());
+  }, [view]);
+  return { progress, problem };
+}
+
+interface Props {
+  readonly view: SceneView;
+  /** Whether a failure of this result is told. */
+  readonly told?: ((result: string) => boolean) | undefined;
+}
+
 /** Loading, failed loading, objects far out of sight, and a missing WebGL, drawn over a scene. */
-export function SceneMessages({ view }: { view: SceneView }) {
+export function SceneMessages({ view, told }: Props) {
   const { progress, problem } = useSceneReports(view);
   if (problem)
     return (
@@ -21,7 +46,9 @@ export function SceneMessages({ view }: { view: SceneView }) {
     );
   // A failure goes with its result.
   const shown = progress.filter(
-    (each) => each.phase !== "done" && (each.phase !== "failed" || view.isVisible(each)),
+    (each) =>
+      each.phase !== "done" &&
+      (each.phase !== "failed" || (view.isVisible(each) && told?.(each.result) !== false)),
   );
   return (
     <>

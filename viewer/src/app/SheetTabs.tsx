@@ -1,4 +1,4 @@
-import type { Sheet } from "../state/layout";
+import type { Layout, Sheet } from "../state/layout";
 import { useApp } from "./context";
 import { Icon, type IconName } from "./ui/Icon";
 
@@ -8,6 +8,13 @@ const sheets: readonly { readonly id: Sheet; readonly label: string; readonly ic
   { id: "results", label: "Results", icon: "table" },
   { id: "view", label: "View", icon: "palette" },
 ];
+
+/** Lists are shown with the editor, and settings alone. */
+function showSheet(layout: Layout, sheet: Sheet): void {
+  layout.sheet.value = sheet;
+  if (sheet === "view") layout.sideTab.value = "view";
+  else if (sheet === "query" && layout.sideTab.value === "view") layout.sideTab.value = "objects";
+}
 
 /** On narrow pages: which panel is drawn over the lower half of the scene. */
 export function SheetTabs() {
@@ -19,7 +26,7 @@ export function SheetTabs() {
           key={id}
           type="button"
           aria-current={layout.sheet.value === id ? "page" : undefined}
-          onClick={() => (layout.sheet.value = id)}
+          onClick={() => showSheet(layout, id)}
         >
           <Icon name={icon} />
           {label}

@@ -1,8 +1,11 @@
-import { useApp } from "./context";
+import { useRef } from "preact/hooks";
+import { useRoving } from "../scene_panels";
+import { useApp, useKeeper } from "./context";
 import { copyLink } from "./link";
 import { Icon } from "./ui/Icon";
 import { IconButton } from "./ui/controls";
 import { openMenu } from "./ui/menu";
+import type { Layout } from "../state/layout";
 import type { ThemeChoice } from "../state/theme";
 import { listedFormats } from "../state/mesh_formats";
 
@@ -16,6 +19,9 @@ const themes: readonly { readonly choice: ThemeChoice; readonly label: string }[
 export function TopBar() {
   const app = useApp();
   const { store, workspace } = app;
+  const keeper = useKeeper();
+  const bar = useRef<HTMLDivElement>(null);
+  useRoving(bar);
   const { layout, mode, theme } = store;
   const compare = mode.value === "compare";
   return (
@@ -25,73 +31,96 @@ export function TopBar() {
         <path d="M16 16 28 9v14l-12 7z" />
         <path d="M16 16 4 9v14l12 7z" />
       </svg>
-      <strong class="wordmark">algebra3d</strong>
+      <h1 class="wordmark">algebra3d</h1>
       <ServerState />
       <span class="grow" />
-      <button
-        type="button"
-        class="btn quiet"
-        title={`Import ${listedFormats(store.catalogue.formats.value)} files`}
-        aria-label="Import"
-        onClick={() => workspace.chooseFiles()}
-      >
-        <Icon name="upload" />
-        <span class="wide-only">Import</span>
-      </button>
-      <button
-        type="button"
-        class="btn quiet"
-        title="Two meshes side by side"
-        aria-label="Compare"
-        aria-pressed={compare}
-        onClick={() => (mode.value = compare ? "explore" : "compare")}
-      >
-        <Icon name="split" />
-        <span class="wide-only">Compare</span>
-      </button>
-      <button
-        type="button"
-        class="btn quiet"
-        title="Link that restores this view"
-        aria-label="Copy link"
-        onClick={() => void copyLink(app)}
-      >
-        <Icon name="link" />
-        <span class="wide-only">Copy link</span>
-      </button>
-      <span class="bar-gap wide-only" />
-      <span class="wide-only">
+      <div ref={bar} class="top-tools" role="toolbar" aria-label="Page">
         <IconButton
-          icon="panelLeft"
-          label="Editor and lists"
-          pressed={layout.leftOpen.value}
-          onClick={() => (layout.leftOpen.value = !layout.leftOpen.value)}
+          icon="undo"
+          label="Undo (Ctrl+Z)"
+          disabled={!keeper.canUndo.value}
+          onClick={() => void keeper.undo()}
         />
         <IconButton
-          icon="panelBottom"
-          label="Results"
-          pressed={layout.bottomOpen.value}
-          onClick={() => (layout.bottomOpen.value = !layout.bottomOpen.value)}
+          icon="redo"
+          label="Redo (Ctrl+Shift+Z)"
+          disabled={!keeper.canRedo.value}
+          onClick={() => void keeper.redo()}
         />
+        <button
+          type="button"
+          class="btn quiet"
+          title={`Import ${listedFormats(store.catalogue.formats.value)} files`}
+          aria-label="Import"
+          onClick={() => workspace.chooseFiles()}
+        >
+          <Icon name="upload" />
+          <span class="wide-only">Import</span>
+        </button>
+        <button
+          type="button"
+          class="btn quiet"
+          title="Two meshes side by side"
+          aria-label="Compare"
+          aria-pressed={compare}
+          onClick={() => (mode.value = compare ? "explore" : "compare")}
+        >
+          <Icon name="split" />
+          <span class="wide-only">Compare</span>
+        </button>
+        <button
+          type="button"
+          class="btn quiet"
+          title="Link that restores this view"
+          aria-label="Copy link"
+          onClick={() => void copyLink(app)}
+        >
+          <Icon name="link" />
+          <span class="wide-only">Copy link</span>
+        </button>
+        <span class="bar-gap wide-only" />
+        <span class="wide-only">
+          <IconButton
+            icon="database"
+            label="Objects and operators"
+            pressed={layout.sideOpen.value && layout.sideTab.value !== "view"}
+            onClick={() => toggleSide(layout, false)}
+          />
+          {!compare && (
+            <IconButton
+              icon="panelBottom"
+              label="Results"
+              pressed={layout.bottomOpen.value}
+              onClick={() => (layout.bottomOpen.value = !layout.bottomOpen.value)}
+            />
+          )}
+          <IconButton
+            icon="panelRight"
+            label="Settings of the view"
+            pressed={layout.sideOpen.value && layout.sideTab.value === "view"}
+            onClick={() => toggleSide(layout, true)}
+          />
+        </span>
         <IconButton
-          icon="panelRight"
-          label="Settings of the view"
-          pressed={layout.rightOpen.value}
-          onClick={() => (layout.rightOpen.value = !layout.rightOpen.value)}
+          icon={theme.current.value === "dark" ? "moon" : "sun"}
+          label="Theme"
+          onClick={(event) =>
+            openMenu(
+              event.currentTarget as HTMLElement,
+              themes.map(({ choice, label }) => ({ label, run: () => void (theme.choice.value = choice) })),
+            )
+          }
         />
-      </span>
-      <IconButton
-        icon={theme.current.value === "dark" ? "moon" : "sun"}
-        label="Theme"
-        onClick={(event) =>
-          openMenu(
-            event.currentTarget as HTMLElement,
-            themes.map(({ choice, label }) => ({ label, run: () => void (theme.choice.value = choice) })),
-          )
-        }
-      />
+      </div>
     </header>
   );
+}
+
+/** Shows the lists or the settings beside the scene; if they are there, they go. */
+function toggleSide(layout: Layout, wantsView: boolean): void {
+  const isThere = layout.sideOpen.value && (layout.sideTab.value === "view") === wantsView;
+  layout.sideOpen.value = !isThere;
+  if (!isThere) layout.sideTab.value = wantsView ? "view" : "objects";
 }
 
 const stateTexts = {

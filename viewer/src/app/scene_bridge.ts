@@ -14,7 +14,7 @@ export function bindScene(view: SceneView, app: App): () => void {
     effect(() => {
       const cells = selectedCells(app);
       untracked(() => {
-        if (!sameCells(cells, view.selection)) view.select(cells, { fit: true });
+        if (!sameCells(cells, view.selection)) view.select(cells, { reveal: true });
       });
     }),
     effect(() => {
@@ -44,11 +44,14 @@ function showResults(view: SceneView, outcomes: readonly Outcome[], client: App[
   untracked(() => {
     for (const result of new Set(view.results.map((source) => source.result)))
       if (!wanted.has(result)) view.removeResult(result);
+    // What goes is hidden before the others come: they are alone, and have the colour of what is alone.
+    for (const { result, column } of view.results)
+      if (!wanted.get(result)?.shown.has(column)) view.setVisible({ result, column }, false);
     for (const [result, { outcome, shown }] of wanted)
-      for (const column of outcome.shapeColumns) {
-        const added = view.results.some((source) => source.result === result && source.column === column);
-        if (!added && shown.has(column)) view.addResult(shapeSource(client, outcome, column));
-        else if (added) view.setVisible({ result, column }, shown.has(column));
+      for (const column of shown) {
+        const isThere = view.results.some((source) => source.result === result && source.column === column);
+        if (isThere) view.setVisible({ result, column }, true);
+        else view.addResult(shapeSource(client, outcome, column));
       }
   });
 }

@@ -1,5 +1,6 @@
-import { signal } from "@preact/signals";
-import type { CellRef, SceneView } from "../scene/api";
+import { computed, signal, type ReadonlySignal } from "@preact/signals";
+import type { CellRef } from "../scene/api";
+import { scrollInPanel, type SceneModel } from "../scene_panels";
 import { Uploads } from "../state/uploads";
 import { Workbench, type SideName } from "../state/workbench";
 import type { Store } from "../state/store";
@@ -10,16 +11,20 @@ export class Workspace {
   readonly store: Store;
   readonly editor = signal<Editor | null>(null);
   /** The scene of the results. */
-  readonly scene = signal<SceneView | null>(null);
+  readonly scene = signal<SceneModel | null>(null);
   /** The object whose properties are shown. */
   readonly opened = signal<CellRef | null>(null);
-
-  /** The scene that gets the keys; that of the results unless a side of the split screen was used last. */
-  readonly keyScene = signal<SceneView | null>(null);
+  /** The side of the split screen that was used last. */
+  readonly keySide = signal<SideName>("left");
+  /** The scene that gets the keys and whose settings are shown. */
+  readonly keyScene: ReadonlySignal<SceneModel | null>;
   /** A cell that is to be stored as an object, while a person is asked for its name. */
   readonly naming = signal<CellRef | null>(null);
   /** The scenes of the split screen, while it is shown. */
-  readonly sideScenes = { left: signal<SceneView | null>(null), right: signal<SceneView | null>(null) };
+  readonly sideScenes = {
+    left: signal<SceneModel | null>(null),
+    right: signal<SceneModel | null>(null),
+  };
   /** Its cameras move together. */
   readonly sameCamera = signal(true);
   readonly workbench: Workbench;
@@ -27,6 +32,9 @@ export class Workspace {
 
   constructor(store: Store) {
     this.store = store;
+    this.keyScene = computed(() =>
+      store.mode.value === "compare" ? this.sideScenes[this.keySide.value].value : this.scene.value,
+    );
     this.workbench = new Workbench(store);
     this.uploads = new Uploads(store);
   }
@@ -44,22 +52,32 @@ export class Workspace {
   /** Shows the properties of an object: its colour, size and opacity. */
   openProperties(cell: CellRef): void {
     this.opened.value = cell;
-    this.store.layout.rightOpen.value = true;
-    this.store.layout.sheet.value = "view";
+    this.#showSettings();
+  }
+
+  #showSettings(): void {
+    const { layout } = this.store;
+    layout.sideOpen.value = true;
+    layout.sideTab.value = "view";
+    layout.sheet.value = "view";
   }
 
   /** Shows the part of the settings of the view for a tool. */
-  openSettings(part: "section"): void {
-    this.store.layout.rightOpen.value = true;
-    this.store.layout.sheet.value = "view";
-    requestAnimationFrame(() =>
-      document.querySelector(`[data-testid="${part}-panel"]`)?.scrollIntoView({ block: "start" }),
-    );
-  }
+  readonly openSettings = (part: "section" | "measure" | "inspect"): void => {
+    this.#showSettings();
+    requestAnimationFrame(() => {
+      const panel = document.querySelector<HTMLDetailsElement>(`[data-testid="${part}-panel"]`);
+      if (!panel) return;
+      panel.open = true;
+      scrollInPanel(panel, "start");
+    });
+  };
 
   /** Colours the objects by the values of a column. */
   colourBy(attribute: string): void {
-    this.scene.value?.update({ appearance: { scheme: { by: "attribute", attribute, palette: "viridis" } } });
+    this.scene.value?.view.update({
+      appearance: { scheme: { by: "attribute", attribute, palette: "viridis" } },
+    });
   }
 
   compareObject(side: SideName, name: string): void {
@@ -74,6 +92,12 @@ export class Workspace {
 
   /** Opens the browser's choice of files; the chosen ones are uploaded. */
   chooseFiles: () => void = () => undefined;
+
+  /** Runs a statement that is offered, and puts it into the editor, where it can be changed. */
+  async tryStatement(statement: string): Promise<void> {
+    this.editor.value?.setText(`${statement};`);
+    await this.store.run(statement);
+  }
 
   /** Runs a statement from a list, and puts it into the editor if this is empty. */
   async query(statement: string): Promise<void> {

@@ -1,9 +1,11 @@
 /** What the actions of shortcuts.ts do; the group "Application" is handed on as events. */
 
-import type { Appearance, ColorScheme, StandardView } from "./api";
+import type { Appearance, ColorScheme, DisplayState, FocusState, StandardView, Tool } from "./api";
 import { orbit, pan, zoom } from "./camera";
 import type { View } from "./scene_view";
 import { kShortcuts } from "./shortcuts";
+import { facingEye } from "./section";
+import { kDefaultState } from "./state";
 import { normalized } from "./vec";
 
 type Action = (view: View) => void;
@@ -53,6 +55,7 @@ const kActions: Readonly<Record<string, Action>> = {
     view.update({ camera: { projection } });
   },
   home: (view) => view.home(),
+  back: (view) => view.back(),
   fit: (view) => view.fit(),
   "fit.selection": (view) => view.fit(view.selection),
   "orbit.left": orbitBy(-kTurn, 0),
@@ -92,26 +95,21 @@ const kActions: Readonly<Record<string, Action>> = {
   "opacity.less": (view) => changeOpacity(view, -0.1),
   "light.more": (view) => changeLight(view, 1.15),
   "light.less": (view) => changeLight(view, 1 / 1.15),
-  explode: (view) => view.update({ display: { explode: view.state.display.explode > 0 ? 0 : 0.6 } }),
+  explode: (view) => toggleArrangement(view, "exploded"),
+  sheet: (view) => toggleArrangement(view, "grid"),
 
   hide: (view) => {
-    for (const cell of view.selection) hideRecord(view, cell);
+    view.update({ focus: { hidden: [...view.state.focus.hidden, ...view.selection] } });
     view.select([]);
-    view.visibilityChanged();
   },
-  isolate: (view) => {
-    if (view.selection.length === 0) return;
-    const kept = new Set(view.selection.map((cell) => view.stage.store.record(cell)));
-    for (const record of view.stage.store.records()) record.hidden = !kept.has(record);
-    view.visibilityChanged();
-  },
+  isolate: (view) => focusOn(view, "hidden"),
+  ghost: (view) => focusOn(view, "ghosted"),
   "show.all": (view) => {
-    for (const record of view.stage.store.records()) record.hidden = false;
-    for (const column of view.stage.store.columns) column.visible = true;
-    view.visibilityChanged();
+    view.update({ focus: kDefaultState.focus });
+    for (const { source } of view.stage.store.columns) view.setVisible(source, true);
   },
   "select.none": (view) => {
-    view.tool = "select";
+    view.update({ tools: { tool: "select", picks: [] } });
     view.select([]);
   },
   "select.next": (view) => selectBeside(view, 1),
@@ -120,14 +118,16 @@ const kActions: Readonly<Record<string, Action>> = {
   section: (view) => {
     const on = !view.state.section.on;
     const box = view.stage.contentBox;
-    const point = box.isEmpty() ? view.state.section.point : box.getCenter(box.min.clone()).toArray();
-    view.update({ section: on ? { on, point, cap: "preview" } : { on } });
+    const { point, normal } = view.state.section;
+    const middle = box.isEmpty() ? point : box.getCenter(box.min.clone()).toArray();
+    const towards = facingEye(normal, view.state.camera.direction);
+    view.update({ section: on ? { on, point: middle, normal: towards, cap: "preview" } : { on } });
     if (on) view.sectionRests();
   },
   "section.forward": (view) => moveSection(view, 0.02),
   "section.back": (view) => moveSection(view, -0.02),
-  measure: (view) => (view.tool = view.tool === "measure" ? "select" : "measure"),
-  inspect: (view) => (view.tool = view.tool === "inspect" ? "select" : "inspect"),
+  measure: (view) => toggleTool(view, "measure"),
+  inspect: (view) => toggleTool(view, "inspect"),
 };
 
 const kShadings: readonly Appearance["shading"][] = ["smooth", "flat", "unlit"];
@@ -165,9 +165,21 @@ function changeLight(view: View, factor: number): void {
   view.update({ lights: { global: { ...global, brightness } } });
 }
 
-function hideRecord(view: View, cell: { result: string; row: number; column: string }): void {
-  const record = view.stage.store.record(cell);
-  if (record) record.hidden = true;
+function toggleArrangement(view: View, arrangement: DisplayState["arrangement"]): void {
+  const isThere = view.state.display.arrangement === arrangement;
+  view.update({ display: { arrangement: isThere ? "place" : arrangement } });
+}
+
+function toggleTool(view: View, tool: Tool): void {
+  view.update({ tools: { tool: view.state.tools.tool === tool ? "select" : tool, picks: [] } });
+}
+
+/** The others than the selected objects are ghosted or hidden; asked for again, they are as before. */
+function focusOn(view: View, others: FocusState["others"]): void {
+  const { focus } = view.state;
+  const cells = view.selection;
+  const again = focus.others === others && JSON.stringify(focus.cells) === JSON.stringify(cells);
+  view.update({ focus: { cells: again ? [] : cells, others } });
 }
 
 function selectBeside(view: View, step: number): void {

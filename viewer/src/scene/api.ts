@@ -14,6 +14,7 @@ import type {
   CameraState,
   CellRef,
   Color,
+  Hit,
   ScenePatch,
   SceneState,
   StandardView,
@@ -55,6 +56,8 @@ export interface ShapeBatch {
 export interface ShapeSource extends ColumnRef {
   /** What a person calls it: name of an object, or the statement. */
   readonly title: string;
+  /** The page shows it by itself; the same thing that is asked for by a person is another one. */
+  readonly isPreview?: boolean;
   /** Number of rows. */
   readonly count: number;
   /** The columns by whose values objects may be coloured. */
@@ -102,28 +105,6 @@ export interface ShapeInfo {
 // ---------------------------------------------------------------------------------------------------------------
 // Events
 
-/** The place under the pointer. */
-export interface Hit {
-  readonly cell: CellRef;
-  readonly point: Vec3;
-  /** What the point was snapped to. */
-  readonly snap: "vertex" | "edge" | "face" | "point";
-  /** Numbers in the value, as by faces(v) and vertices(v); null where the level of detail does not know them. */
-  readonly face: number | null;
-  readonly vertex: number | null;
-  /** The corners of the triangle, or null; `ids` are their numbers in the value. */
-  readonly triangle: {
-    readonly corners: readonly [Vec3, Vec3, Vec3];
-    readonly ids: readonly [number | null, number | null, number | null];
-    readonly normal: Vec3;
-    readonly area: number;
-  } | null;
-  /** The ends of the edge to which the point was snapped. */
-  readonly edge: readonly [Vec3, Vec3] | null;
-  /** The drawn level of detail is a coarser one, so that the point lies up to this far from the value. */
-  readonly deviation: number;
-}
-
 export interface VertexMove {
   readonly cell: CellRef;
   /** Number in the value, as by vertices(v). */
@@ -133,8 +114,6 @@ export interface VertexMove {
   /** False while dragging, true when the button was let go. */
   readonly finished: boolean;
 }
-
-export type TransformMode = "translate" | "rotate" | "scale";
 
 /** What was done to an object by its handle. */
 export type Transformation =
@@ -158,12 +137,8 @@ export interface SceneEvents {
   selection: { readonly cells: readonly CellRef[]; readonly byPerson: boolean };
   /** A double click on an object: show its properties. */
   open: { readonly hit: Hit };
-  /** Another tool was chosen, by a key or by setting `tool`. */
-  tool: { readonly tool: Tool };
   /** The pointer is over a point, or over nothing. */
   hover: { readonly hit: Hit | null };
-  /** A click while tool is `measure` or `inspect`. */
-  pick: { readonly hit: Hit; readonly tool: Tool };
   /** The section plane rests at a new place: ask the database for the exact cut. */
   section: { readonly point: Vec3; readonly normal: Vec3 };
   /** The shapes or their levels of detail changed. */
@@ -172,15 +147,13 @@ export interface SceneEvents {
   /** See SceneView.farCount. */
   far: { readonly count: number };
   vertex: VertexMove;
-  /** The handle of an object was let go; the object is drawn there until `transformTarget` is set or it goes. */
+  /** The handle of an object was let go; the object is drawn there until another one takes its place or `resetDrag`. */
   transform: { readonly cell: CellRef; readonly transformation: Transformation };
   /** null when it is over. */
   problem: SceneProblem | null;
   /** A keyboard shortcut that the application has to carry out, see `shortcuts.ts`. */
   action: SceneAction;
 }
-
-export type Tool = "select" | "measure" | "inspect" | "vertex";
 
 // ---------------------------------------------------------------------------------------------------------------
 // The view
@@ -251,6 +224,8 @@ export interface SceneView {
   isVisible(what: ColumnRef & { readonly row?: number }): boolean;
   shapes(column?: ColumnRef): readonly ShapeInfo[];
   shape(cell: CellRef): ShapeInfo | null;
+  /** What a person calls an object: the first text of its row, else the number of the row. */
+  nameOf(cell: CellRef): string;
   /** The attributes of all results by which objects can be coloured. */
   readonly attributes: readonly { readonly name: string; readonly type: string }[];
   /** How far each column is loaded. */
@@ -258,7 +233,8 @@ export interface SceneView {
 
   // Selection
   readonly selection: readonly CellRef[];
-  select(cells: readonly CellRef[], options?: { readonly fit?: boolean }): void;
+  /** With `reveal` the camera goes to them, unless they are seen well. */
+  select(cells: readonly CellRef[], options?: { readonly reveal?: boolean }): void;
 
   // State
   readonly state: SceneState;
@@ -276,6 +252,8 @@ export interface SceneView {
   fit(cells?: readonly CellRef[]): void;
   /** The standard view: isometric, all is seen. */
   home(): void;
+  /** The camera before it was last brought elsewhere by a command. */
+  back(): void;
   /** Objects so far from the others that the camera did not go back for them by itself, until `fit` shows all. */
   readonly farCount: number;
   look(view: StandardView): void;
@@ -286,14 +264,8 @@ export interface SceneView {
   setCamera(camera: CameraState, options?: { readonly animate?: boolean }): void;
 
   // Tools
-  tool: Tool;
-  /** Snaps of measuring. */
-  snap: { vertices: boolean; edges: boolean };
-  /** The object whose vertices are dragged while tool is `vertex`. */
-  vertexTarget: { readonly cell: CellRef; readonly along: "normal" | "plane" | "free" } | null;
-
-  /** The object with a handle by which it is moved, turned or scaled. */
-  transformTarget: { readonly cell: CellRef; readonly mode: TransformMode } | null;
+  /** Draws what is dragged by its handle where it was before, as after a transformation that failed. */
+  resetDrag(): void;
 
   // Additions to the picture that do not belong to a result
   setCaps(caps: readonly { readonly cell: CellRef; readonly bytes: ArrayBuffer }[]): void;

@@ -77,7 +77,8 @@ export interface Appearance {
   /** 0 invisible to 1 solid. */
   readonly opacity: number;
   readonly color: Color;
-  readonly edgeColor: Color;
+  /** null: one that is seen well on faces, or without them on the background. */
+  readonly edgeColor: Color | null;
   /** Diameter of points and vertices in pixels. */
   readonly pointSize: number;
   readonly scheme: ColorScheme;
@@ -135,8 +136,13 @@ export interface DisplayState {
   readonly boundary: boolean;
   readonly nonManifold: boolean;
   readonly legend: boolean;
-  /** 0 together, 1 moved from the common centre by their distance from it. */
+  /** Where objects are drawn: in their places, as a contact sheet, or moved apart. */
+  readonly arrangement: "place" | "grid" | "exploded";
+  /** How far they are moved apart: 1 by their distance from the common centre. */
   readonly explode: number;
+  /** The attribute by whose values the contact sheet is sorted; "" for the order of the rows. */
+  readonly sortBy: string;
+  readonly descending: boolean;
 }
 
 /** The R-tree of the database whose boxes the panel of indexes draws. */
@@ -145,6 +151,69 @@ export interface IndexBoxesState {
   readonly name: string;
   /** From the root, 0, to the leaves. */
   readonly level: number;
+}
+
+/** The place under the pointer. */
+export interface Hit {
+  readonly cell: CellRef;
+  readonly point: Vec3;
+  /** What the point was snapped to. */
+  readonly snap: "vertex" | "edge" | "face" | "point";
+  /** Numbers in the value, as by faces(v) and vertices(v); null where the level of detail does not know them. */
+  readonly face: number | null;
+  readonly vertex: number | null;
+  /** The corners of the triangle, or null; `ids` are their numbers in the value. */
+  readonly triangle: {
+    readonly corners: readonly [Vec3, Vec3, Vec3];
+    readonly ids: readonly [number | null, number | null, number | null];
+    readonly normal: Vec3;
+    readonly area: number;
+  } | null;
+  /** The ends of the edge to which the point was snapped. */
+  readonly edge: readonly [Vec3, Vec3] | null;
+  /** The drawn level of detail is a coarser one, so that the point lies up to this far from the value. */
+  readonly deviation: number;
+}
+
+export type Tool = "select" | "measure" | "inspect" | "drag";
+
+export type TransformMode = "translate" | "rotate" | "scale";
+
+export type MeasureKind = "distance" | "objects" | "angle" | "faceAngle" | "faceArea" | "area" | "volume";
+
+/** A measure between places; its value is asked of the database. */
+export interface MeasureState {
+  readonly id: number;
+  readonly kind: MeasureKind;
+  /** As many as the kind needs. */
+  readonly hits: readonly Hit[];
+}
+
+/** What is dragged while the tool is `drag`: vertices of an object, or the whole object by a handle. */
+export interface DragState {
+  readonly cell: CellRef;
+  readonly how: "normal" | "plane" | TransformMode;
+}
+
+export interface ToolsState {
+  readonly tool: Tool;
+  readonly snapVertices: boolean;
+  readonly snapEdges: boolean;
+  /** What the next clicks measure. */
+  readonly kind: MeasureKind;
+  /** Clicked for it so far. */
+  readonly picks: readonly Hit[];
+  readonly measures: readonly MeasureState[];
+  readonly inspected: Hit | null;
+  readonly drag: DragState | null;
+}
+
+/** Which objects are seen of the columns that are shown. */
+export interface FocusState {
+  readonly hidden: readonly CellRef[];
+  /** Unless it is empty, all other objects are ghosted or hidden. */
+  readonly cells: readonly CellRef[];
+  readonly others: "ghosted" | "hidden";
 }
 
 export interface SceneState {
@@ -156,6 +225,8 @@ export interface SceneState {
   readonly section: SectionState;
   readonly display: DisplayState;
   readonly index: IndexBoxesState;
+  readonly tools: ToolsState;
+  readonly focus: FocusState;
 }
 
 /** A part of the state to be changed; what is left out stays. */

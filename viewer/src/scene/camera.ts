@@ -177,14 +177,20 @@ export function looking(camera: CameraState, view: StandardView): CameraState {
   return placed(camera, camera, basisOf({ ...camera, direction: back, up }), camera.height);
 }
 
-/** The camera, moved without turning so that all of the box is seen. */
-export function fitted(camera: CameraState, box: Box3, aspect: number): CameraState {
-  if (box.isEmpty()) return camera;
+/** The camera, moved without turning so that all of the box is seen; or only the points that are given. */
+export function fitted(
+  camera: CameraState,
+  box: Box3,
+  aspect: number,
+  points: readonly Vector3[] = cornersOf(box),
+): CameraState {
+  if (box.isEmpty() || points.length === 0) return camera;
   const basis = basisOf(camera);
   const centre = box.getCenter(new Vector3());
+  centre.add(middleAlong(points, centre, basis));
   let height = 0;
-  for (const corner of cornersOf(box)) {
-    const offset = corner.sub(centre);
+  for (const corner of points) {
+    const offset = corner.clone().sub(centre);
     const across = Math.max(
       Math.abs(offset.dot(basis.up)),
       Math.abs(offset.dot(basis.right)) / Math.max(aspect, 1e-6),
@@ -194,6 +200,21 @@ export function fitted(camera: CameraState, box: Box3, aspect: number): CameraSt
   }
   const place = { target: fromVector3(centre), rest: [0, 0, 0] } as const;
   return placed(camera, place, basis, height > 0 ? height * kMargin : 1);
+}
+
+/** The middle of points as the axes of a camera see them, relative to an origin near them. */
+function middleAlong(points: readonly Vector3[], origin: Vector3, { right, up, back }: Basis): Vector3 {
+  const middle = new Vector3();
+  for (const axis of [right, up, back]) {
+    let [low, high] = [Infinity, -Infinity];
+    for (const point of points) {
+      const along = point.clone().sub(origin).dot(axis);
+      low = Math.min(low, along);
+      high = Math.max(high, along);
+    }
+    middle.addScaledVector(axis, (low + high) / 2);
+  }
+  return middle;
 }
 
 export function cornersOf(box: Box3): Vector3[] {

@@ -1,6 +1,6 @@
 /** Brings the camera to where it should be, in a short movement unless the person does not want animations. */
 
-import type { Box3 } from "three";
+import type { Box3, Vector3 } from "three";
 
 import type { CameraState, StandardView } from "./api";
 import { between, cameraDifference, fitted, looking, normalizedCamera, turned } from "./camera";
@@ -12,6 +12,8 @@ export interface CameraHost {
   show(camera: CameraState, moving: boolean): void;
   /** Width of the view by its height. */
   aspect(): number;
+  /** What is seen within a box, if that is less than all of it. */
+  points?(box: Box3): readonly Vector3[] | undefined;
   /** Nothing would be seen of a movement. */
   isBlind(): boolean;
 }
@@ -29,7 +31,11 @@ export class CameraControl {
 
   /** The camera that sees all of a box from the present side. */
   seeing(box: Box3): CameraState {
-    return fitted(this.goal, box, this.host.aspect());
+    return this.fitted(this.goal, box);
+  }
+
+  private fitted(camera: CameraState, box: Box3): CameraState {
+    return fitted(camera, box, this.host.aspect(), this.host.points?.(box));
   }
 
   fit(box: Box3, animate = true): void {
@@ -37,7 +43,7 @@ export class CameraControl {
   }
 
   look(view: StandardView, box: Box3, animate = true): void {
-    this.go(fitted(looking(this.goal, view), box, this.host.aspect()), animate);
+    this.go(this.fitted(looking(this.goal, view), box), animate);
   }
 
   turn(axis: "roll" | "up" | "side", degrees: number): void {

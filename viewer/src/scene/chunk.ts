@@ -7,6 +7,7 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  Color,
   FrontSide,
   Group,
   LineBasicMaterial,
@@ -26,9 +27,10 @@ import type { EyeFrom } from "./front_faces";
 import { triangleEdges } from "./geometry";
 import { isTransparent } from "./look";
 import type { Look, Style } from "./look";
-import { clip, faceMaterial, pointMaterial, styleFaces } from "./materials";
+import { bringForward, clip, faceMaterial, pointMaterial, styleFaces } from "./materials";
 import type { SharedMaterials } from "./materials";
-import { shownColor } from "./single_body";
+import { kOutlineLayer } from "./outline";
+import { thinColor } from "./single_body";
 import { isFarOrigin } from "./vec";
 
 /** Shapes with fewer vertices are merged if there are many. */
@@ -59,12 +61,19 @@ interface Slot {
   readonly vertices: number;
   visible: boolean;
   offset: Vec3;
+  group: FaceGroup;
 }
+
+/** Faces are drawn in one call each: the solid ones, those that are seen through, and those of selected objects. */
+type FaceGroup = "faces" | "glass" | "chosen";
+const kFaceGroups: readonly FaceGroup[] = ["faces", "glass", "chosen"];
 
 const kRoles: readonly Role[] = ["faces", "edges", "boundary", "nonmanifold", "lines", "points"];
 
 /** Besides the roles: all edges of triangles, and the vertices of faces. */
-type LayerKey = Role | "all" | "vertices";
+type LayerKey = Role | FaceGroup | "all" | "vertices";
+
+const isFaceGroup = (key: LayerKey): key is FaceGroup => (kFaceGroups as readonly LayerKey[]).includes(key);
 
 /** One draw call: the indices of a role, and those of all shapes to make them from. */
 interface Layer {
@@ -82,7 +91,6 @@ export class Chunk {
   private readonly layers = new Map<LayerKey, Layer>();
   private readonly origin = new Vector3();
   private style: Style | null = null;
-  private hasTransparent = false;
   private indicesStale = false;
   private drawsAllEdges = false;
   private bodies = 0;
@@ -97,7 +105,14 @@ export class Chunk {
     let vertices = 0;
     for (const shape of shapes) {
       const count = vertexCount(shape);
-      this.slots.push({ shape, firstVertex: vertices, vertices: count, visible: true, offset: [0, 0, 0] });
+      this.slots.push({
+        shape,
+        firstVertex: vertices,
+        vertices: count,
+        visible: true,
+        offset: [0, 0, 0],
+        group: "faces",
+      });
       vertices += count;
     }
     this.positions = new Float32Array(3 * vertices);
@@ -144,11 +159,35 @@ export class Chunk {
     this.indicesStale = false;
     this.dropFronts();
     for (const [role, layer] of this.layers) {
-      if (role === "all" || role === "vertices") continue;
+      if (role === "all" || role === "vertices" || isFaceGroup(role)) continue;
       layer.geometry.setIndex(new BufferAttribute(this.indicesOf(role), 1));
     }
+    this.divideFaces();
     if (this.layers.has("all")) this.makeAllEdges();
     if (this.layers.has("vertices")) this.makeVertices();
+  }
+
+  /** Gives each group of faces the indices of its shapes. */
+  private divideFaces(): void {
+    const whole = this.layers.get("faces");
+    if (!whole) return;
+    for (const group of kFaceGroups) {
+      const isUsed = this.slots.some((slot) => slot.visible && slot.group === group);
+      if (!isUsed && !this.layers.has(group)) continue;
+      const { geometry } = this.layers.get(group) ?? this.addFaces(group, whole.geometry);
+      geometry.setIndex(new BufferAttribute(this.indicesOf("faces", group), 1));
+    }
+  }
+
+  private addFaces(group: FaceGroup, whole: BufferGeometry): Layer {
+    const geometry = new BufferGeometry();
+    for (const [name, attribute] of Object.entries(whole.attributes)) geometry.setAttribute(name, attribute);
+    const mesh = new Mesh(geometry, faceMaterial(true, this.shared.place));
+    bringForward(mesh.material, group === "chosen");
+    if (group === "chosen") mesh.layers.enable(kOutlineLayer);
+    const layer = this.addObject(group, mesh);
+    if (this.style) this.applyStyle(this.style);
+    return layer;
   }
 
   /** Whether all shapes were disposed of. */
@@ -185,7 +224,8 @@ export class Chunk {
   }
 
   private setLook(slot: Slot, look: Look): void {
-    const color = shownColor(look);
+    const isThin = !slot.shape.primitives.some(({ role }) => role === "faces");
+    const color = isThin ? thinColor(look) : new Color(look.color);
     const rgba = [color.r, color.g, color.b, look.opacity].map((part) => Math.round(part * 65535));
     for (let i = 0; i < slot.vertices; i++) this.colors.set(rgba, 4 * (slot.firstVertex + i));
     this.attributes.color.needsUpdate = true;
@@ -194,9 +234,10 @@ export class Chunk {
       const attribute = this.layers.get("points")?.geometry.getAttribute("pointSize");
       if (attribute) (attribute as BufferAttribute).needsUpdate = true;
     }
-    if (isTransparent(look.opacity) && !this.hasTransparent) {
-      this.hasTransparent = true;
-      if (this.style) this.applyStyle(this.style);
+    const group = look.selected ? "chosen" : isTransparent(look.opacity) ? "glass" : "faces";
+    if (group !== slot.group) {
+      slot.group = group;
+      this.indicesStale = true;
     }
     slot.offset = look.offset;
     this.writePositions(slot);
@@ -216,6 +257,8 @@ export class Chunk {
     this.chooseEdges(wantAll || !appearance.faces);
     const visible: Record<string, boolean> = {
       faces: appearance.faces,
+      glass: appearance.faces,
+      chosen: appearance.faces,
       edges: appearance.edges !== "none",
       all: wantAll,
       vertices: appearance.vertices,
@@ -227,11 +270,11 @@ export class Chunk {
     for (const [role, { object, geometry }] of this.layers) {
       object.visible = visible[role]!;
       const material = object.material as Material;
-      if (object instanceof Mesh && role === "faces") {
+      if (isFaceGroup(role)) {
         const options = {
           closed: this.slots.every(({ shape }) => shape.kind === "volume3d"),
           hasNormals: geometry.hasAttribute("normal"),
-          opacity: this.hasTransparent ? 0.5 : 1,
+          opacity: role === "glass" ? 0.5 : 1,
         };
         styleFaces(faceMaterialOf(object), style, options);
       } else if (role === "points" || role === "lines") {
@@ -248,20 +291,25 @@ export class Chunk {
     this.indicesStale = true;
   }
 
-  private stencils: Mesh[] = [];
+  private readonly stencils = new Map<FaceGroup, readonly Mesh[]>();
 
+  /** What is seen through has no cut that could be filled. */
   private showStencils(show: boolean): void {
-    const faces = this.layers.get("faces");
-    if (show && this.stencils.length === 0 && faces) {
-      this.stencils = [this.shared.stencilBack, this.shared.stencilFront].map((material) => {
-        const mesh = new Mesh(faces.geometry, material);
-        mesh.renderOrder = -2;
-        mesh.frustumCulled = false;
-        this.group.add(mesh);
-        return mesh;
-      });
+    for (const group of ["faces", "chosen"] as const) {
+      const layer = this.layers.get(group);
+      if (show && layer && !this.stencils.has(group)) this.stencils.set(group, this.makeStencils(layer));
+      for (const mesh of this.stencils.get(group) ?? []) mesh.visible = show;
     }
-    for (const mesh of this.stencils) mesh.visible = show;
+  }
+
+  private makeStencils({ geometry }: Layer): readonly Mesh[] {
+    return [this.shared.stencilBack, this.shared.stencilFront].map((material) => {
+      const mesh = new Mesh(geometry, material);
+      mesh.renderOrder = -2;
+      mesh.frustumCulled = false;
+      this.group.add(mesh);
+      return mesh;
+    });
   }
 
   private writePositions({ shape, offset, firstVertex }: Slot): void {
@@ -306,12 +354,14 @@ export class Chunk {
     }
   }
 
-  private addObject(key: LayerKey, object: Mesh | LineSegments | Points): void {
+  private addObject(key: LayerKey, object: Mesh | LineSegments | Points): Layer {
     // The arrays change, and with them the box; a chunk is nearly always in sight.
     object.frustumCulled = false;
     if (key === "boundary" || key === "nonmanifold") object.renderOrder = 2;
-    this.layers.set(key, { object, geometry: object.geometry });
+    const layer = { object, geometry: object.geometry };
+    this.layers.set(key, layer);
     this.group.add(object);
+    return layer;
   }
 
   /** null if a shape has none. */
@@ -331,11 +381,12 @@ export class Chunk {
     return new BufferAttribute(bytes, 4, true);
   }
 
-  private indicesOf(role: Role): Uint32Array<ArrayBuffer> {
+  /** Of what is visible; of faces only those of a group, if one is given. */
+  private indicesOf(role: Role, group: FaceGroup | null = null): Uint32Array<ArrayBuffer> {
     const parts: { indices: IndexArray | null; base: number; primitive: Primitive }[] = [];
     let count = 0;
-    for (const { shape, firstVertex, visible } of this.slots) {
-      if (!visible) continue;
+    for (const { shape, firstVertex, visible, group: own } of this.slots) {
+      if (!visible || (group !== null && own !== group)) continue;
       for (const primitive of shape.primitives) {
         if (primitive.role !== role) continue;
         const lines = role === "edges" && !this.drawsAllEdges ? featureLines(shape) : primitive.indices;

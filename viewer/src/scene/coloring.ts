@@ -1,31 +1,32 @@
 /** The look of each object: its colour by the scheme, what was overridden, whether it is selected, where it is moved to. */
 
 import type { AttributeValue, CellRef, Color, Legend, ObjectOverride, SceneState } from "./api";
+import { arranged, nameOf } from "./arrangement";
+import type { SheetLabel } from "./arrangement";
+import { AttributeValues } from "./attribute_values";
 import { categoryColor, mix, scaleOf } from "./colors";
 import type { ColorScale } from "./colors";
+import { kGhostOpacity } from "./look";
 import type { Look } from "./look";
 import { cellKey } from "./shape_store";
 import type { Column, ShapeRecord, ShapeStore } from "./shape_store";
 
-const kValuesPerRequest = 10_000;
 /** Multiplied with the colours of places. */
 const kWhite: Color = "#ffffff";
 
-interface Values {
-  readonly attribute: string;
-  readonly values: AttributeValue[];
-  readonly abort: AbortController;
-}
-
 export class Coloring {
-  private readonly values = new Map<Column, Values>();
+  private readonly values: AttributeValues;
   private scale: ColorScale | null = null;
+  /** Names below the cells of a contact sheet. */
+  labels: readonly SheetLabel[] = [];
 
   constructor(
     private readonly store: ShapeStore,
     /** Values of an attribute came. */
-    private readonly changed: () => void,
-  ) {}
+    changed: () => void,
+  ) {
+    this.values = new AttributeValues(changed);
+  }
 
   get legend(): Legend | null {
     return this.scale?.legend ?? null;
@@ -37,17 +38,21 @@ export class Coloring {
     this.store.assignColorSlots();
     const overrides = new Map(state.overrides.map((override) => [cellKey(override.cell), override]));
     const selected = new Set(selection.map(cellKey));
-    const centre = this.store.centre();
+    const arrangement = arranged(this.store, state.display, this.values);
+    this.labels = arrangement.labels;
+    const { cells, others } = state.focus;
+    const seen = new Set(others === "ghosted" ? cells.map(cellKey) : []);
+    const isGhost = (key: string): boolean => seen.size > 0 && !seen.has(key);
     const byPosition = state.appearance.scheme.by === "position";
     for (const record of this.store.records()) {
       const key = cellKey(record.cell);
       const override = overrides.get(key);
       const look: Look = {
         color: byPosition ? kWhite : (override?.color ?? this.colorOf(record, state)),
-        opacity: override?.opacity ?? state.appearance.opacity,
+        opacity: (override?.opacity ?? state.appearance.opacity) * (isGhost(key) ? kGhostOpacity : 1),
         pointSize: override?.pointSize ?? state.appearance.pointSize,
         selected: selected.has(key),
-        offset: this.store.explodedOffset(record, centre, state.display.explode),
+        offset: arrangement.offsetOf(record),
       };
       this.store.setLook(record, look);
     }
@@ -61,8 +66,8 @@ export class Coloring {
       return mix(scheme.from, scheme.to, last > 0 ? record.row / last : 0);
     }
     if (scheme.by === "attribute") {
-      const known = this.values.get(column);
-      if (known && this.scale) return this.scale.color(known.values[record.row] ?? null);
+      const known = this.values.of(column, scheme.attribute);
+      if (known && this.scale) return this.scale.color(known[record.row] ?? null);
     }
     // Results that are overlaid are distinguished by their colours.
     return column.colorSlot ? categoryColor(column.colorSlot) : color;
@@ -73,45 +78,19 @@ export class Coloring {
     this.scale = null;
     if (scheme.by !== "attribute") return;
     const all: AttributeValue[] = [];
-    for (const column of this.store.columns) {
-      if (!column.source.attributes.some(({ name }) => name === scheme.attribute)) {
-        this.forget(column);
-        continue;
-      }
-      const known = this.values.get(column);
-      if (known?.attribute !== scheme.attribute) this.request(column, scheme.attribute);
-      else if (column.visible) all.push(...known.values);
-    }
+    for (const column of this.store.columns)
+      if (column.visible) all.push(...(this.values.of(column, scheme.attribute) ?? []));
     if (all.length > 0) this.scale = scaleOf(scheme.attribute, scheme.palette, all);
   }
 
-  private request(column: Column, attribute: string): void {
-    this.forget(column);
-    const values: Values = { attribute, values: [], abort: new AbortController() };
-    this.values.set(column, values);
-    void this.load(column, values);
-  }
-
-  private async load(column: Column, { attribute, values, abort }: Values): Promise<void> {
-    const { source } = column;
-    while (values.length < source.count) {
-      const part = await source
-        .values(
-          attribute,
-          values.length,
-          Math.min(kValuesPerRequest, source.count - values.length),
-          abort.signal,
-        )
-        .catch(() => []);
-      if (abort.signal.aborted || part.length === 0) break;
-      values.push(...part);
-    }
-    if (!abort.signal.aborted) this.changed();
-  }
-
   forget(column: Column): void {
-    this.values.get(column)?.abort.abort();
-    this.values.delete(column);
+    this.values.forget(column);
+  }
+
+  /** The first text of the row of an object, else the number of the row. */
+  nameOf(cell: CellRef): string {
+    const record = this.store.record(cell);
+    return record ? nameOf(record, this.values) : `row ${cell.row + 1}`;
   }
 
   /** Attributes that the objects may be coloured by, each once. */

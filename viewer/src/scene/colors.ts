@@ -158,7 +158,7 @@ function categoryScale(attribute: string, values: readonly AttributeValue[]): Co
     if (value === null) missing++;
     else counts.set(label(value), (counts.get(label(value)) ?? 0) + 1);
   }
-  const sorted = [...counts].sort((a, b) => b[1] - a[1] || a[0].localeCompare(b[0]));
+  const sorted = [...counts].sort((a, b) => b[1] - a[1] || a[0].localeCompare(b[0], "en", { numeric: true }));
   const shown = sorted.slice(0, kMaxCategories);
   const colors = new Map(shown.map(([name], index) => [name, categoryColor(index)]));
   const entries = shown.map(([name, count]) => ({ label: name, color: colors.get(name)!, count }));

@@ -1,9 +1,9 @@
 /** The columns in a scene: added and removed, loaded again, shown and hidden. */
 
-import type { CellRef, ColumnRef, LoadProgress, ShapeInfo, ShapeSource } from "./api";
+import type { CellRef, ColumnRef, FocusState, LoadProgress, ShapeInfo, ShapeSource } from "./api";
 import type { Coloring } from "./coloring";
 import type { Loader } from "./loader";
-import { sameColumn } from "./shape_store";
+import { cellKey, sameColumn } from "./shape_store";
 import type { Column, ShapeStore } from "./shape_store";
 
 type ColumnOrRow = ColumnRef & { readonly row?: number };
@@ -50,18 +50,23 @@ export class Contents {
     this.loader.start(column);
   }
 
-  /** Shows or hides; the column, if it was hidden as a whole until now. `refreshVisibility` is to follow. */
-  setVisible(what: ColumnOrRow, visible: boolean): Column | null {
-    const column = this.store.column(what);
+  /** Shows or hides a column; it, if it was hidden until now. `refreshVisibility` is to follow. */
+  setVisible(ref: ColumnRef, visible: boolean): Column | null {
+    const column = this.store.column(ref);
     if (!column) return null;
-    if (what.row === undefined) {
-      const appears = visible && !column.visible;
-      column.visible = visible;
-      return appears ? column : null;
+    const appears = visible && !column.visible;
+    column.visible = visible;
+    return appears ? column : null;
+  }
+
+  /** Hides the objects that are not to be seen within their columns. `refreshVisibility` is to follow. */
+  applyFocus({ hidden, cells, others }: FocusState): void {
+    const out = new Set(hidden.map(cellKey));
+    const only = others === "hidden" && cells.length > 0 ? new Set(cells.map(cellKey)) : null;
+    for (const record of this.store.records()) {
+      const key = cellKey(record.cell);
+      record.hidden = out.has(key) || (only !== null && !only.has(key));
     }
-    const record = column.records.get(what.row);
-    if (record) record.hidden = !visible;
-    return null;
   }
 
   refreshVisibility(): void {

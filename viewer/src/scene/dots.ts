@@ -12,7 +12,7 @@ import type { Style } from "./look";
 import { clip, pointMaterial } from "./materials";
 import { partsOf } from "./parts";
 import type { ShapeRecord } from "./shape_store";
-import { shownColor } from "./single_body";
+import { thinColor } from "./single_body";
 import { toBox3 } from "./vec";
 
 /** What is smaller on the view, in CSS pixels, is a dot. */
@@ -84,7 +84,7 @@ export class Dots {
         .copy(at)
         .sub(target)
         .toArray(positions, 3 * i);
-      const color = record.look ? shownColor(record.look) : new Color();
+      const color = record.look ? thinColor(record.look) : new Color();
       color.toArray(colors, 3 * i);
     });
     const { geometry } = this.points;

@@ -138,7 +138,11 @@ export class Grid {
           .add(origin)
           .setComponent(along, from[0] - step * 0.8);
         const last = end.clone().add(origin);
-        this.numbers.push({ from: fromVector3(first), to: fromVector3(last), text: formatStep(value, step) });
+        this.numbers.push({
+          from: fromVector3(first),
+          to: fromVector3(last),
+          text: `${"xyz"[across]} ${formatStep(value, step)}`,
+        });
       }
     };
     add(v, u, ranges.v, multiples(ranges.u[0], ranges.u[1], step, 2 * kMaxLines), ranges.u[0]);

@@ -32,6 +32,8 @@ export function linkCameras(...views: readonly SceneView[]): () => void {
 }
 
 export * from "./statements";
+export { kMeasures, measureInfo, questionOf } from "./measures";
+export { facingEye } from "./section";
 export { kDefaultState } from "./state";
 export { kPaletteNames, paletteStops } from "./colors";
 export { newLight } from "./lights";

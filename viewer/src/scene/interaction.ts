@@ -2,7 +2,7 @@
 
 import { Vector3 } from "three";
 
-import type { CameraState, CellRef, Hit, NavigationState, Tool, Transformation, VertexMove } from "./api";
+import type { CameraState, CellRef, Hit, NavigationState, Transformation, VertexMove } from "./api";
 import { orbit, pan, placeInTargetPlane, turned, zoom } from "./camera";
 import { lightAt } from "./lights";
 import type { Motion } from "./navigation";
@@ -14,6 +14,7 @@ import { outlineOf } from "./section";
 import { FeatureEdges } from "./snapping";
 import type { Stage } from "./stage";
 import { primitiveOf } from "./geometry";
+import { vertexTarget } from "./tools";
 import { fromVector3, normalized, toVector3 } from "./vec";
 import type { SceneState, ScenePatch } from "./api";
 
@@ -24,9 +25,6 @@ const kMaxHoverPoints = 300_000;
 /** What the interaction needs of the view. */
 export interface InteractionHost {
   readonly state: SceneState;
-  readonly tool: Tool;
-  readonly snap: { readonly vertices: boolean; readonly edges: boolean };
-  readonly vertexTarget: { readonly cell: CellRef; readonly along: "normal" | "plane" | "free" } | null;
   readonly selection: readonly CellRef[];
   moveCamera(camera: CameraState): void;
   update(patch: ScenePatch, moving?: boolean): void;
@@ -91,7 +89,8 @@ export class Interaction implements PointerClient {
 
   click({ x, y, add, double }: Click): void {
     const hit = this.hitAt(x, y);
-    const { tool, selection } = this.host;
+    const { selection } = this.host;
+    const { tool } = this.host.state.tools;
     if (tool === "measure" || tool === "inspect") {
       if (hit) this.host.picked(hit);
       if (tool === "measure") return;
@@ -133,8 +132,9 @@ export class Interaction implements PointerClient {
   }
 
   hitAt(x: number, y: number): Hit | null {
-    const { state, tool, snap } = this.host;
-    const snaps = tool === "measure" || tool === "inspect" || tool === "vertex";
+    const { state } = this.host;
+    const { tool, snapVertices, snapEdges } = state.tools;
+    const snaps = tool !== "select";
     const options = {
       clipping: this.stage.section.clipping(state.section, this.stage.projector.origin),
       facesVisible: state.appearance.faces,
@@ -142,11 +142,11 @@ export class Interaction implements PointerClient {
     };
     const hit = this.picker.pick(x, y, options);
     if (!snaps || !hit?.triangle) return hit;
-    const vertices = snap.vertices || tool === "vertex";
+    const vertices = snapVertices || tool === "drag";
     const features = state.appearance.edges === "all" ? null : this.featuresOf(hit.cell);
     return this.picker.pick(x, y, {
       ...options,
-      snap: { vertices, edges: snap.edges && tool === "measure", features },
+      snap: { vertices, edges: snapEdges && tool === "measure", features },
     });
   }
 
@@ -229,8 +229,8 @@ export class Interaction implements PointerClient {
   }
 
   private grabVertex(x: number, y: number): Dragged | null {
-    const target = this.host.vertexTarget;
-    if (this.host.tool !== "vertex" || !target) return null;
+    const target = vertexTarget(this.host.state);
+    if (!target) return null;
     const hit = this.hitAt(x, y);
     if (
       hit?.vertex == null ||
@@ -257,7 +257,7 @@ export class Interaction implements PointerClient {
       });
     return {
       move: (px, py) => {
-        to = draggedTo(projector.ray(px, py), from, place.normal, target.along) ?? to;
+        to = draggedTo(projector.ray(px, py), from, place.normal, target.how) ?? to;
         moveVertices(faces, place.vertices, to.clone().sub(origin));
         level.body.positionsChanged();
         this.host.redraw(true);

@@ -18,11 +18,16 @@ export interface Look {
 export interface Style {
   readonly appearance: Appearance;
   readonly display: DisplayState;
+  /** Of edges and vertices. */
+  readonly edgeColor: Color;
   /** What lies on the positive side of them is seen. */
   readonly clipping: readonly Plane[];
   /** The cut is filled by counting faces in the stencil buffer. */
   readonly stencil: boolean;
 }
+
+/** How much is seen of what is ghosted. */
+export const kGhostOpacity = 0.12;
 
 export const kSelectionColor: Color = "#ff9d00";
 export const kBoundaryColor: Color = "#d81b3a";

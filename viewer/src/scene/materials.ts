@@ -110,9 +110,8 @@ export function faceMaterial(vertexColors: boolean, place: PlaceUniforms): MeshL
   const material = new MeshLambertMaterial({
     vertexColors,
     polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 1,
   });
+  bringForward(material, false);
   material.onBeforeCompile = (shader) => {
     passLittle(shader);
     takeAnySize(shader);
@@ -120,6 +119,11 @@ export function faceMaterial(vertexColors: boolean, place: PlaceUniforms): MeshL
     Object.assign(shader.uniforms, place);
   };
   return material;
+}
+
+/** Faces lie behind edges in the same place, and those that are not selected behind those that are. */
+export function bringForward(material: Material, isSelected: boolean): void {
+  material.polygonOffsetFactor = material.polygonOffsetUnits = isSelected ? 1 : 2;
 }
 
 /** What the shader is compiled with for a style. */
@@ -184,10 +188,10 @@ export class SharedMaterials {
   readonly stencilFront = stencilMaterial(false);
 
   apply(style: Style): void {
-    this.edges.color.set(style.appearance.edgeColor);
+    this.edges.color.set(style.edgeColor);
     this.edges.transparent = isTransparent(style.appearance.opacity) && style.appearance.faces;
     this.edges.opacity = this.edges.transparent ? Math.max(0.25, style.appearance.opacity) : 1;
-    for (const vertices of [this.vertices, this.grips]) vertices.color.set(style.appearance.edgeColor);
+    for (const vertices of [this.vertices, this.grips]) vertices.color.set(style.edgeColor);
     this.vertices.size = style.appearance.pointSize;
     this.grips.size = 8;
     for (const material of this.all()) clip(material, style.clipping);

@@ -10,24 +10,38 @@ import { Contents } from "./contents";
 import { Emitter } from "./events";
 import { Interaction } from "./interaction";
 import { Loader } from "./loader";
+import { Owners } from "./owners";
 import { Picker } from "./picking";
 import { PointerInput } from "./pointer";
 import type { QualityStep } from "./quality";
 import { takeScreenshot } from "./screenshot";
+import { cellKey } from "./shape_store";
 import type { Column } from "./shape_store";
 import { Sight } from "./sight";
 import { kDefaultState, patched, stateToJson } from "./state";
 import { stateFromJson } from "./state_json";
 import { Stage } from "./stage";
-import { toBox3 } from "./vec";
+import { handleTarget, inOwnPlace, picked, vertexTarget, withoutObjects } from "./tools";
+import { fromVector3, toBox3 } from "./vec";
+
+function isArrangedAnew(before: api.DisplayState, now: api.DisplayState): boolean {
+  const key = ({ arrangement, explode, sortBy, descending }: api.DisplayState): string =>
+    JSON.stringify([arrangement, explode, sortBy, descending]);
+  return key(before) !== key(now);
+}
+
+/** What the colours of objects, and where they are drawn, depend on. */
+const kColoringParts: ReadonlySet<keyof api.SceneState> = new Set([
+  "appearance",
+  "overrides",
+  "display",
+  "focus",
+]);
 
 export class View implements api.SceneView {
   state: api.SceneState = kDefaultState;
   problem: api.SceneProblem | null = null;
   selection: readonly api.CellRef[] = [];
-  readonly snap = { vertices: true, edges: true };
-  private currentTool: api.Tool = "select";
-  private target: api.SceneView["vertexTarget"] = null;
   readonly emitter = new Emitter<api.SceneEvents>();
   readonly stage: Stage;
   readonly canvas: Canvas;
@@ -40,6 +54,7 @@ export class View implements api.SceneView {
   private readonly input: PointerInput;
   private coloringStale = false;
   private readonly sight: Sight;
+  private readonly owners = new Owners();
 
   constructor(readonly element: HTMLElement) {
     if (getComputedStyle(element).position === "static") element.style.position = "relative";
@@ -49,6 +64,7 @@ export class View implements api.SceneView {
       camera: () => this.state.camera,
       show: (camera, moving) => this.change({ camera }, moving),
       aspect: () => this.stage.projector.aspect,
+      points: (box) => this.stage.pointsIn(box),
       isBlind: () => this.canvas.renderer === null,
       farChanged: (count) => this.emitter.emit("far", { count }),
     });
@@ -80,15 +96,6 @@ export class View implements api.SceneView {
       get state() {
         return view.state;
       },
-      get tool() {
-        return view.tool;
-      },
-      get snap() {
-        return view.snap;
-      },
-      get vertexTarget() {
-        return view.vertexTarget;
-      },
       get selection() {
         return view.selection;
       },
@@ -96,8 +103,8 @@ export class View implements api.SceneView {
       update: (patch, moving) => this.change(patch, moving ?? false),
       selectByPerson: (cells) => this.setSelection(cells, true),
       opened: (hit) => this.emitter.emit("open", { hit }),
-      picked: (hit) => this.emitter.emit("pick", { hit, tool: this.tool }),
-      hovered: (hit) => this.emitter.emit("hover", { hit }),
+      picked: (hit) => this.change({ tools: picked(this.state.tools, this.own(hit)) }, false),
+      hovered: (hit) => this.emitter.emit("hover", { hit: hit && this.own(hit) }),
       sectionRests: () => this.sectionRests(),
       vertexMoved: (move) => this.emitter.emit("vertex", move),
       transformed: (cell, transformation) => this.emitter.emit("transform", { cell, transformation }),
@@ -106,9 +113,13 @@ export class View implements api.SceneView {
     };
   }
 
+  private own(hit: api.Hit): api.Hit {
+    return inOwnPlace(hit, this.stage.store.record(hit.cell)?.look?.offset ?? [0, 0, 0]);
+  }
+
   private draw(quality: QualityStep): void {
     this.applyColoring();
-    this.stage.draw(this.canvas, this.state, { software: this.canvas.software, quality, tool: this.tool });
+    this.stage.draw(this.canvas, this.state, { software: this.canvas.software, quality });
   }
 
   on<K extends keyof api.SceneEvents>(event: K, listener: (data: api.SceneEvents[K]) => void): () => void {
@@ -132,8 +143,13 @@ export class View implements api.SceneView {
 
   removeResult(result: string, column?: string): void {
     this.contents.remove(result, column);
-    const left = this.selection.filter((cell) => this.stage.store.record(cell));
-    if (left.length !== this.selection.length) this.setSelection(left, false);
+    const isGone = (cell: api.CellRef): boolean =>
+      cell.result === result && (column === undefined || cell.column === column);
+    this.setSelection(
+      this.selection.filter((cell) => !isGone(cell)),
+      false,
+    );
+    this.update(withoutObjects(this.state, isGone));
     this.contentChanged();
     this.sight.othersAreSeen();
   }
@@ -143,8 +159,9 @@ export class View implements api.SceneView {
   }
 
   private shapesCame(column: Column, came: "first" | "more" | "finer"): void {
+    this.contents.applyFocus(this.state.focus);
     this.contentChanged();
-    if (this.currentTool === "vertex") this.showGrips(true);
+    this.showGrips(true);
     this.sight.came(column, came);
   }
 
@@ -153,18 +170,41 @@ export class View implements api.SceneView {
     this.applyColoring();
     this.stage.contentChanged();
     this.canvas.contentChanged();
+    this.keepWithObjects();
     this.emitter.emit("shapes", {});
+  }
+
+  /** What was placed for other objects is placed anew: a section in the middle, the objects in their own places. */
+  private keepWithObjects(): void {
+    if (this.owners.take(this.stage.store.visibleColumns())) return;
+    this.update({ display: { arrangement: "place", sortBy: "" } });
+    const box = this.stage.contentBox;
+    if (!this.state.section.on) return;
+    this.update({ section: { point: fromVector3(box.getCenter(box.min.clone())), cap: "preview" } });
+    this.sectionRests();
   }
 
   setVisible(what: api.ColumnRef & { readonly row?: number }, visible: boolean): void {
     if (!this.contents.has(what)) return;
+    const { row } = what;
+    if (row !== undefined) {
+      this.hide({ ...what, row }, !visible);
+      return;
+    }
+    if (this.contents.isVisible(what) === visible) return;
     const appeared = this.contents.setVisible(what, visible);
     this.visibilityChanged();
     if (appeared) this.sight.bringIn(appeared);
   }
 
-  /** After `hidden` of records was changed. */
-  visibilityChanged(): void {
+  private hide(cell: api.CellRef, isHidden: boolean): void {
+    const key = cellKey(cell);
+    const others = this.state.focus.hidden.filter((other) => cellKey(other) !== key);
+    this.update({ focus: { hidden: isHidden ? [...others, cell] : others } });
+  }
+
+  /** After columns or objects were shown or hidden. */
+  private visibilityChanged(): void {
     this.contents.refreshVisibility();
     this.contentChanged();
     this.sight.othersAreSeen();
@@ -188,9 +228,9 @@ export class View implements api.SceneView {
 
   // Selection -----------------------------------------------------------------------------------------------------
 
-  select(cells: readonly api.CellRef[], options: { readonly fit?: boolean } = {}): void {
+  select(cells: readonly api.CellRef[], options: { readonly reveal?: boolean } = {}): void {
     this.setSelection(cells, false);
-    if (options.fit) this.fit(cells);
+    if (options.reveal) this.sight.reveal(cells.flatMap((cell) => this.stage.store.record(cell) ?? []));
   }
 
   private setSelection(cells: readonly api.CellRef[], byPerson: boolean): void {
@@ -212,6 +252,7 @@ export class View implements api.SceneView {
     if (!this.coloringStale) return;
     this.coloringStale = false;
     this.coloring.apply(this.state, this.selection);
+    this.stage.names = this.coloring.labels;
   }
 
   get legend(): api.Legend | null {
@@ -232,15 +273,22 @@ export class View implements api.SceneView {
     const before = this.state;
     this.state = parts.includes("camera") ? { ...state, camera: normalizedCamera(state.camera) } : state;
     if (parts.includes("camera")) this.sight.changed();
-    if (parts.some((part) => part === "appearance" || part === "overrides" || part === "display")) {
-      this.coloringStale = true;
-    }
-    if (before.display.explode !== state.display.explode) {
-      this.applyColoring();
-      this.stage.contentChanged();
+    if (parts.some((part) => kColoringParts.has(part))) this.coloringStale = true;
+    if (parts.includes("tools")) this.toolsChanged(before);
+    if (isArrangedAnew(before.display, state.display)) this.arrange();
+    if (parts.includes("focus")) {
+      this.contents.applyFocus(state.focus);
+      this.visibilityChanged();
     }
     this.canvas.request(moving);
     this.emitter.emit("state", { parts });
+  }
+
+  /** Draws the objects in other places, and shows them all. */
+  private arrange(): void {
+    this.applyColoring();
+    this.stage.contentChanged();
+    this.sight.arranged();
   }
 
   reset(...parts: (keyof api.SceneState)[]): void {
@@ -257,6 +305,7 @@ export class View implements api.SceneView {
   restore(json: unknown): readonly string[] {
     const { patch, rejected } = stateFromJson(json);
     const { camera, overrides, ...rest } = { ...kDefaultState, ...patch };
+    this.owners.forget();
     for (const [part, value] of Object.entries(rest)) {
       const whole = { ...Reflect.get(kDefaultState, part), ...value } as unknown;
       this.update({ [part]: whole });
@@ -280,12 +329,20 @@ export class View implements api.SceneView {
     this.sight.fit(cells?.flatMap((cell) => this.stage.store.record(cell) ?? []));
   }
 
+  nameOf(cell: api.CellRef): string {
+    return this.coloring.nameOf(cell);
+  }
+
   get farCount(): number {
     return this.sight.farCount;
   }
 
   home(): void {
     this.look("isometric");
+  }
+
+  back(): void {
+    this.sight.back();
   }
 
   look(view: api.StandardView): void {
@@ -306,43 +363,29 @@ export class View implements api.SceneView {
 
   // Tools and additions -------------------------------------------------------------------------------------------
 
-  get tool(): api.Tool {
-    return this.currentTool;
-  }
-
-  set tool(tool: api.Tool) {
-    if (tool === this.currentTool) return;
-    this.currentTool = tool;
-    this.showGrips(tool === "vertex");
+  private toolsChanged(before: api.SceneState): void {
+    const { tool } = this.state.tools;
     this.canvas.element.style.cursor = tool === "select" ? "" : "crosshair";
-    this.canvas.request();
-    this.emitter.emit("tool", { tool });
+    const [old, now] = [vertexTarget(before), vertexTarget(this.state)];
+    if (JSON.stringify(old) !== JSON.stringify(now)) {
+      if (old) this.stage.store.record(old.cell)?.finest?.body.showGrips(false);
+      this.showGrips(true);
+    }
+    const handle = handleTarget(this.state);
+    if (JSON.stringify(handle) !== JSON.stringify(this.stage.handle.target))
+      this.stage.handle.target = handle;
   }
 
-  get vertexTarget(): api.SceneView["vertexTarget"] {
-    return this.target;
-  }
-
-  set vertexTarget(target: api.SceneView["vertexTarget"]) {
-    this.showGrips(false);
-    this.target = target;
-    this.showGrips(this.currentTool === "vertex");
-  }
-
-  get transformTarget(): api.SceneView["transformTarget"] {
-    return this.stage.handle.target;
-  }
-
-  set transformTarget(target: api.SceneView["transformTarget"]) {
-    this.stage.handle.target = target;
+  resetDrag(): void {
+    this.stage.handle.target = handleTarget(this.state);
     this.canvas.request();
   }
 
   /** The vertices that can be dragged. */
   private showGrips(show: boolean): void {
-    const record = this.target && this.stage.store.record(this.target.cell);
+    const target = vertexTarget(this.state);
+    const record = target && this.stage.store.record(target.cell);
     record?.finest?.body.showGrips(show);
-    this.canvas.request();
   }
 
   /** The section plane was let go: the exact cut can be asked for. */
@@ -382,6 +425,8 @@ export class View implements api.SceneView {
   themeChanged(): void {
     this.stage.themeChanged();
     this.canvas.request();
+    // Colours that are not chosen are those of the theme.
+    this.emitter.emit("state", { parts: ["appearance"] });
   }
 
   dispose(): void {

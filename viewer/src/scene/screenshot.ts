@@ -22,7 +22,6 @@ export function takeScreenshot(
       stage.draw(canvas, state, {
         software: canvas.software,
         quality: kFull,
-        tool: "select",
         backgroundless: true,
       });
     return compose(source, stage.overlay);

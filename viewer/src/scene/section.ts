@@ -128,6 +128,13 @@ export class Section {
   }
 }
 
+/** The normal or its opposite: that which turns to the eye, so that what lies before the cut is taken away. */
+export function facingEye(normal: Vec3, direction: Vec3): Vec3 {
+  const [x, y, z] = normal;
+  const along = x * direction[0] + y * direction[1] + z * direction[2];
+  return along < 0 ? [0 - x, 0 - y, 0 - z] : normal;
+}
+
 /** The rectangle of the plane that covers the box, and a handle along the normal. */
 export interface PlaneOutline {
   readonly corners: readonly Vec3[];

@@ -2,7 +2,7 @@
 
 import { Box3, Object3D, Vector3 } from "three";
 
-import type { CameraState, CellRef, ColumnRef, ShapeInfo, ShapeSource, Vec3 } from "./api";
+import type { CameraState, CellRef, ColumnRef, ShapeInfo, ShapeSource } from "./api";
 import type { Shape } from "../glb/shapes";
 import type { Body } from "./body";
 import type { EyeFrom } from "./front_faces";
@@ -147,6 +147,11 @@ export class ShapeStore {
     for (const column of this.columns) yield* column.records.values();
   }
 
+  /** Those of which something is there. */
+  visibleColumns(): readonly Column[] {
+    return this.columns.filter(({ visible, records }) => visible && records.size > 0);
+  }
+
   *visibleRecords(): Generator<ShapeRecord> {
     for (const record of this.records()) if (record.visible) yield record;
   }
@@ -257,13 +262,9 @@ export class ShapeStore {
     return box;
   }
 
-  /** The offsets of an exploded picture: from the centre of all, times the factor. */
-  explodedOffset(record: ShapeRecord, centre: Vector3, factor: number): Vec3 {
-    const { box } = record.firstShape;
-    if (!box || factor === 0) return [0, 0, 0];
-    const middle = toBox3(box).getCenter(new Vector3());
-    const offset = middle.sub(centre).multiplyScalar(factor);
-    return [offset.x, offset.y, offset.z];
+  /** Of the objects that are selected and seen. */
+  selectedBox(): Box3 {
+    return this.box([...this.visibleRecords()].filter(({ look }) => look?.selected));
   }
 
   /** The centre of all visible objects, not exploded. */

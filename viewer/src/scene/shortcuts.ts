@@ -33,6 +33,13 @@ export const kShortcuts: readonly Shortcut[] = [
     group: "Camera",
     words: "reset home centre",
   },
+  {
+    action: "back",
+    keys: "Backspace",
+    title: "Back to the view before",
+    group: "Camera",
+    words: "return previous",
+  },
   { action: "fit", keys: "Home", title: "Fit everything", group: "Camera", words: "zoom all auto-fit" },
   {
     action: "fit.selection",
@@ -95,8 +102,23 @@ export const kShortcuts: readonly Shortcut[] = [
     words: "components",
   },
 
+  {
+    action: "sheet",
+    keys: "Shift+d",
+    title: "Contact sheet, or the objects in their places",
+    group: "Display",
+    words: "grid arrange overview",
+  },
+
   { action: "hide", keys: "h", title: "Hide the selection", group: "Objects" },
   { action: "isolate", keys: "i", title: "Show only the selection", group: "Objects" },
+  {
+    action: "ghost",
+    keys: "Shift+i",
+    title: "Ghost all but the selection",
+    group: "Objects",
+    words: "transparent context",
+  },
   { action: "show.all", keys: "Shift+h", title: "Show all objects", group: "Objects" },
   { action: "select.none", keys: "Escape", title: "Select nothing, end the tool", group: "Objects" },
   { action: "select.next", keys: "n", title: "Select the next object", group: "Objects" },
@@ -120,6 +142,8 @@ export const kShortcuts: readonly Shortcut[] = [
   { action: "measure", keys: "m", title: "Measure", group: "Tools", words: "distance angle ruler" },
   { action: "inspect", keys: "v", title: "Inspect triangles and vertices", group: "Tools" },
 
+  { action: "undo", keys: "Ctrl+z", title: "Undo", group: "Application", words: "back" },
+  { action: "redo", keys: "Ctrl+Shift+z Ctrl+y", title: "Redo", group: "Application", words: "again" },
   {
     action: "screenshot",
     keys: "F12",

@@ -1,5 +1,6 @@
 /** Where the camera looks: by itself at what comes first and at what would not be seen, else where a person wants it. */
 
+import { Vector3 } from "three";
 import type { Box3 } from "three";
 
 import type { CameraState, StandardView } from "./api";
@@ -8,6 +9,13 @@ import { CameraFollow } from "./camera_follow";
 import { isDotBeside, mainBox } from "./main_box";
 import type { Column, ShapeRecord } from "./shape_store";
 import type { Stage } from "./stage";
+
+/** Of the height of the view: what is smaller is not seen well. */
+const kLeastShare = 0.08;
+/** What is seen around an object, by its size. */
+const kAround = 0.5;
+
+const kMostPast = 50;
 
 export interface SightHost extends CameraHost {
   /** Another number of objects is left out of sight. */
@@ -21,6 +29,8 @@ export class Sight {
   /** The camera is that of a link, for objects that are still to come. */
   private isRestored = false;
   private far = 0;
+  /** Cameras before commands, the latest one last. */
+  private readonly past: CameraState[] = [];
 
   constructor(
     private readonly stage: Stage,
@@ -79,6 +89,23 @@ export class Sight {
     this.follow.put(result, this.control.goal);
   }
 
+  /** Goes to objects, but not so near that nothing else is seen; stays where they are seen well. */
+  reveal(records: readonly ShapeRecord[]): void {
+    const box = this.stage.store.box(records);
+    if (box.isEmpty()) return;
+    const { goal } = this.control;
+    const size = box.getSize(new Vector3()).length();
+    const isSeen = this.stage.isInSight(box, goal) && size > kLeastShare * goal.height && size < goal.height;
+    if (isSeen) return;
+    this.remember();
+    this.control.fit(box.clone().expandByScalar(kAround * size));
+  }
+
+  /** The same objects are drawn in other places. */
+  arranged(): void {
+    if (this.isSet && !this.boxOf().isEmpty()) this.control.fit(this.boxOf(), false);
+  }
+
   /** The view has another shape: what was put into it by itself must fit again. */
   resized(): void {
     const result = this.follow.followed(this.control.goal);
@@ -113,6 +140,7 @@ export class Sight {
   // Commands ----------------------------------------------------------------------------------------------------------
 
   fit(records?: readonly ShapeRecord[]): void {
+    this.remember();
     this.control.fit(this.boxOf(records));
     if (!records) this.setFar(0);
   }
@@ -122,8 +150,20 @@ export class Sight {
   }
 
   look(view: StandardView): void {
+    this.remember();
     this.control.look(view, this.boxOf());
     this.setFar(0);
+  }
+
+  /** Goes to the camera before the latest command. */
+  back(): void {
+    const camera = this.past.pop();
+    if (camera) this.control.go(camera, true);
+  }
+
+  private remember(): void {
+    this.past.push(this.control.goal);
+    if (this.past.length > kMostPast) this.past.shift();
   }
 
   turn(axis: "roll" | "up" | "side", degrees: number): void {

@@ -30,15 +30,13 @@ import { FrontFaces, isWorthChoosing } from "./front_faces";
 import type { EyeFrom } from "./front_faces";
 import { isTransparent, kSelectionColor } from "./look";
 import type { Look, Style } from "./look";
-import { clip, faceMaterial, pointMaterial, styleFaces } from "./materials";
+import { bringForward, clip, faceMaterial, pointMaterial, styleFaces } from "./materials";
 import type { SharedMaterials } from "./materials";
+import { kOutlineLayer } from "./outline";
 
-const kSelectedMix = 0.55;
-
-/** The colour of faces, mixed with that of the selection. */
-export function shownColor(look: Look): Color {
-  const color = new Color(look.color);
-  return look.selected ? color.lerp(new Color(kSelectionColor), kSelectedMix) : color;
+/** The colour of points and lines, which have no outline. */
+export function thinColor({ color, selected }: Look): Color {
+  return new Color(selected ? kSelectionColor : color);
 }
 
 export class SingleBody implements Body {
@@ -109,13 +107,16 @@ export class SingleBody implements Body {
   setLook(look: Look): void {
     this.look = look;
     this.place();
-    const color = shownColor(look);
     if (this.faces) {
-      this.faces.material.color.copy(color);
+      this.faces.material.color.set(look.color);
       this.faces.material.opacity = look.opacity;
+      bringForward(this.faces.material, look.selected);
+      if (look.selected) this.faces.layers.enable(kOutlineLayer);
+      else this.faces.layers.disable(kOutlineLayer);
     }
-    if (this.points) this.points.material.color.copy(color);
-    if (this.lines) this.lines.material.color.copy(color);
+    const thin = thinColor(look);
+    if (this.points) this.points.material.color.copy(thin);
+    if (this.lines) this.lines.material.color.copy(thin);
     this.refresh();
   }
 

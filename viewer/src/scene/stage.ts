@@ -3,7 +3,8 @@
 import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Scene, Vector3 } from "three";
 import type { Box3 } from "three";
 
-import type { CameraState, SceneState, Tool } from "./api";
+import type { Appearance, CameraState, SceneState, Vec3 } from "./api";
+import type { SheetLabel } from "./arrangement";
 import { cornersOf } from "./camera";
 import type { Canvas } from "./canvas";
 import { Dots } from "./dots";
@@ -13,21 +14,45 @@ import type { Style } from "./look";
 import { drawLabels } from "./markers";
 import type { Addition } from "./markers";
 import { clip, SharedMaterials } from "./materials";
+import { Outline } from "./outline";
 import { Overlay } from "./overlay";
 import { Projector } from "./projection";
 import { outlineOf, Section } from "./section";
 import type { QualityStep } from "./quality";
 import { ShapeStore } from "./shape_store";
+import { kDefaultCamera } from "./state";
 import { themeOf } from "./theme";
 import { TransformHandle } from "./transform_handle";
 import type { SceneTheme } from "./theme";
+import { vertexTarget } from "./tools";
 import { isFarOrigin, toVector3 } from "./vec";
+
+/** Edges on faces of the usual colours. */
+const kEdgesOnFaces = "#0f151c";
+const kEdgesOnDark = "#dde3ec";
+
+/** Pixels below which a name is left out. */
+const kLeastRoom = 40;
+/** About the width of a letter in pixels. */
+const kLetter = 7.5;
+
+/** Whether two directions are nearly the same. */
+function isAlong(a: Vec3, b: Vec3): boolean {
+  return toVector3(a).normalize().dot(toVector3(b).normalize()) > 0.95;
+}
+
+/** The end of a name tells it apart from others: its middle gives way. */
+function shortened(text: string, pixels: number): string {
+  const most = Math.max(3, Math.floor(pixels / kLetter));
+  if (text.length <= most) return text;
+  const head = Math.ceil((most - 1) / 2);
+  return `${text.slice(0, head)}…${text.slice(text.length - (most - 1 - head))}`;
+}
 
 export interface FrameOptions {
   /** Drawn by the processor. */
   readonly software: boolean;
   readonly quality: QualityStep;
-  readonly tool: Tool;
   readonly backgroundless?: boolean;
 }
 
@@ -38,6 +63,7 @@ export class Stage {
   readonly lights = new Lights();
   readonly section = new Section();
   readonly dots = new Dots();
+  private readonly outline = new Outline();
   readonly additions = new Map<string, Addition>();
   readonly overlay: Overlay;
   theme: SceneTheme;
@@ -49,6 +75,8 @@ export class Stage {
   private readonly boxes = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
   private box: Box3;
   private boxesStale = true;
+  /** Of objects on a contact sheet. */
+  names: readonly SheetLabel[] = [];
   private styleKey = "";
 
   constructor(private readonly element: HTMLElement) {
@@ -65,6 +93,14 @@ export class Stage {
   /** The box of all that is visible, with additions left out. */
   get contentBox(): Box3 {
     return this.box;
+  }
+
+  /** Of a contact sheet, the corners of the objects in a box: its plane is not that of an axis, so that boxes are too large. */
+  pointsIn(box: Box3): readonly Vector3[] | undefined {
+    if (this.names.length === 0) return undefined;
+    const around = box.clone().expandByScalar(1e-9 * box.getSize(new Vector3()).length());
+    const boxes = [...this.store.visibleRecords()].map((record) => record.box());
+    return boxes.filter((own) => around.containsBox(own)).flatMap(cornersOf);
   }
 
   /** Whether a part of a box is in the view. */
@@ -110,7 +146,7 @@ export class Stage {
     this.store.setCoarse(options.quality.coarse);
     this.materials.edges.visible = options.quality.edges || !state.appearance.faces;
     this.lights.update(state.lights, state.camera);
-    this.section.update(state.section, this.box, state.appearance.edgeColor);
+    this.section.update(state.section, this.box, this.edgeColor(state.appearance));
     this.updateFurniture(state);
     const camera = projector.camera(state.camera, this.depthBox(state));
     this.world.position.copy(projector.origin).negate();
@@ -123,18 +159,24 @@ export class Stage {
     renderer.info.reset();
     renderer.clear(true, true, true);
     renderer.render(this.scene, camera);
+    const selected = this.store.selectedBox();
+    if (!selected.isEmpty() && state.appearance.faces) {
+      const clipping = this.section.clipping(state.section, projector.origin);
+      this.outline.draw(renderer, this.scene, camera, { projector, box: selected, clipping });
+    }
     this.overlay.begin(Math.max(1, globalThis.devicePixelRatio || 1));
-    this.drawOverlay(state, options.tool);
+    this.drawOverlay(state);
     this.overlay.end();
   }
 
   private applyStyle(state: SceneState): void {
     const clipping = this.section.clipping(state.section, toVector3(state.camera.target));
     const stencil = state.section.on && state.section.cap === "preview";
-    const key = JSON.stringify([state.appearance, state.display, state.section.on, stencil]);
+    const key = JSON.stringify([this.theme, state.appearance, state.display, state.section.on, stencil]);
     if (key === this.styleKey) return;
     this.styleKey = key;
     const style: Style = {
+      edgeColor: this.edgeColor(state.appearance),
       appearance: state.appearance,
       display: state.display,
       clipping,
@@ -144,6 +186,14 @@ export class Stage {
     this.store.setStyle(style);
     this.dots.setStyle(style);
     clip(this.boxes.material, clipping);
+  }
+
+  /** Without faces, edges must be seen on the background. */
+  edgeColor({ edgeColor, faces, background }: Appearance): string {
+    if (edgeColor !== null) return edgeColor;
+    if (faces) return kEdgesOnFaces;
+    if (background === null) return this.theme.text;
+    return new Color(background).getHSL({ h: 0, s: 0, l: 0 }).l > 0.5 ? kEdgesOnFaces : kEdgesOnDark;
   }
 
   private updateFurniture(state: SceneState): void {
@@ -171,16 +221,30 @@ export class Stage {
     return box;
   }
 
-  private drawOverlay(state: SceneState, tool: Tool): void {
+  private drawOverlay(state: SceneState): void {
     const { overlay, projector, theme } = this;
     const { display, camera } = state;
     if (display.grid) this.grid.drawNumbers(overlay, projector, theme);
     if (state.section.on && state.section.plane && !this.box.isEmpty()) this.drawPlane(state);
     for (const { labels } of this.additions.values()) drawLabels(overlay, labels, theme);
+    this.drawNames(camera);
     if (state.lights.markers) drawLightMarkers(overlay, projector, state.lights, theme);
     if (display.axes) drawAxes(overlay, camera, projector.size.height);
     if (display.scaleBar) drawScaleBar(overlay, camera, projector, theme);
-    if (tool === "vertex") this.drawVertexHint();
+    if (vertexTarget(state)) this.drawVertexHint();
+  }
+
+  /** Names below the cells of a contact sheet, as far as there is room for them. */
+  private drawNames(camera: CameraState): void {
+    const { overlay, projector, theme } = this;
+    const scale = projector.size.height / camera.height;
+    if (!isAlong(camera.direction, kDefaultCamera.direction)) return;
+    for (const { at, text, width } of this.names) {
+      const room = width * scale;
+      if (room < kLeastRoom) continue;
+      const place = projector.project(at);
+      if (place.visible) overlay.text(shortened(text, room), place.x, place.y, { color: theme.text });
+    }
   }
 
   private drawPlane(state: SceneState): void {
@@ -203,6 +267,7 @@ export class Stage {
     this.handle.dispose();
     this.store.dispose();
     this.dots.dispose();
+    this.outline.dispose();
     this.materials.dispose();
     this.lights.dispose();
     this.section.dispose();

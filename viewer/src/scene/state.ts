@@ -29,7 +29,7 @@ export const kDefaultState: SceneState = {
     shading: "smooth",
     opacity: 1,
     color: "#8fa9c9",
-    edgeColor: "#1f2a36",
+    edgeColor: null,
     pointSize: 5,
     scheme: { by: "one" },
     background: null,
@@ -57,9 +57,23 @@ export const kDefaultState: SceneState = {
     boundary: true,
     nonManifold: true,
     legend: true,
-    explode: 0,
+    arrangement: "place",
+    explode: 0.6,
+    sortBy: "",
+    descending: false,
   },
   index: { name: "", level: 0 },
+  tools: {
+    tool: "select",
+    snapVertices: true,
+    snapEdges: true,
+    kind: "distance",
+    picks: [],
+    measures: [],
+    inspected: null,
+    drag: null,
+  },
+  focus: { hidden: [], cells: [], others: "hidden" },
 };
 
 type Part = keyof SceneState;
@@ -79,14 +93,27 @@ export function patched(state: SceneState, patch: ScenePatch): { state: SceneSta
   return { state: next as unknown as SceneState, parts };
 }
 
+const kMomentary: ReadonlySet<string> = new Set(["markers", "selected", "picks", "drag"]);
+
+/** Parts that are written by their fields that differ from those of a new view. */
+const kWritten = [
+  "navigation",
+  "appearance",
+  "lights",
+  "section",
+  "display",
+  "index",
+  "tools",
+  "focus",
+] as const;
+
 /** What differs from a new view; lights' markers and other things of the moment are left out. */
 export function stateToJson(state: SceneState): Record<string, unknown> {
   const json: Record<string, unknown> = { camera: state.camera };
-  for (const part of ["navigation", "appearance", "lights", "section", "display", "index"] as const) {
+  for (const part of kWritten) {
     const changes = Object.entries(state[part]).filter(
       ([key, value]) =>
-        key !== "markers" &&
-        key !== "selected" &&
+        !kMomentary.has(key) &&
         JSON.stringify(value) !== JSON.stringify(Reflect.get(kDefaultState[part], key)),
     );
     if (changes.length > 0) json[part] = Object.fromEntries(changes);

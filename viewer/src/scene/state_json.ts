@@ -1,7 +1,8 @@
 /** Reads the state of a view from JSON that may come from anyone, such as a link. */
 
-import type { CellRef, ScenePatch, SceneState } from "./api";
+import type { CellRef, MeasureState, ScenePatch, SceneState } from "./api";
 import { isColor, kPaletteNames } from "./colors";
+import { kMeasures, measureInfo } from "./measures";
 import { kNavigationPresets } from "./navigation";
 
 type Check = (value: unknown) => boolean;
@@ -57,6 +58,35 @@ export const isCell = hasFields({
   column: (name) => typeof name === "string",
 }) as (value: unknown) => value is CellRef;
 
+const isNullOr =
+  (check: Check): Check =>
+  (value) =>
+    value === null || check(value);
+const isTriple =
+  (check: Check): Check =>
+  (value) =>
+    Array.isArray(value) && value.length === 3 && value.every(check);
+const kId = isNullOr(isCount(Number.MAX_SAFE_INTEGER));
+
+/** Numbers of vertices and faces become parts of statements. */
+const isHit = hasFields({
+  cell: isCell,
+  point: isVec3,
+  snap: isOneOf("vertex", "edge", "face", "point"),
+  face: kId,
+  vertex: kId,
+  triangle: isNullOr(
+    hasFields({ corners: isTriple(isVec3), ids: isTriple(kId), normal: isVec3, area: kAnyNumber }),
+  ),
+  edge: isNullOr((value) => Array.isArray(value) && value.length === 2 && value.every(isVec3)),
+  deviation: isNumber(0, Number.MAX_VALUE),
+});
+
+const isMeasureKind = isOneOf(...kMeasures.map(({ id }) => id));
+const isMeasure: Check = (value) =>
+  hasFields({ id: isCount(Number.MAX_SAFE_INTEGER), kind: isMeasureKind, hits: isListOf(isHit, 3) })(value) &&
+  measureInfo((value as MeasureState).kind).picks === (value as MeasureState).hits.length;
+
 const kFields: Readonly<Record<Exclude<keyof SceneState, "overrides">, Readonly<Record<string, Check>>>> = {
   camera: {
     projection: isOneOf("perspective", "orthographic"),
@@ -82,7 +112,7 @@ const kFields: Readonly<Record<Exclude<keyof SceneState, "overrides">, Readonly<
     shading: isOneOf("smooth", "flat", "unlit"),
     opacity: isNumber(0, 1),
     color: isColor,
-    edgeColor: isColor,
+    edgeColor: isNullOr(isColor),
     pointSize: isNumber(1, 100),
     scheme: isScheme,
     background: (value) => value === null || isColor(value),
@@ -107,7 +137,23 @@ const kFields: Readonly<Record<Exclude<keyof SceneState, "overrides">, Readonly<
     boundary: isBoolean,
     nonManifold: isBoolean,
     legend: isBoolean,
+    arrangement: isOneOf("place", "grid", "exploded"),
     explode: isNumber(0, 100),
+    sortBy: (name) => typeof name === "string",
+    descending: isBoolean,
+  },
+  tools: {
+    tool: isOneOf("select", "measure", "inspect"),
+    snapVertices: isBoolean,
+    snapEdges: isBoolean,
+    kind: isMeasureKind,
+    measures: isListOf(isMeasure, 1000),
+    inspected: (value) => value === null || isHit(value),
+  },
+  focus: {
+    hidden: isListOf(isCell, 100_000),
+    cells: isListOf(isCell, 100_000),
+    others: isOneOf("ghosted", "hidden"),
   },
   // The name becomes a part of a statement.
   index: {
@@ -129,13 +175,25 @@ function withDirection(camera: unknown): unknown {
   return { direction, rest: [0, 0, 0], ...others };
 }
 
+/** Links of former versions explode by a number alone. */
+function withArrangement(display: unknown): unknown {
+  if (!isRecord(display) || display["arrangement"] !== undefined || !display["explode"]) return display;
+  return { ...display, arrangement: "exploded" };
+}
+
+/** What links of former versions have otherwise. */
+const kFormer: Readonly<Record<string, (given: unknown) => unknown>> = {
+  camera: withDirection,
+  display: withArrangement,
+};
+
 /** The fields that are understood, as a patch, and the names of those that are not. */
 export function stateFromJson(json: unknown): { patch: ScenePatch; rejected: string[] } {
   const rejected: string[] = [];
   if (!isRecord(json)) return { patch: {}, rejected: ["the whole view"] };
   const patch: Record<string, unknown> = {};
   for (const [part, given] of Object.entries(json)) {
-    const value = part === "camera" ? withDirection(given) : given;
+    const value = Object.hasOwn(kFormer, part) ? kFormer[part]!(given) : given;
     if (part === "overrides") {
       if (isListOf(isOverride, 100_000)(value)) patch[part] = value;
       else rejected.push(part);

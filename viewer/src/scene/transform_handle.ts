@@ -16,7 +16,7 @@ const kLeastFactor = 1e-3;
 
 export interface TransformTarget {
   readonly cell: CellRef;
-  readonly mode: TransformMode;
+  readonly how: TransformMode;
 }
 
 export class TransformHandle {
@@ -59,7 +59,7 @@ export class TransformHandle {
     }
     this.controls ??= this.made(camera);
     this.controls.camera = camera;
-    if (this.controls.mode !== this.current.mode) this.controls.setMode(this.current.mode);
+    if (this.controls.mode !== this.current.how) this.controls.setMode(this.current.how);
     if (this.controls.dragging) return;
     record.box().getCenter(this.centre);
     this.reset();
@@ -117,7 +117,7 @@ export class TransformHandle {
       },
       end: (px, py) => {
         controls.pointerUp(this.pointer(px, py, 0));
-        const done = moved ? this.transformation(current.mode) : null;
+        const done = moved ? this.transformation(current.how) : null;
         this.reset();
         if (done) host.transformed(current.cell, done);
         else body.setPreview(null);

@@ -4,6 +4,8 @@ import { Check, Choice, ColorField, Section, Segments, Slider } from "./fields";
 import { useSceneEvents, useSceneState } from "./hooks";
 
 const kStandard = kDefaultState.appearance;
+/** What the field shows while the edges have the colour that is seen best. */
+const kEdgeColor = "#0f151c";
 const percent = (value: number): string => `${Math.round(value * 100)} %`;
 
 /** Faces, edges, points and colours of all objects. */
@@ -66,7 +68,7 @@ export function AppearancePanel({ view }: { view: SceneView }) {
       )}
       <ColorField
         label="Edge colour"
-        value={appearance.edgeColor}
+        value={appearance.edgeColor ?? kEdgeColor}
         onChange={(edgeColor) => set({ edgeColor })}
         onReset={resetOf("edgeColor")}
       />

@@ -1,33 +1,18 @@
-import { useEffect, useState } from "preact/hooks";
-
-import type { Database, Hit, Question, SceneView, Vec3 } from "../scene";
+import type { Database, Hit, Question, Vec3 } from "../scene";
 import { Check, Section, shortNumber } from "./fields";
-import { useSceneEvents } from "./hooks";
+import { useAnswers, useSceneState } from "./hooks";
+import type { SceneModel } from "./scene_model";
 import { Statement } from "./Statement";
-
-interface Props {
-  readonly view: SceneView;
-  readonly database: Database;
-}
 
 const vector = (v: Vec3): string => v.map(shortNumber).join("  ");
 
 /** The triangle and vertex that was clicked: numbers, coordinates, normal and area. */
-export function InspectPanel({ view, database }: Props) {
-  useSceneEvents(view, "tool");
-  const [hit, setHit] = useState<Hit | null>(null);
-  useEffect(
-    () =>
-      view.on("pick", ({ hit: picked, tool }) => {
-        if (tool === "inspect") setHit(picked);
-      }),
-    [view],
-  );
-  const on = view.tool === "inspect";
-  useEffect(() => {
-    view.setMarkers("inspected", on && hit ? highlight(hit) : null);
-  }, [view, hit, on]);
-  useEffect(() => () => view.setMarkers("inspected", null), [view]);
+export function InspectPanel({ model }: { model: SceneModel }) {
+  const { view, database } = model;
+  const { tools } = useSceneState(view, "tools");
+  useAnswers(model);
+  const on = tools.tool === "inspect";
+  const hit = model.measures.inspected;
   return (
     <Section title="Inspect" open={false} testId="inspect-panel" inUse={on}>
       <Check label="Inspect by clicking" checked={on} onChange={() => view.act("inspect")} />
@@ -38,21 +23,6 @@ export function InspectPanel({ view, database }: Props) {
       )}
     </Section>
   );
-}
-
-function highlight({ triangle, point }: Hit): Parameters<SceneView["setMarkers"]>[1] {
-  if (!triangle) return { color: "#e0307a", points: [point] };
-  const [a, b, c] = triangle.corners;
-  return {
-    color: "#e0307a",
-    points: [point],
-    triangles: [triangle.corners],
-    segments: [
-      [a, b],
-      [b, c],
-      [c, a],
-    ],
-  };
 }
 
 function HitFacts({ hit, database }: { hit: Hit; database: Database }) {

@@ -66,6 +66,9 @@ export function ObjectPanel({ view, database }: Props) {
         <button type="button" class="btn small" onClick={() => view.act("isolate")}>
           Show only
         </button>
+        <button type="button" class="btn small" onClick={() => view.act("ghost")}>
+          Ghost others
+        </button>
         <button type="button" class="btn small" onClick={() => view.act("show.all")}>
           Show all
         </button>
@@ -133,5 +136,6 @@ function showComponents(view: SceneView, database: Database): void {
   if (!cell) return;
   const { statement, parameters } = componentsOf(cell);
   view.setVisible(cell, false);
+  view.select([]);
   database.show(statement, parameters);
 }

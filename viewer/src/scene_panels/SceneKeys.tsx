@@ -9,11 +9,13 @@ interface Props {
   readonly view: SceneView;
   /** The name of a picture without its ending. */
   readonly pictureName?: string;
+  /** Carries out what concerns the page and not the view. */
+  readonly onAction: (action: string) => void;
   readonly onError: (message: string) => void;
 }
 
 /** Carries out the shortcuts of the page, and those actions that need the page: screenshots and the cheat sheet. */
-export function SceneKeys({ view, pictureName = "algebra3d", onError }: Props) {
+export function SceneKeys({ view, pictureName = "algebra3d", onAction, onError }: Props) {
   const [sheet, setSheet] = useState(false);
   useEffect(() => {
     const onKey = (event: KeyboardEvent): void => {
@@ -26,6 +28,7 @@ export function SceneKeys({ view, pictureName = "algebra3d", onError }: Props) {
     document.addEventListener("keydown", onKey);
     const end = view.on("action", (action) => {
       if (action === "shortcuts") setSheet(true);
+      onAction(action);
       if (!action.startsWith("screenshot")) return;
       const transparent = action === "screenshot.transparent";
       view.screenshot({ transparent }).then(

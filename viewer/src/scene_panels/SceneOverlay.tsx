@@ -43,7 +43,7 @@ function LegendBox({ legend }: { legend: Legend }) {
               <span class="muted">{count}</span>
             </li>
           ))}
-          {legend.others > 0 && <li class="muted">{legend.others} with other values</li>}
+          {legend.others > 0 && <li class="muted">grey: {legend.others} with other values</li>}
         </ul>
       )}
     </div>

@@ -6,14 +6,17 @@ import type { SceneView } from "../scene";
 import { useSceneEvents } from "./hooks";
 import { SceneIcon } from "./icons";
 import type { SceneIconName } from "./icons";
+import { useRoving } from "./roving";
+import { kArrangements } from "./ViewPanel";
 
 /** The most frequent actions, with their shortcuts as tooltips. */
 export function SceneToolbar({ view }: { view: SceneView }) {
-  useSceneEvents(view, "state", "tool");
-  const { camera, section, display, appearance } = view.state;
+  useSceneEvents(view, "state");
+  const { camera, section, display, appearance, tools } = view.state;
   const orthographic = camera.projection === "orthographic";
   const bar = useRef<HTMLDivElement>(null);
   const more = useMoreBeside(bar);
+  useRoving(bar);
   return (
     <div class="tools-place">
       <div
@@ -24,20 +27,27 @@ export function SceneToolbar({ view }: { view: SceneView }) {
         data-more={more.join(" ")}
         data-testid="scene-tools"
       >
-        <Tool view={view} action="home" icon="home" />
-        <Tool view={view} action="fit" icon="fit" />
-        <Tool view={view} action="view.isometric" icon="isometric" />
-        <Tool view={view} action="view.front" icon="front" />
-        <Tool view={view} action="view.right" icon="right" />
-        <Tool view={view} action="view.top" icon="top" />
-        <Tool view={view} action="projection" icon={orthographic ? "orthographic" : "perspective"} />
-        <Tool view={view} action="edges" icon="edges" pressed={appearance.edges !== "none"} />
-        <Tool view={view} action="grid" icon="grid" pressed={display.grid} />
-        <Tool view={view} action="section" icon="section" pressed={section.on} />
-        <Tool view={view} action="measure" icon="measure" pressed={view.tool === "measure"} />
-        <Tool view={view} action="inspect" icon="inspect" pressed={view.tool === "inspect"} />
-        <Tool view={view} action="screenshot" icon="camera" />
-        <Tool view={view} action="shortcuts" icon="keys" />
+        <Tool view={view} action="home" word="Home" icon="home" />
+        <Tool view={view} action="back" word="Back" icon="back" />
+        <Tool view={view} action="fit" word="Fit" icon="fit" />
+        <Tool view={view} action="view.isometric" word="Iso" icon="isometric" />
+        <Tool view={view} action="view.front" word="Front" icon="front" />
+        <Tool view={view} action="view.right" word="Right" icon="right" />
+        <Tool view={view} action="view.top" word="Top" icon="top" />
+        <Tool
+          view={view}
+          action="projection"
+          word={orthographic ? "Parallel" : "Persp."}
+          icon={orthographic ? "orthographic" : "perspective"}
+        />
+        <Tool view={view} action="edges" word="Edges" icon="edges" pressed={appearance.edges !== "none"} />
+        <Tool view={view} action="grid" word="Grid" icon="grid" pressed={display.grid} />
+        <Arrangement view={view} />
+        <Tool view={view} action="section" word="Section" icon="section" pressed={section.on} />
+        <Tool view={view} action="measure" word="Measure" icon="measure" pressed={tools.tool === "measure"} />
+        <Tool view={view} action="inspect" word="Inspect" icon="inspect" pressed={tools.tool === "inspect"} />
+        <Tool view={view} action="screenshot" word="Picture" icon="camera" />
+        <Tool view={view} action="shortcuts" word="Keys" icon="keys" />
       </div>
       {more.map((side) => (
         <button
@@ -50,6 +60,26 @@ export function SceneToolbar({ view }: { view: SceneView }) {
           onClick={() => bar.current?.scrollBy({ left: side === "left" ? -160 : 160, behavior: "smooth" })}
         >
           {side === "left" ? "‹" : "›"}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+/** In place, as a contact sheet, or apart. */
+function Arrangement({ view }: { view: SceneView }) {
+  const { arrangement } = view.state.display;
+  return (
+    <div class="btn-group" role="group" aria-label="Where objects stand">
+      {kArrangements.map(({ id, title }) => (
+        <button
+          key={id}
+          type="button"
+          class="btn small"
+          aria-pressed={id === arrangement}
+          onClick={() => view.update({ display: { arrangement: id } })}
+        >
+          {title}
         </button>
       ))}
     </div>
@@ -83,26 +113,34 @@ function useMoreBeside(bar: RefObject<HTMLElement | null>): readonly Edge[] {
   return edges;
 }
 
+/** The name of a button has the word that is seen on it. */
+function hasWord(title: string, word: string): boolean {
+  return title.toLowerCase().split(/\W+/).includes(word.toLowerCase());
+}
+
 interface ToolProps {
   readonly view: SceneView;
   readonly action: string;
+  /** Below the icon. */
+  readonly word: string;
   readonly icon: SceneIconName;
   readonly pressed?: boolean;
 }
 
-function Tool({ view, action, icon, pressed }: ToolProps) {
+function Tool({ view, action, word, icon, pressed }: ToolProps) {
   const shortcut = kShortcuts.find((known) => known.action === action);
   const title = shortcut?.title ?? action;
   return (
     <button
       type="button"
-      class="btn quiet icon"
+      class="btn quiet tool"
       title={`${title} (${shortcut?.keys.split(" ")[0] ?? ""})`}
-      aria-label={title}
+      aria-label={hasWord(title, word) ? title : `${word}: ${title}`}
       aria-pressed={pressed}
       onClick={() => view.act(action)}
     >
       <SceneIcon name={icon} />
+      <span aria-hidden="true">{word}</span>
     </button>
   );
 }

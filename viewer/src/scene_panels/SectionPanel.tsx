@@ -1,16 +1,10 @@
-import { useEffect, useRef, useState } from "preact/hooks";
-
-import { isRegionExact, regionAxes } from "../scene";
-import type { Database, SceneView, SectionState, ShapeInfo, Vec3 } from "../scene";
+import { facingEye, isRegionExact, regionAxes } from "../scene";
+import type { Database, SectionState, ShapeInfo, Vec3 } from "../scene";
 import { Check, ColorField, NumberField, Section, shortNumber, Slider, VectorField } from "./fields";
-import { useSceneEvents, useSceneState } from "./hooks";
+import { useAnswers, useSceneEvents, useSceneState } from "./hooks";
+import type { SceneModel } from "./scene_model";
 import { Statement } from "./Statement";
-import { SectionControl } from "./section_control";
-
-interface Props {
-  readonly view: SceneView;
-  readonly database: Database;
-}
+import type { SectionControl } from "./section_control";
 
 const kAxes = [
   { id: "X", normal: [1, 0, 0] },
@@ -19,10 +13,11 @@ const kAxes = [
 ] as const;
 
 /** The section plane: its place, the exact cut, its area and its region. */
-export function SectionPanel({ view, database }: Props) {
+export function SectionPanel({ model }: { model: SceneModel }) {
+  const { view, database, cuts } = model;
   const { section } = useSceneState(view, "section");
   useSceneEvents(view, "shapes");
-  const control = useSectionControl(view, database);
+  useAnswers(model);
   const range = rangeOf(view.shapes(), section.normal);
   const offset = dot(section.point, section.normal);
   const set = (change: Partial<SectionState>): void =>
@@ -41,8 +36,8 @@ export function SectionPanel({ view, database }: Props) {
                   key={id}
                   type="button"
                   class="btn small"
-                  aria-pressed={JSON.stringify(section.normal) === JSON.stringify(normal)}
-                  onClick={() => set({ normal })}
+                  aria-pressed={isAlong(section.normal, normal)}
+                  onClick={() => set({ normal: facingEye(normal, view.state.camera.direction) })}
                 >
                   {id}
                 </button>
@@ -83,28 +78,11 @@ export function SectionPanel({ view, database }: Props) {
             onChange={(plane) => view.update({ section: { plane } })}
           />
           <p class="muted">Drag the handle of the plane; with Shift it tilts.</p>
-          {control && <Cuts control={control} database={database} normal={section.normal} />}
+          <Cuts control={cuts} database={database} normal={section.normal} />
         </>
       )}
     </Section>
   );
-}
-
-/** The control of the view, if it has one yet; the component is rendered anew when its cuts change. */
-export function useSectionControl(view: SceneView, database: Database): SectionControl | null {
-  const [, setCount] = useState(0);
-  const control = useRef<SectionControl | null>(null);
-  useEffect(() => {
-    const listener = (): void => setCount((count) => count + 1);
-    const shared = SectionControl.of(view, database, listener);
-    control.current = shared;
-    listener();
-    return () => {
-      control.current = null;
-      shared.leave(listener);
-    };
-  }, [view, database]);
-  return control.current;
 }
 
 function Cuts({ control, database, normal }: { control: SectionControl; database: Database; normal: Vec3 }) {
@@ -170,6 +148,11 @@ function dot(a: Vec3, b: Vec3): number {
 function alongNormal({ point, normal }: SectionState, change: number): Vec3 {
   const factor = change / dot(normal, normal);
   return [point[0] + normal[0] * factor, point[1] + normal[1] * factor, point[2] + normal[2] * factor];
+}
+
+/** In one of both directions. */
+function isAlong(a: Vec3, b: Vec3): boolean {
+  return Math.abs(dot(a, b)) === 1;
 }
 
 function flipped(normal: Vec3): Vec3 {

@@ -1,31 +1,29 @@
-import type { Database, SceneView, Vec3 } from "../scene";
+import type { Vec3 } from "../scene";
 import { shortNumber } from "./fields";
-import { useSceneState } from "./hooks";
-import { useSectionControl } from "./SectionPanel";
+import { useAnswers, useSceneState } from "./hooks";
+import type { SceneModel } from "./scene_model";
 import type { SectionControl } from "./section_control";
 
 interface Props {
-  readonly view: SceneView;
-  readonly database: Database;
-  /** Shows the settings of the section; null if there are none beside this view. */
-  readonly onSettings: (() => void) | null;
+  readonly model: SceneModel;
+  /** Shows the settings of the section. */
+  readonly onSettings: () => void;
 }
 
 /** Over the scene while a section is on: where it cuts, the exact area, and how it is moved. */
-export function SectionReadout({ view, database, onSettings }: Props) {
+export function SectionReadout({ model, onSettings }: Props) {
+  const { view, cuts } = model;
   const { section } = useSceneState(view, "section");
-  const control = useSectionControl(view, database);
+  useAnswers(model);
   if (!section.on || view.problem) return null;
   return (
     <div class="section-readout" data-testid="section-readout">
       <div class="row" role="status">
         <strong>{planeText(section.normal, section.point)}</strong>
-        <span>{control ? areaText(control) : ""}</span>
-        {onSettings && (
-          <button type="button" class="btn small" onClick={onSettings}>
-            Settings of the section
-          </button>
-        )}
+        <span>{areaText(cuts)}</span>
+        <button type="button" class="btn small" onClick={onSettings}>
+          Settings of the section
+        </button>
       </div>
       <span class="muted">
         {section.plane ? "Drag the handle of the plane" : "The handle of the plane is hidden"}

@@ -1,7 +1,7 @@
 import { describePreset, kNavigationPresets } from "../scene";
 import type { DisplayState, NavigationState, SceneView } from "../scene";
 import { Check, Choice, NumberField, Section, Segments, Slider } from "./fields";
-import { useSceneState } from "./hooks";
+import { useSceneEvents, useSceneState } from "./hooks";
 
 const kDisplays: readonly { readonly id: keyof DisplayState; readonly title: string }[] = [
   { id: "axes", title: "Axes" },
@@ -12,6 +12,12 @@ const kDisplays: readonly { readonly id: keyof DisplayState; readonly title: str
   { id: "nonManifold", title: "Non-manifold edges (violet)" },
   { id: "legend", title: "Legend" },
 ];
+
+export const kArrangements = [
+  { id: "place", title: "In place" },
+  { id: "grid", title: "Grid" },
+  { id: "exploded", title: "Exploded" },
+] as const;
 
 /** What is shown besides the objects, and how far they are moved apart. */
 export function DisplayPanel({ view }: { view: SceneView }) {
@@ -26,16 +32,62 @@ export function DisplayPanel({ view }: { view: SceneView }) {
           onChange={(on) => view.update({ display: { [id]: on } })}
         />
       ))}
-      <Slider
-        label="Explode"
-        value={display.explode}
-        min={0}
-        max={3}
-        step={0.05}
-        format={(value) => `${Math.round(value * 100)} %`}
-        onChange={(explode) => view.update({ display: { explode } })}
-      />
+      <ArrangementFields view={view} />
     </Section>
+  );
+}
+
+/** Where objects are drawn, and in which order on a contact sheet. */
+function ArrangementFields({ view }: { view: SceneView }) {
+  const { display } = useSceneState(view, "display");
+  useSceneEvents(view, "shapes");
+  const set = (change: Partial<DisplayState>): void => view.update({ display: change });
+  return (
+    <>
+      <Segments
+        label="Objects"
+        value={display.arrangement}
+        options={kArrangements}
+        onChange={(arrangement) => set({ arrangement })}
+      />
+      {display.arrangement === "exploded" && (
+        <Slider
+          label="Apart"
+          value={display.explode}
+          min={0}
+          max={3}
+          step={0.05}
+          format={(value) => `${Math.round(value * 100)} %`}
+          onChange={(explode) => set({ explode })}
+        />
+      )}
+      {display.arrangement === "grid" && <SortFields view={view} />}
+    </>
+  );
+}
+
+/** The column by which a contact sheet is sorted. */
+export function SortFields({ view }: { view: SceneView }) {
+  const { display } = useSceneState(view, "display");
+  useSceneEvents(view, "shapes");
+  const set = (change: Partial<DisplayState>): void => view.update({ display: change });
+  return (
+    <div class="row">
+      <Choice
+        label="Sorted by"
+        value={display.sortBy}
+        options={[
+          { id: "", title: "row" },
+          ...view.attributes.map(({ name }) => ({ id: name, title: name })),
+        ]}
+        onChange={(sortBy) => set({ sortBy })}
+      />
+      <Check
+        label="Largest first"
+        checked={display.descending}
+        onChange={(descending) => set({ descending })}
+      />
+    </div>
   );
 }
 

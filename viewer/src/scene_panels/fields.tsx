@@ -22,7 +22,7 @@ export function Section({ title, open = true, onReset, children, testId, onToggl
   useEffect(() => {
     if (!inUse || !details.current) return;
     details.current.open = true;
-    details.current.scrollIntoView({ block: "nearest" });
+    scrollInPanel(details.current, "nearest");
   }, [inUse]);
   return (
     <details
@@ -43,6 +43,16 @@ export function Section({ title, open = true, onReset, children, testId, onToggl
       )}
     </details>
   );
+}
+
+/** Scrolls the panel around an element, and nothing around the panel, so that its beginning, or all of it, is seen. */
+export function scrollInPanel(element: HTMLElement, block: "start" | "nearest"): void {
+  const panel = element.closest<HTMLElement>(".panel-body");
+  if (!panel) return;
+  const [inner, outer] = [element.getBoundingClientRect(), panel.getBoundingClientRect()];
+  const below = Math.min(inner.bottom - outer.bottom, inner.top - outer.top);
+  if (block === "start" || inner.top < outer.top) panel.scrollTop += inner.top - outer.top;
+  else if (below > 0) panel.scrollTop += below;
 }
 
 interface CheckProps {

@@ -3,6 +3,7 @@
 import { useEffect, useState } from "preact/hooks";
 
 import type { SceneEvents, SceneState, SceneView } from "../scene";
+import type { SceneModel } from "./scene_model";
 
 /** Renders the component anew at each of these events of the view. */
 export function useSceneEvents(view: SceneView, ...events: readonly (keyof SceneEvents)[]): void {
@@ -28,6 +29,12 @@ export function useSceneState(view: SceneView, ...parts: readonly (keyof SceneSt
     [view, names],
   );
   return view.state;
+}
+
+/** Renders the component anew when an answer of the database for this view came or went. */
+export function useAnswers(model: SceneModel): void {
+  const [, setCount] = useState(0);
+  useEffect(() => model.onAnswer(() => setCount((count) => count + 1)), [model]);
 }
 
 /** The text of an error for people. */

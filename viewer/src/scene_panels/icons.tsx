@@ -1,6 +1,7 @@
 /** Icons of the scene's bar, as strokes on a grid of 16. */
 const kPaths = {
   home: "M2.5 7.5 8 3l5.5 4.5M4 6.5V13h8V6.5M6.8 13V9.5h2.4V13",
+  back: "M6.5 3.5 2.5 7.5l4 4M2.8 7.5h7a3.5 3.5 0 0 1 0 7H8",
   fit: "M2.5 5.5v-3h3M10.5 2.5h3v3M13.5 10.5v3h-3M5.5 13.5h-3v-3M5.5 5.5h5v5h-5z",
   isometric: "M8 1.8 13.5 5v6L8 14.2 2.5 11V5zM2.5 5 8 8.2 13.5 5M8 8.2v6",
   front: "M2.5 5.5h8v8h-8zM2.5 5.5l3-3h8v8l-3 3M10.5 5.5l3-3M4 7l5 5M4 12l5-5",

@@ -17,18 +17,7 @@ export interface Cut {
 export const kMaxCuts = 40;
 const kPause = 120;
 
-/** One for each view, shared by what shows its cuts. */
-const kControls = new WeakMap<SceneView, SectionControl>();
-
 export class SectionControl {
-  /** The control of a view, for a listener to its changes; it works until its last listener has left. */
-  static of(view: SceneView, database: Database, listener: () => void): SectionControl {
-    let control = kControls.get(view);
-    if (!control) kControls.set(view, (control = new SectionControl(view, database)));
-    control.listeners.add(listener);
-    return control;
-  }
-
   cuts: readonly Cut[] = [];
   busy = false;
   /** Solids that the plane meets and that were left out. */
@@ -36,11 +25,11 @@ export class SectionControl {
   private abort: AbortController | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private readonly ends: (() => void)[];
-  private readonly listeners = new Set<() => void>();
 
-  private constructor(
+  constructor(
     private readonly view: SceneView,
     private readonly database: Database,
+    private readonly changed: () => void,
   ) {
     this.ends = [
       view.on("section", () => this.schedule()),
@@ -49,10 +38,6 @@ export class SectionControl {
         if (parts.includes("section") || parts.includes("display")) this.reconsider();
       }),
     ];
-  }
-
-  private changed(): void {
-    for (const listener of [...this.listeners]) listener();
   }
 
   private key = "";
@@ -162,10 +147,7 @@ export class SectionControl {
     }
   }
 
-  leave(listener: () => void): void {
-    this.listeners.delete(listener);
-    if (this.listeners.size > 0) return;
-    kControls.delete(this.view);
+  dispose(): void {
     clearTimeout(this.timer);
     this.abort?.abort();
     for (const end of this.ends) end();

@@ -25,10 +25,38 @@ export function importerOf(formats: readonly MeshFormat[], fileName: string): st
   return formats.find(({ endings }) => endings.some((ending) => name.endsWith(ending)))?.importer ?? null;
 }
 
+/** Formats of geometry that are not read, by the endings of their files. */
+const unreadFormats: Readonly<Record<string, string>> = {
+  ply: "PLY",
+  "3mf": "3MF",
+  step: "STEP",
+  stp: "STEP",
+  iges: "IGES",
+  igs: "IGES",
+  gltf: "glTF",
+  glb: "glTF",
+  fbx: "FBX",
+  dae: "COLLADA",
+  "3ds": "3DS",
+  blend: "Blender",
+  amf: "AMF",
+  wrl: "VRML",
+  brep: "BREP",
+  ifc: "IFC",
+  dxf: "DXF",
+  dwg: "DWG",
+};
+
+/** The name of the format of a file of geometry that cannot be read; null of every other file. */
+export function unreadFormat(fileName: string): string | null {
+  const ending = /\.(\w+)$/.exec(fileName.toLowerCase())?.[1] ?? "";
+  return Object.hasOwn(unreadFormats, ending) ? (unreadFormats[ending] ?? null) : null;
+}
+
 /** The names of the formats for sentences: "STL, OBJ or OFF"; "mesh" as long as they are not known. */
-export function listedFormats(formats: readonly MeshFormat[]): string {
+export function listedFormats(formats: readonly MeshFormat[], joint: "or" | "and" = "or"): string {
   const names = formats.map(({ name }) => name);
   const last = names.pop();
   if (last === undefined) return "mesh";
-  return names.length === 0 ? last : `${names.join(", ")} or ${last}`;
+  return names.length === 0 ? last : `${names.join(", ")} ${joint} ${last}`;
 }

@@ -31,6 +31,8 @@ export interface Outcome {
   readonly shapeColumns: readonly string[];
   /** Those of them that are shown in 3D. */
   readonly shown: Signal<ReadonlySet<string>>;
+  /** It was shown by the page itself, and gives way to the first result of a person. */
+  readonly isPreview: boolean;
 }
 
 let lastKey = 0;
@@ -40,6 +42,7 @@ export function makeOutcome(
   statement: string,
   parameters: Parameters,
   answer: QueryAnswer,
+  isPreview = false,
 ): Outcome {
   const table = tableOf(client, answer);
   const shapeColumns = answer.result
@@ -55,6 +58,7 @@ export function makeOutcome(
     text: null,
     shapeColumns,
     shown: signal<ReadonlySet<string>>(new Set(shapeColumns)),
+    isPreview,
   };
 }
 
@@ -70,6 +74,7 @@ export function makeDescription(statement: string, text: string): Outcome {
     text,
     shapeColumns: [],
     shown: signal<ReadonlySet<string>>(new Set()),
+    isPreview: false,
   };
 }
 

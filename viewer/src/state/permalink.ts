@@ -1,4 +1,5 @@
 import type { CellRef } from "../scene/api";
+import { isKept, keptOf, type KeptResult } from "./kept_result";
 import type { Outcome, Parameters } from "./outcome";
 import { isLinkCompare, type LinkCompare } from "./workbench_link";
 
@@ -11,6 +12,14 @@ export interface LinkStatement {
   readonly parameters?: Readonly<Record<string, LinkParameter>>;
   /** Columns shown in 3D. */
   readonly shown: readonly string[];
+  /** Its result, if the page is that of this browser. */
+  readonly kept?: KeptResult;
+}
+
+/** Which panels are open. */
+export interface LinkLayout {
+  readonly side: boolean;
+  readonly bottom: boolean;
 }
 
 /** A view of the page as plain data. */
@@ -21,22 +30,33 @@ export interface LinkView {
   readonly active: number;
   /** The selected cell as statement, row, column. */
   readonly selected?: readonly [number, number, string | null];
-  /** Text in the editor. */
+  /** Text in the editor; "" for the one that is there. */
   readonly editor: string;
+  /** Of the page of this browser; links of others leave it as it is. */
+  readonly layout?: LinkLayout;
   /** What SceneView.toJSON gave, with places of statements for results. */
   readonly scene: unknown;
   /** The split screen, if it is shown. */
   readonly compare?: LinkCompare;
 }
 
+/** What a view is made of. */
+export interface ViewParts {
+  readonly outcomes: readonly Outcome[];
+  readonly activeKey: number | null;
+  readonly selected: { readonly result: string; readonly row: number; readonly column: string | null } | null;
+  readonly editor: string;
+  readonly scene: unknown;
+  /** The results are named, so that this browser can take them up again. */
+  readonly keep?: boolean;
+}
+
 /** The view of a link; outcomes whose parameters are cells of closed results cannot be brought back and are left out. */
-export function makeView(
-  outcomes: readonly Outcome[],
-  activeKey: number | null,
-  selected: { result: string; row: number; column: string | null } | null,
-  editor: string,
-  scene: unknown,
-): { view: LinkView; left: readonly Outcome[]; placeOf: (result: string) => number | null } {
+export function makeView({ outcomes, activeKey, selected, editor, scene, keep = false }: ViewParts): {
+  view: LinkView;
+  left: readonly Outcome[];
+  placeOf: (result: string) => number | null;
+} {
   const taken: Outcome[] = [];
   const left: Outcome[] = [];
   const statements: LinkStatement[] = [];
@@ -48,10 +68,12 @@ export function makeView(
     }
     taken.push(outcome);
     const shown = [...outcome.shown.value];
+    const kept = keep ? keptOf(outcome) : null;
     statements.push({
       text: outcome.statement,
       shown,
       ...(Object.keys(parameters).length ? { parameters } : {}),
+      ...(kept ? { kept } : {}),
     });
   }
   const place = taken.findIndex(({ resultId }) => resultId === selected?.result);
@@ -77,15 +99,28 @@ export function sceneOf(scene: unknown, results: readonly (string | null)[]): un
   return withCells(scene, (place) => results[Number(place)] ?? null);
 }
 
-/** A state of a scene with other names for results in its colours of objects; those without a name are left out. */
-function withCells(scene: unknown, nameOf: (result: string) => string | null): unknown {
-  const { overrides } = (scene ?? {}) as { overrides?: readonly { readonly cell?: Partial<CellRef> }[] };
-  if (!Array.isArray(overrides)) return scene;
-  const named = overrides.flatMap((override: { readonly cell?: Partial<CellRef> }) => {
-    const result = nameOf(override.cell?.result ?? "");
-    return result === null ? [] : [{ ...override, cell: { ...override.cell, result } }];
-  });
-  return { ...(scene as object), overrides: named };
+/** A state of a scene with other names for results in its cells; what belongs to one without a name is left out. */
+export function withCells(scene: unknown, nameOf: (result: string) => string | null): unknown {
+  const named = renamed(scene, nameOf);
+  return named === kLost ? null : named;
+}
+
+const kLost = Symbol("of a result without a name");
+
+/** `kLost` of a cell without a name, of what has such a cell, and of a list of places of which one is lost. */
+function renamed(value: unknown, nameOf: (result: string) => string | null): unknown {
+  if (typeof value !== "object" || value === null) return value;
+  if (Array.isArray(value))
+    return value.map((each) => renamed(each, nameOf)).filter((each) => each !== kLost);
+  if ("result" in value && "row" in value && "column" in value) {
+    const result = nameOf(String(value.result));
+    return result === null ? kLost : { ...value, result };
+  }
+  const fields = Object.entries(value).map(([key, field]) => [key, renamed(field, nameOf)] as const);
+  const { cell, hits } = Object.fromEntries(fields) as { cell?: unknown; hits?: unknown };
+  const before = (value as { hits?: unknown }).hits;
+  if (cell === kLost || (Array.isArray(before) && (hits as unknown[]).length < before.length)) return kLost;
+  return Object.fromEntries(fields.filter(([, field]) => field !== kLost));
 }
 
 function linkParameters(
@@ -161,17 +196,24 @@ async function readLimited(stream: ReadableStream<Uint8Array>): Promise<string> 
   }
 }
 
+function isLayout(value: Partial<LinkLayout> | null): boolean {
+  return [value?.side, value?.bottom].every((open) => typeof open === "boolean");
+}
+
 function isView(value: unknown): value is LinkView {
   if (typeof value !== "object" || value === null) return false;
   const view = value as Partial<LinkView>;
   return (
     view.version === 1 &&
     typeof view.editor === "string" &&
+    (view.layout === undefined || isLayout(view.layout)) &&
     (view.compare === undefined || isLinkCompare(view.compare)) &&
     Array.isArray(view.statements) &&
     view.statements.every(
       (statement: Partial<LinkStatement>) =>
-        typeof statement.text === "string" && Array.isArray(statement.shown),
+        typeof statement.text === "string" &&
+        Array.isArray(statement.shown) &&
+        (statement.kept === undefined || isKept(statement.kept)),
     )
   );
 }

@@ -24,10 +24,10 @@ export class Results {
   /** Adds an outcome and makes it the active one. An earlier one of the same statement gives way to it. */
   add(outcome: Outcome): void {
     batch(() => {
-      const same = this.#list.value.find((other) => isSame(other, outcome));
-      if (same) this.#release(same);
+      const givesWay = (other: Outcome) => isSame(other, outcome) || other.isPreview;
+      for (const other of this.#list.value) if (givesWay(other)) this.#release(other);
       if (!this.overlay.value && outcome.shapeColumns.length > 0) this.hideAll();
-      const others = this.#list.value.filter((other) => other !== same);
+      const others = this.#list.value.filter((other) => !givesWay(other));
       this.#list.value = [...others, outcome];
       this.activeKey.value = outcome.key;
     });

@@ -2,10 +2,8 @@ import { signal, type ReadonlySignal } from "@preact/signals";
 import type { Client } from "../api/client";
 import { ApiError, isAbort, messageOf } from "../api/errors";
 import type { QueryAnswer } from "../api/types";
+import { firstRows } from "./kept_result";
 import { makeOutcome, type Outcome, type Parameters } from "./outcome";
-
-/** Rows that come with the answer. */
-const firstRows = 200;
 
 /** A statement that is being run. */
 export interface Running {

@@ -12,6 +12,7 @@ export function shapeSource(client: Client, outcome: Outcome, column: string, ti
     result,
     column,
     title: title ?? titleOf(outcome.statement),
+    isPreview: outcome.isPreview,
     count: outcome.table.rows.count,
     attributes: outcome.table.columns
       .filter(({ type }) => isColourable(type))

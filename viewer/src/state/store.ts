@@ -3,11 +3,12 @@ import type { Client } from "../api/client";
 import { keepToken } from "../api/token";
 import { Catalogue } from "./catalogue";
 import { Connection } from "./connection";
+import { largestRelation, sheetStatement } from "./first_page";
 import { helpSubject, helpText } from "./help";
 import { History } from "./history";
 import { makeLayout, type Layout, type Mode } from "./layout";
 import { Notices } from "./notices";
-import { makeDescription, type Outcome, type Parameters } from "./outcome";
+import { makeDescription, makeOutcome, type Outcome, type Parameters } from "./outcome";
 import { Results } from "./results";
 import { failureOf, isFailure, Runner, type Failure } from "./runner";
 import { isString, keptSignal } from "./settings";
@@ -42,6 +43,8 @@ export class Store {
   readonly mode = signal<Mode>("explore");
   /** The latest failure, until the next statement or its closing. */
   readonly failure = signal<ShownFailure | null>(null);
+  /** The lists of the catalogue are there. */
+  readonly isLoaded = signal(false);
   /** Settled when the lists of the catalogue were read for the first time. */
   readonly loaded: Promise<void>;
   /** The server refused the token. */
@@ -63,7 +66,11 @@ export class Store {
     this.editorText = keptSignal(storage, "editor", "", isString);
     this.#tabStorage = tabStorage;
     this.loaded = new Promise((resolve) => {
-      this.connection.onOnline = () => void this.loadCatalogue().then(resolve);
+      this.connection.onOnline = () =>
+        void this.loadCatalogue().then(() => {
+          this.isLoaded.value = true;
+          resolve();
+        });
     });
   }
 
@@ -126,6 +133,16 @@ export class Store {
     else this.notices.add("success", doneText(statement), { detail: outcome.answer.diagnostics.join("\n") });
     await this.refreshObjects();
     return outcome;
+  }
+
+  /** Shows the relation with the most geometry, until a person runs something. A failure is not told: nobody has asked. */
+  async preview(): Promise<void> {
+    const relation = largestRelation(this.catalogue.objects.value);
+    if (!relation) return;
+    const statement = sheetStatement(relation);
+    const answer = await this.runner.answer(statement).catch(() => null);
+    if (answer && this.results.list.value.length === 0)
+      this.results.add(makeOutcome(this.client, statement, {}, answer, true));
   }
 
   async #describe(statement: string, subject: string): Promise<Outcome | Failure> {

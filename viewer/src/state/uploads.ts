@@ -3,7 +3,7 @@ import { isAbort, messageOf } from "../api/errors";
 import type { Row } from "../api/types";
 import { uploadFile } from "../api/upload";
 import { decodeShapes, type Shape } from "../glb/shapes";
-import { importerOf } from "./mesh_formats";
+import { importerOf, listedFormats, unreadFormat } from "./mesh_formats";
 import { meshDifference, type MeshDifference } from "./mesh_difference";
 import type { Outcome } from "./outcome";
 import { isFailure } from "./runner";
@@ -12,6 +12,9 @@ import type { Store } from "./store";
 /** What is known about a dropped file. Each part arrives on its own; null until then. */
 export interface Review {
   readonly key: number;
+  /** The same for files that came together. */
+  readonly batch: number;
+  readonly isOfMany: boolean;
   readonly fileName: string;
   readonly bytes: number;
   /** Share of the file that was sent, 0 to 1. */
@@ -54,25 +57,58 @@ export class Uploads {
   readonly #reviews = signal<readonly Review[]>([]);
   readonly #store: Store;
   #count = 0;
+  #batches = 0;
 
   constructor(store: Store) {
     this.#store = store;
     this.reviews = this.#reviews;
   }
 
-  /** Takes dropped or chosen files, one after the other. */
+  /** Takes dropped or chosen files, one after the other; those that came together are shown together. */
   async take(files: readonly File[]): Promise<void> {
     // The formats are known then.
     if (this.#store.connection.status.value === "online") await this.#store.loaded;
-    const limit = this.#store.connection.info.value?.uploadLimit ?? Infinity;
+    const batch = { batch: ++this.#batches, isOfMany: files.length > 1 };
     for (const file of files) {
-      if (file.size > limit)
-        this.#store.notices.add("error", `${file.name} is too large.`, {
-          detail: `It has ${file.size} bytes; the server takes at most ${limit}.`,
-        });
-      else if (this.#importerOf(file.name)) await this.#review(file);
+      const problem = this.#problemOf(file);
+      if (problem) this.#refuse(file, batch, problem);
+      else if (this.#importerOf(file.name)) await this.#review(file, batch);
       else await this.#uploadOnly(file);
     }
+  }
+
+  /** Why a file is not taken; "" if it is. */
+  #problemOf({ name, size }: File): string {
+    const limit = this.#store.connection.info.value?.uploadLimit ?? Infinity;
+    if (size > limit) return `The file has ${size} bytes; the server takes at most ${limit}.`;
+    if (size === 0) return "The file is empty.";
+    const format = unreadFormat(name);
+    if (!format) return "";
+    return `${format} is not read. What is: ${listedFormats(this.#store.catalogue.formats.value, "and")}.`;
+  }
+
+  #refuse(file: File, batch: Batch, problem: string): void {
+    const review = makeReview({ ...batch, key: ++this.#count, file, stop: () => undefined });
+    review.phase.value = "failed";
+    review.problem.value = problem;
+    this.#reviews.value = [review, ...this.#reviews.value];
+  }
+
+  /** Stores the repaired solids of files that came together as a relation; why that failed, or "". */
+  async storeAll(reviews: readonly Review[], name: string): Promise<string> {
+    const refusal = await this.#store.save(`let ${name} = ${this.relationOf(reviews)}`, {});
+    if (refusal === "") for (const review of reviews) this.close(review);
+    return refusal;
+  }
+
+  /** An expression for the relation of the repaired solids with the names of their files. */
+  relationOf(reviews: readonly Review[]): string {
+    const tuples = reviews.map(({ fileName, path }) => {
+      const solid = `${this.#importerOf(fileName) ?? ""}(${quoted(path.value)})`;
+      const label = quoted(fileName.replace(/\.\w+$/, ""));
+      return `intstream(1, 1) transformstream projectextend[; Name: ${label}, Solid: ${solid}]`;
+    });
+    return `${tuples.map((tuple, index) => (index === 0 ? tuple : `${tuple} concat`)).join(" ")} consume`;
   }
 
   close(review: Review): void {
@@ -104,9 +140,9 @@ export class Uploads {
     }
   }
 
-  async #review(file: File): Promise<void> {
+  async #review(file: File, batch: Batch): Promise<void> {
     const abort = new AbortController();
-    const review = makeReview(++this.#count, file, () => abort.abort());
+    const review = makeReview({ ...batch, key: ++this.#count, file, stop: () => abort.abort() });
     this.#reviews.value = [review, ...this.#reviews.value];
     try {
       const upload = await uploadFile(
@@ -128,7 +164,7 @@ export class Uploads {
     const { results } = this.#store;
     review.phase.value = "reading";
     review.asIs.value = await this.#run(`query importMesh(${path})`, signal);
-    results.add(review.asIs.value);
+    this.#show(review.asIs.value, this.#isFirstOfBatch(review));
     if (review.asIs.value.answer.value === null)
       throw new Error(review.asIs.value.answer.diagnostics.join("\n") || "The file cannot be read.");
     review.report.value = await this.#run(`query repairReport(${path}) consume`, signal);
@@ -136,15 +172,25 @@ export class Uploads {
     const repaired = await this.#run(`query ${this.#importerOf(review.fileName) ?? ""}(${path})`, signal);
     review.repaired.value = repaired;
     // The file as it is stays in the picture; the repaired solid can be laid over it.
-    const wasOverlaid = results.overlay.value;
     const active = results.activeKey.value;
-    results.overlay.value = true;
-    results.add(repaired);
+    this.#show(repaired, false);
     results.show(repaired, false);
-    results.overlay.value = wasOverlaid;
     results.activeKey.value = active;
     review.phase.value = "ready";
     await this.#compare(review, signal);
+  }
+
+  #isFirstOfBatch({ batch, key }: Review): boolean {
+    return !this.#reviews.value.some((other) => other.batch === batch && other.key < key && other.asIs.value);
+  }
+
+  /** Shows an outcome, alone or together with what is shown already. */
+  #show(outcome: Outcome, isAlone: boolean): void {
+    const { results } = this.#store;
+    const wasOverlaid = results.overlay.value;
+    results.overlay.value ||= !isAlone;
+    results.add(outcome);
+    results.overlay.value = wasOverlaid;
   }
 
   /** Finds the triangles that the repair changed. */
@@ -172,9 +218,20 @@ export class Uploads {
   }
 }
 
-function makeReview(key: number, file: File, stop: () => void): Review {
+interface Batch {
+  readonly batch: number;
+  readonly isOfMany: boolean;
+}
+
+interface ReviewOf extends Batch {
+  readonly key: number;
+  readonly file: File;
+  readonly stop: () => void;
+}
+
+function makeReview({ file, ...others }: ReviewOf): Review {
   return {
-    key,
+    ...others,
     fileName: file.name,
     bytes: file.size,
     sent: signal(0),
@@ -185,6 +242,5 @@ function makeReview(key: number, file: File, stop: () => void): Review {
     report: signal<Outcome | null>(null),
     repaired: signal<Outcome | null>(null),
     changes: signal<MeshDifference | null>(null),
-    stop,
   };
 }

@@ -1,7 +1,8 @@
-import { batch, signal, type ReadonlySignal } from "@preact/signals";
-import { ApiError, isAbort, messageOf } from "../api/errors";
+import { batch, computed, signal, type ReadonlySignal } from "@preact/signals";
+import { isAbort, isGone, messageOf } from "../api/errors";
 import type { Json, QueryAnswer, Row } from "../api/types";
 import type { CellRef } from "../scene/api";
+import { takeUp, type KeptResult } from "./kept_result";
 import { makeOutcome, type Outcome, type Parameters } from "./outcome";
 import type { Store } from "./store";
 import {
@@ -33,10 +34,10 @@ export type Facts = readonly { readonly name: string; readonly value: Json }[];
 export class Side {
   readonly name: SideName;
   readonly step: ReadonlySignal<Step | null>;
-  readonly canUndo: ReadonlySignal<boolean>;
-  readonly canRedo: ReadonlySignal<boolean>;
   /** The states that led here, the first one first. */
   readonly steps: ReadonlySignal<readonly Step[]>;
+  /** The states after it that were left by going back. */
+  readonly undone: ReadonlySignal<readonly Step[]>;
   /** What is being done, with how far it is; "" if nothing. */
   readonly busy = signal("");
   readonly error = signal("");
@@ -46,12 +47,9 @@ export class Side {
   /** A mesh whose edges are drawn over this one: the control mesh of a limit surface. */
   readonly control = signal<CellRef | null>(null);
   readonly #store: Store;
-  readonly #step = signal<Step | null>(null);
-  readonly #steps = signal<readonly Step[]>([]);
-  readonly #canUndo = signal(false);
-  readonly #canRedo = signal(false);
-  #done: Step[] = [];
-  #undone: Step[] = [];
+  readonly #all = signal<readonly Step[]>([]);
+  /** The place of the state that is shown. */
+  readonly #at = signal(-1);
   #travels: Promise<void> = Promise.resolve();
   #abort: AbortController | null = null;
   /** Of the statistics that are being computed. */
@@ -60,10 +58,9 @@ export class Side {
   constructor(name: SideName, store: Store) {
     this.name = name;
     this.#store = store;
-    this.step = this.#step;
-    this.steps = this.#steps;
-    this.canUndo = this.#canUndo;
-    this.canRedo = this.#canRedo;
+    this.step = computed(() => this.#all.value[this.#at.value] ?? null);
+    this.steps = computed(() => this.#all.value.slice(0, this.#at.value + 1));
+    this.undone = computed(() => this.#all.value.slice(this.#at.value + 1));
   }
 
   /** Takes the mesh of a cell of a result. */
@@ -80,7 +77,7 @@ export class Side {
   async apply(operation: (type: MeshType) => Operation, other: Step | null = null, times = 1): Promise<void> {
     await this.#work(async (signal) => {
       for (let count = 1; count <= times; count++) {
-        const step = this.#step.value;
+        const step = this.step.value;
         if (!step) return;
         const { label, expression, needsOther } = operation(step.type);
         if (needsOther && !other) throw new Error("There is no mesh on the other side.");
@@ -100,13 +97,25 @@ export class Side {
     return made;
   }
 
-  /** Takes states in place of those that there are; the last one is shown, with the edges of `control` over it. */
-  take(steps: readonly Step[], control: Step | null): void {
+  /** Takes up a state whose result the server still has; null if it has not, or another statement made it. */
+  async takeUp(
+    label: string,
+    statement: string,
+    inputs: Step["inputs"],
+    kept: KeptResult,
+  ): Promise<Step | null> {
+    if (!isMeshType(kept.type)) return null;
+    const outcome = await takeUp(this.#store.client, statement, {}, kept).catch(() => null);
+    return outcome && { label, statement, inputs, outcome, type: kept.type };
+  }
+
+  /** Takes states in place of those that there are; that before `undone` is shown, with the edges of `control` over it. */
+  take(steps: readonly Step[], undone: readonly Step[], control: Step | null): void {
     this.stop();
-    this.#done = [...steps];
-    this.#undone = [];
-    this.#changed();
-    this.control.value = control ? cellOf(control) : null;
+    batch(() => {
+      this.#show([...steps, ...undone], steps.length - 1);
+      this.control.value = control ? cellOf(control) : null;
+    });
   }
 
   /** Stops a running operation; without one, the counting. After the first, what is shown is still to be counted. */
@@ -115,25 +124,24 @@ export class Side {
     else this.#counting.abort();
   }
 
-  async undo(): Promise<void> {
-    await this.#next(() => this.#travel(this.#done, this.#undone, this.#done.at(-2)));
+  /** Goes back or on by a number of states. */
+  async travel(by: number): Promise<void> {
+    await this.#next(() => this.#go(this.#at.value + by));
   }
 
-  async redo(): Promise<void> {
-    await this.#next(() => this.#travel(this.#undone, this.#done, this.#undone.at(-1)));
+  /** Shows a state of the list. */
+  async show(step: Step): Promise<void> {
+    await this.#next(() => this.#go(this.#all.value.indexOf(step)));
   }
 
   clear(): void {
     this.stop();
-    for (const step of [...this.#done, ...this.#undone]) this.#release(step);
-    this.#done = [];
-    this.#undone = [];
-    this.#changed();
+    this.#show([], -1);
   }
 
   /** Stores the mesh as an object of the database; why that failed, or "". */
   async save(name: string): Promise<string> {
-    const step = this.#step.value;
+    const step = this.step.value;
     if (!step) return "There is no mesh on this side.";
     return this.#store.save(`let ${name} = $a`, { parameters: { a: cellOf(step) } });
   }
@@ -147,36 +155,33 @@ export class Side {
     });
   }
 
-  /** Undoes and redoes one after the other, however fast they are asked for. */
+  /** Goes from one state to another in the order in which it is asked for, however fast that is. */
   async #next(travel: () => Promise<void>): Promise<void> {
     this.#travels = this.#travels.then(travel);
     await this.#travels;
   }
 
-  async #travel(from: Step[], to: Step[], target: Step | undefined): Promise<void> {
-    if (!target) return;
+  async #go(at: number): Promise<void> {
+    const target = this.#all.value[at];
+    if (!target || at === this.#at.value) return;
     await this.#work(async (signal) => {
       await this.#ensure(target, signal);
-      const moved = from.pop();
-      if (moved) to.push(moved);
-      this.#changed();
+      this.#show(this.#all.value, at);
     });
   }
 
   #push(step: Step): void {
-    for (const undone of this.#undone) this.#release(undone);
-    this.#undone = [];
-    this.#done.push(step);
-    this.#changed();
+    this.#show([...this.steps.value, step], this.steps.value.length);
   }
 
-  #changed(): void {
+  /** What is no longer in the list is dropped on the server; should the page be taken back to it, it is made again. */
+  #show(all: readonly Step[], at: number): void {
+    const kept = new Set(all);
+    for (const step of this.#all.value) if (!kept.has(step)) this.#release(step);
     batch(() => {
       this.control.value = null;
-      this.#step.value = this.#done.at(-1) ?? null;
-      this.#steps.value = [...this.#done];
-      this.#canUndo.value = this.#done.length > 1;
-      this.#canRedo.value = this.#undone.length > 0;
+      this.#all.value = all;
+      this.#at.value = at;
       this.facts.value = null;
       this.counting.value = false;
     });
@@ -256,18 +261,18 @@ export class Side {
   }
 
   async #readFacts(signal: AbortSignal): Promise<void> {
-    const step = this.#step.value;
+    const step = this.step.value;
     if (!step) return;
     this.counting.value = true;
     await this.#tellFacts(step, signal);
-    if (this.#step.value === step) this.counting.value = false;
+    if (this.step.value === step) this.counting.value = false;
   }
 
   async #tellFacts(step: Step, signal: AbortSignal): Promise<void> {
     const parameters = { a: cellOf(step) };
     const facts: { name: string; value: Json }[] = [];
     const tell = () => {
-      if (this.#step.value === step) this.facts.value = [{ name: "Type", value: step.type }, ...facts];
+      if (this.step.value === step) this.facts.value = [{ name: "Type", value: step.type }, ...facts];
     };
     try {
       const counts = await this.#count(factsStatement(step.type), parameters, signal);
@@ -280,7 +285,7 @@ export class Side {
       tell();
     } catch (error) {
       if (isAbort(error)) tell();
-      else if (this.#step.value === step)
+      else if (this.step.value === step)
         this.error.value = `The statistics cannot be computed. ${messageOf(error)}`;
     }
   }
@@ -329,10 +334,4 @@ const isStep = (input: Step | CellRef): input is Step => "statement" in input;
 /** The mesh that was chosen last among the states of a side; those after it were made from it. */
 export function chosenOf(steps: readonly Step[]): Step | null {
   return steps.findLast(({ inputs }) => !Object.values(inputs).some(isStep)) ?? steps[0] ?? null;
-}
-
-function isGone(error: unknown): boolean {
-  return (
-    error instanceof ApiError && (error.status === 410 || error.code === "gone" || error.code === "not_found")
-  );
 }

@@ -1,6 +1,7 @@
 /** The split screen as plain data, for permanent links. */
 
 import type { CellRef } from "../scene/api";
+import { isKept, keptOf, type KeptResult } from "./kept_result";
 import { cellOf, type Side, type Step, type Workbench } from "./workbench";
 import { isWorkbenchStatement } from "./workbench_operations";
 
@@ -11,11 +12,15 @@ export interface LinkStep {
   readonly label: string;
   readonly statement: string;
   readonly inputs: Readonly<Record<string, LinkInput>>;
+  /** Its result, if the page is that of this browser. */
+  readonly kept?: KeptResult;
 }
 
 interface LinkSide {
   /** Numbers of the steps that led to the mesh. */
   readonly steps: readonly number[];
+  /** Of those after it, which were left by going back. */
+  readonly undone?: readonly number[];
   /** The step whose mesh is drawn over it as control mesh. */
   readonly control: number | null;
   /** What SceneView.toJSON gave. */
@@ -37,14 +42,21 @@ type PlaceOf = (result: string) => number | null;
 export function linkOf(
   workbench: Workbench,
   placeOf: PlaceOf,
-  more: { readonly left: unknown; readonly right: unknown; readonly sameCamera: boolean },
+  more: {
+    readonly left: unknown;
+    readonly right: unknown;
+    readonly sameCamera: boolean;
+    /** The results and what was undone are named, so that this browser can take them up again. */
+    readonly keep?: boolean;
+  },
 ): LinkCompare | null {
-  const list = new StepList(placeOf);
+  const list = new StepList(placeOf, more.keep ?? false);
   const sideOf = (side: Side, scene: unknown): LinkSide => {
     const steps = side.steps.value.map((step) => list.add(step));
+    const undone = more.keep ? { undone: side.undone.value.map((step) => list.add(step)) } : {};
     const { result } = side.control.value ?? { result: null };
     const control = list.known().find((step) => cellOf(step).result === result);
-    return { steps, control: control ? list.add(control) : null, scene };
+    return { steps, ...undone, control: control ? list.add(control) : null, scene };
   };
   const left = sideOf(workbench.left, more.left);
   const right = sideOf(workbench.right, more.right);
@@ -59,7 +71,10 @@ class StepList {
   isComplete = true;
   private readonly numbers = new Map<Step, number>();
 
-  constructor(private readonly placeOf: PlaceOf) {}
+  constructor(
+    private readonly placeOf: PlaceOf,
+    private readonly keep: boolean,
+  ) {}
 
   known(): readonly Step[] {
     return [...this.numbers.keys()];
@@ -72,7 +87,8 @@ class StepList {
       Object.entries(step.inputs).map(([name, input]) => [name, this.input(input)]),
     );
     const number = this.steps.length;
-    this.steps.push({ label: step.label, statement: step.statement, inputs });
+    const kept = this.keep ? keptOf(step.outcome) : null;
+    this.steps.push({ label: step.label, statement: step.statement, inputs, ...(kept ? { kept } : {}) });
     this.numbers.set(step, number);
     return number;
   }
@@ -92,17 +108,26 @@ export async function restoreSides(
   results: readonly (string | null)[],
 ): Promise<boolean> {
   const made: Step[] = [];
-  for (const { label, statement, inputs } of link.steps) {
+  const there = [workbench.left, workbench.right].flatMap(({ steps, undone }) => [
+    ...steps.value,
+    ...undone.value,
+  ]);
+  for (const { label, statement, inputs, kept } of link.steps) {
     const number = made.length;
     const side = link.right.steps.includes(number) ? workbench.right : workbench.left;
-    const step = await side.make(label, statement, resolved(inputs, made, results));
+    const cells = resolved(inputs, made, results);
+    const step =
+      (kept && there.find(({ outcome }) => outcome.resultId === kept.id)) ??
+      (kept && (await side.takeUp(label, statement, cells, kept))) ??
+      (await side.make(label, statement, cells));
     if (!step) return false;
     made.push(step);
   }
+  const stepsOf = (numbers: readonly number[]): Step[] => numbers.flatMap((number) => made[number] ?? []);
   for (const name of ["left", "right"] as const) {
-    const { steps, control } = link[name];
-    const own = steps.flatMap((number) => made[number] ?? []);
-    workbench.side(name).take(own, control === null ? null : (made[control] ?? null));
+    const { steps, undone, control } = link[name];
+    const mesh = control === null ? null : (made[control] ?? null);
+    workbench.side(name).take(stepsOf(steps), stepsOf(undone ?? []), mesh);
   }
   return true;
 }
@@ -124,9 +149,9 @@ function resolved(
   return found;
 }
 
-/** The statements of a link that a person has to agree to: those that are not operations of the split screen. */
-export function foreignStatements({ steps }: LinkCompare): readonly string[] {
-  return steps.map(({ statement }) => statement).filter((statement) => !isWorkbenchStatement(statement));
+/** The steps of a link that a person has to agree to: those that are not operations of the split screen. */
+export function foreignSteps({ steps }: LinkCompare): readonly LinkStep[] {
+  return steps.filter(({ statement }) => !isWorkbenchStatement(statement));
 }
 
 export function isLinkCompare(value: unknown): value is LinkCompare {
@@ -138,7 +163,8 @@ export function isLinkCompare(value: unknown): value is LinkCompare {
       (step: Partial<LinkStep> | null) =>
         typeof step?.label === "string" &&
         typeof step.statement === "string" &&
-        typeof step.inputs === "object",
+        typeof step.inputs === "object" &&
+        (step.kept === undefined || isKept(step.kept)),
     ) &&
     [left, right].every((side) => Array.isArray(side?.steps))
   );

@@ -24,7 +24,7 @@ function described(scheme: Scheme): SchemeDescription {
   return subdivisionSchemes.find(({ name }) => name === scheme) ?? subdivisionSchemes[0];
 }
 
-export const setOperations = ["union", "intersection", "minus"] as const;
+export const setOperations = ["union", "intersection", "minus", "either"] as const;
 export type SetOperation = (typeof setOperations)[number];
 
 /** An expression in `$a`, and `$b` if it takes the mesh of the other side. */
@@ -86,8 +86,15 @@ export function dual(type: MeshType): Operation {
 export function setOperation(operation: SetOperation, type: MeshType, other: MeshType): Operation {
   const a = asVolume("$a", type);
   const b = asVolume("$b", other);
-  const expression = operation === "intersection" ? `intersection(${a}, ${b})` : `(${a}) ${operation} (${b})`;
-  return { label: `${operation} with the other side`, expression, needsOther: true };
+  const expressions: Readonly<Record<SetOperation, string>> = {
+    union: `(${a}) union (${b})`,
+    intersection: `intersection(${a}, ${b})`,
+    minus: `(${a}) minus (${b})`,
+    // What is in one of them only.
+    either: `symmetricDifference(${a}, ${b})`,
+  };
+  const label = operation === "either" ? "symmetric difference" : operation;
+  return { label: `${label} with the other side`, expression: expressions[operation], needsOther: true };
 }
 
 /** Faces of more than three corners become triangles; a mesh of a solid or surface consists of triangles. */
@@ -130,7 +137,7 @@ export function vertexMove(type: MeshType, vertex: number, to: Triple): Operatio
 const kWords = new Set(
   (
     "query subdivide limitPosition simplify dual triangulate volume2mesh surface2mesh mesh2volume moveVertex " +
-    "union intersection minus translate scaleDir rotate const point3d vector3d value TRUE e"
+    "union intersection minus symmetricDifference translate scaleDir rotate const point3d vector3d value TRUE e"
   ).split(" "),
 );
 

@@ -4,7 +4,7 @@ import { render } from "preact";
 
 import type { Database, ShapeRequest, ShapeSource } from "../../src/scene";
 import { createSceneView } from "../../src/scene";
-import { SceneKeys, SceneOverlay, ScenePanels, SceneToolbar } from "../../src/scene_panels";
+import { SceneModel, SceneKeys, SceneOverlay, ScenePanels, SceneToolbar } from "../../src/scene_panels";
 import { buildGlb } from "../unit/scene/support/glb_builder";
 import type { TestShape } from "../unit/scene/support/glb_builder";
 import { cube, points, sphere, square } from "../unit/scene/support/solids";
@@ -95,9 +95,9 @@ render(
   <>
     <SceneToolbar view={view} />
     <SceneOverlay view={view} />
-    <SceneKeys view={view} onError={console.error} />
+    <SceneKeys view={view} onAction={console.log} onError={console.error} />
   </>,
   over,
 );
-render(<ScenePanels view={view} database={database} />, document.querySelector("#panels")!);
+render(<ScenePanels model={new SceneModel(view, database)} />, document.querySelector("#panels")!);
 for (const source of (scenes[location.search.slice(1)] ?? scenes["mixed"]!)()) view.addResult(source);

@@ -1,6 +1,6 @@
 import { beforeEach, expect, test } from "vitest";
 import type { Page } from "playwright-core";
-import { boxOf, expectNoErrors, stillScene } from "./support/actions";
+import { boxOf, copiedLink, expectNoErrors, settled, stillScene } from "./support/actions";
 import { Browser, takePicture } from "./support/browser";
 import { CompareSession, sceneOf } from "./support/compare";
 import { touchesSides } from "./support/picture";
@@ -49,7 +49,7 @@ test("steps are undone and redone, and the result is saved", async () => {
   await load("left", "Cube");
   const before = await stillScene(page, sceneOf("left"));
   await side("left").getByLabel("Scheme").selectOption("catmull-clark");
-  await side("left").getByLabel("Steps").fill("3");
+  await side("left").getByLabel("Steps", { exact: true }).fill("3");
   await press("left", "Subdivide");
   await expectFact("left", "Faces", "384");
   const after = await stillScene(page, sceneOf("left"));
@@ -85,7 +85,7 @@ test("another mesh for a side is fitted", async () => {
 
 test("the number of steps is a whole number from 1 to 8, and shown as it is taken", async () => {
   await load("left", "Cube");
-  const steps = side("left").getByLabel("Steps");
+  const steps = side("left").getByLabel("Steps", { exact: true });
   for (const [typed, taken] of [
     ["-1", "1"],
     ["0", "1"],
@@ -137,7 +137,7 @@ test("simplification and dual", async () => {
 test("the limit surface stands beside its control mesh, which is drawn over it", async () => {
   await load("left", "Cube");
   await side("left").getByLabel("Scheme").selectOption("catmull-clark");
-  await side("left").getByLabel("Steps").fill("3");
+  await side("left").getByLabel("Steps", { exact: true }).fill("3");
   await press("left", "Limit beside");
   await expectFact("right", "Faces", "384");
   const picture = await stillScene(page, sceneOf("right"));
@@ -204,15 +204,13 @@ test("a link restores the split screen", async () => {
   await page.keyboard.press("1");
   const left = await stillScene(page, sceneOf("left"));
   const right = await stillScene(page, sceneOf("right"));
-  await page.getByRole("button", { name: "Copy link" }).click();
-  await page.getByTestId("notice").first().waitFor();
-  const link = page.url();
+  const link = await copiedLink(page);
   const other = await Browser.start({ width: 1400, height: 900 });
   try {
-    page = await other.open(link);
+    page = session.page = await other.open(link);
     // Only objects are shown and operations of the split screen done: nobody has to be asked.
     await expectSteps("right", /Ball › minus/);
-    expect(await side("left").locator(".steps").innerText()).toMatch(/Cube › subdivide catmull-clark/);
+    expect(await session.stepsOf("left")).toMatch(/Cube › subdivide catmull-clark/);
     await expectFact("left", "Faces", "24");
     await expectFact("right", "Volume", volume);
     expect(await page.getByLabel("Same camera").isChecked()).toBe(false);
@@ -240,9 +238,7 @@ test("a link restores its cameras also where other meshes are shown", async () =
   }
   const left = await stillScene(page, sceneOf("left"));
   const right = await stillScene(page, sceneOf("right"));
-  await page.getByRole("button", { name: "Copy link" }).click();
-  await page.getByTestId("notice").first().waitFor();
-  const { hash } = new URL(page.url());
+  const { hash } = new URL(await copiedLink(page));
   await page.evaluate(() => history.replaceState(null, "", "#"));
   await load("left", "Yard");
   await load("right", "Yard");
@@ -270,18 +266,18 @@ test("counting is stopped, and the mesh stays", async () => {
   expect(held.length).toBe(1);
   expect(await side("left").locator('[data-fact="Faces"]').innerText()).toBe("12");
   expect(await side("left").locator('[data-fact="Volume"]').count()).toBe(0);
-  expect(await side("left").locator(".steps").innerText()).toBe("Cube");
+  expect(await session.stepsOf("left")).toBe("Cube");
   held.forEach((end) => end());
   await page.unroute("**/api/query");
 });
 
 test("a running step is stopped, and what was there stays", async () => {
   await load("right", "Ball");
-  await side("right").getByLabel("Steps").fill("8");
+  await side("right").getByLabel("Steps", { exact: true }).fill("8");
   await press("right", "Subdivide");
   await side("right").getByRole("button", { name: "Stop" }).click();
   await side("right").getByText("Stopped.").waitFor({ timeout: 60_000 });
-  expect(await side("right").locator(".steps").innerText()).toContain("Ball");
+  expect(await session.stepsOf("right")).toContain("Ball");
   await side("right").locator('[data-fact="Faces"]').waitFor({ timeout: 60_000 });
 });
 
@@ -294,4 +290,78 @@ test("an operation that is not possible says why", async () => {
   await load("right", "Cube");
   await press("left", "union");
   await expect.poll(() => side("left").locator(".callout.error").innerText()).toContain("union: expected");
+});
+
+test("the split screen has the same tools and panels: measures and inspects, each side its own", async () => {
+  await load("left", "Cube");
+  await load("right", "Cube");
+  await page.getByRole("button", { name: "Settings of the view" }).click();
+  const panels = page.getByRole("region", { name: "Settings of the view" });
+  const middleOf = async (name: "left" | "right") => {
+    const box = await boxOf(page, sceneOf(name));
+    return [box.x + box.width / 2, box.y + box.height / 2] as const;
+  };
+  const [x, y] = await middleOf("left");
+  await page.mouse.click(x, y);
+  await page.keyboard.press("m");
+  expect(await panels.innerText()).toMatch(/left side/i);
+  await page.mouse.click(x - 20, y + 20);
+  await page.mouse.click(x + 20, y + 20);
+  await expect.poll(() => page.getByTestId("measure-value").innerText(), { timeout: 20_000 }).toMatch(/≈ \d/);
+  await expect.poll(() => side("left").getByTestId("tool-readout").innerText()).toMatch(/points: ≈ \d/);
+  const label = ([r, g, b]: readonly number[]) => r! > 180 && g! < 90 && b! > 80;
+  expect((await stillScene(page, sceneOf("left"))).count(label)).toBeGreaterThan(20);
+  await takePicture(page, "compare-measure");
+  const [otherX, otherY] = await middleOf("right");
+  await page.mouse.click(otherX, otherY);
+  await page.keyboard.press("v");
+  await page.mouse.click(otherX + 20, otherY + 30);
+  expect(await panels.innerText()).toMatch(/right side/i);
+  expect(await panels.getByTestId("inspected").innerText()).toMatch(/Triangle/);
+  expect(await panels.getByTestId("measure").count()).toBe(0);
+  // A step takes the measures of the mesh before with it.
+  await press("left", "Dual");
+  await expectFact("left", "Vertices", "6");
+  expect((await stillScene(page, sceneOf("left"))).count(label)).toBe(0);
+});
+
+test("a tool that is chosen ends the one before, and its button shows it", async () => {
+  await load("left", "Cube");
+  const move = side("left").getByRole("button", { name: "Move", exact: true });
+  await move.click();
+  expect(await move.getAttribute("aria-pressed")).toBe("true");
+  await side("left").getByRole("button", { name: "Measure" }).click();
+  expect(await move.getAttribute("aria-pressed")).toBe("false");
+});
+
+test("the steps of a mesh are a list, and a click shows one of them", async () => {
+  await load("left", "Cube");
+  await side("left").getByLabel("Steps", { exact: true }).fill("2");
+  await press("left", "Subdivide");
+  await expectFact("left", "Faces", "192");
+  expect(await side("left").getByTestId("side-title").innerText()).toBe("Cube");
+  await side("left").getByRole("button", { name: "2. subdivide loop" }).click();
+  await expectFact("left", "Faces", "48");
+  await takePicture(page, "compare-steps");
+  await side("left").getByRole("button", { name: "3. subdivide loop" }).click();
+  await expectFact("left", "Faces", "192");
+  await load("left", "Ball");
+  expect(await side("left").getByTestId("side-title").innerText()).toBe("Ball");
+});
+
+test("a reload keeps the split screen with its steps, also those that were undone", async () => {
+  await load("left", "Cube");
+  await press("left", "Subdivide");
+  await expectFact("left", "Faces", "48");
+  await press("left", "Undo");
+  await expectFact("left", "Faces", "12");
+  await load("right", "Ball");
+  const before = await stillScene(page, sceneOf("right"));
+  await settled(page);
+  await page.reload();
+  await expectFact("left", "Faces", "12");
+  await expectFact("right", "Faces", "528");
+  expect((await stillScene(page, sceneOf("right"))).difference(before)).toBeLessThan(0.01);
+  await press("left", "Redo");
+  await expectFact("left", "Faces", "48");
 });

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { ready, run, stillScene } from "./support/actions";
+import { copiedLink, ready, run, stillScene } from "./support/actions";
 import { takePicture } from "./support/browser";
 import { choose, field, frontView, isNear, openSettings, plainScene } from "./support/scene";
 import { Session } from "./support/session";
@@ -67,9 +67,7 @@ test("a link restores the index, its level and its boxes", async () => {
   const facts = () => page.getByTestId("index-facts");
   await expect.poll(() => facts().innerText()).toMatch(/^\d+ nodes of 2 levels, with 64 members$/);
   const before = await stillScene(page);
-  await page.getByRole("button", { name: "Copy link" }).click();
-  await page.getByTestId("notice").first().waitFor();
-  const link = page.url();
+  const link = await copiedLink(page);
   await page.goto(`${server.url}#`);
   await page.reload();
   await ready(page);

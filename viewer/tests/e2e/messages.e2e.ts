@@ -1,5 +1,5 @@
 import { afterEach, expect, test } from "vitest";
-import { ready, run, stillScene, write } from "./support/actions";
+import { copiedLink, ready, run, stillScene, write } from "./support/actions";
 import { Browser, takePicture, type BrowserOptions } from "./support/browser";
 import { choose, field, openSettings, setColor } from "./support/scene";
 import { Server } from "./support/server";
@@ -251,9 +251,7 @@ test("a link restores statements, table, selection, colours and camera", async (
   await page.getByRole("button", { name: "Colour the objects by Elem" }).click();
   await page.locator('[data-row="2"] [data-column="Elem"]').click();
   const before = await stillScene(page);
-  await page.getByRole("button", { name: "Copy link" }).click();
-  await page.getByTestId("notice").first().waitFor();
-  const link = page.url();
+  const link = await copiedLink(page);
   expect(link).toMatch(/#view=[\w-]{50,}$/);
   const other = await startBrowser();
   const restored = await other.open(link);
@@ -291,10 +289,9 @@ test("a link restores section, lights, colours of objects, display, projection a
   await field(page, "section", "Section plane").setChecked(true);
   await page.getByTestId("cut-area").waitFor();
   const before = await stillScene(page);
-  await page.getByRole("button", { name: "Copy link" }).click();
-  await page.getByTestId("notice").first().waitFor();
+  const link = await copiedLink(page);
   const other = await startBrowser({ theme: "light" });
-  const restored = await other.open(page.url());
+  const restored = await other.open(link);
   await restored.emulateMedia({ reducedMotion: "reduce" });
   // `query Cube` only shows an object: nobody has to be asked.
   await restored.getByTestId("table").waitFor();

@@ -68,7 +68,7 @@ test("the statement at the cursor is run, or the selection, or all", async () =>
   await page.keyboard.press("Control+Enter");
   await page.getByTestId("result-tab").first().waitFor();
   const titles = () => page.locator(".result-title").allInnerTexts();
-  expect(await titles()).toEqual(["2 + 2"]);
+  await expect.poll(titles).toEqual(["2 + 2"]);
   await page.getByRole("button", { name: "Close all results" }).click();
   await page.locator(".cm-content").click();
   await page.keyboard.press("Shift+Control+Enter");
@@ -152,10 +152,15 @@ test("thousands of rows are read as they are scrolled into view", async () => {
 });
 
 test("a row is found by its object, and an object by its row", async () => {
+  const fitSelection = async () => {
+    await page.getByTestId("scene").focus();
+    await page.keyboard.press(".");
+  };
   await page.getByTestId("objects").getByText("Cubes").click();
   await page.getByTestId("table").waitFor();
   const whole = await stillScene(page);
   await page.locator('[data-row="3"] [data-column="Name"]').click();
+  await fitSelection();
   const centred = await stillScene(page);
   await takePicture(page, "queries-selected");
   expect(centred.difference(whole)).toBeGreaterThan(0.05);
@@ -163,6 +168,7 @@ test("a row is found by its object, and an object by its row", async () => {
   await stillScene(page);
   expect(await selectedRow(page)).toBe(0);
   await page.locator('[data-row="3"] [data-column="Name"]').click();
+  await fitSelection();
   await stillScene(page);
   // The fourth cube is in the middle now. Nothing is selected, then it is clicked.
   await page.getByTestId("scene").focus();

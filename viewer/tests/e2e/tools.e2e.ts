@@ -42,7 +42,7 @@ test("the section is exact: its area comes from the database, and its cut is fil
   await show("query Hollow");
   await press(page, "c");
   await page.getByTestId("section-panel").getByRole("button", { name: "Y", exact: true }).click();
-  await page.getByTestId("section-panel").getByRole("button", { name: "Flip" }).click();
+  // The cut is turned to the eye by itself.
   const area = page.getByTestId("cut-area");
   await expect.poll(() => area.innerText(), { timeout: 20_000 }).toBe("3");
   await field(page, "section", "Show the plane").setChecked(false);

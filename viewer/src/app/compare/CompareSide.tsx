@@ -1,48 +1,22 @@
 import { effect, untracked } from "@preact/signals";
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { createSceneView } from "../../scene";
+import { useState } from "preact/hooks";
 import type { SceneView, Transformation } from "../../scene/api";
 import { readBytes, shapeSource } from "../../state/shape_source";
 import type { Store } from "../../state/store";
 import { cellOf, chosenOf, type Side, type SideName, type Step } from "../../state/workbench";
 import { transformation, vertexMove } from "../../state/workbench_operations";
-import { SceneToolbar, SectionReadout } from "../../scene_panels";
 import { useApp } from "../context";
-import { panelDatabase } from "../panel_database";
-import { SceneHint, SceneMessages } from "../SceneMessages";
+import { SceneFrame } from "../SceneFrame";
 import { FactsTable } from "./FactsTable";
 import { Operations } from "./Operations";
 import { SideHead } from "./SideHead";
 
-interface Props {
-  readonly name: SideName;
-  /** Called with the scene when it is there, and with null when it goes. */
-  readonly onView: (view: SceneView | null) => void;
-}
-
 /** One mesh with its scene, operations and statistics. */
-export function CompareSide({ name, onView }: Props) {
-  const app = useApp();
-  const { store, workspace } = app;
+export function CompareSide({ name }: { name: SideName }) {
+  const { store, workspace } = useApp();
   const side = workspace.workbench.side(name);
-  const database = useMemo(() => panelDatabase(app), [app]);
-  const place = useRef<HTMLDivElement>(null);
-  const [view, setView] = useState<SceneView | null>(null);
   const [coming, setComing] = useState(false);
-  useEffect(() => {
-    if (!place.current) return;
-    const made = createSceneView(place.current);
-    const end = bindSide(made, side, store, setComing);
-    setView(made);
-    onView(made);
-    workspace.keyScene.value = made;
-    return () => {
-      workspace.keyScene.value = null;
-      onView(null);
-      end();
-      made.dispose();
-    };
-  }, []);
+  const model = workspace.sideScenes[name].value;
   const busy = side.busy.value;
   return (
     <section
@@ -51,22 +25,15 @@ export function CompareSide({ name, onView }: Props) {
       data-testid={`side-${name}`}
     >
       <SideHead side={side} />
-      <div class="scene">
-        <div
-          ref={place}
-          class="scene-canvas"
-          tabIndex={0}
-          role="application"
-          aria-busy={coming}
-          aria-label={`3D view of the ${name} mesh; ? lists its keys`}
-          onPointerDown={(event) => event.currentTarget.focus({ preventScroll: true })}
-          onFocus={() => (workspace.keyScene.value = view)}
-        />
-        {view && <SceneToolbar view={view} />}
-        {view && <SectionReadout view={view} database={database} onSettings={null} />}
-        {view && <SceneMessages view={view} />}
-        {view && !side.step.value && !busy && <SceneHint view={view} text="Choose a mesh for this side." />}
-      </div>
+      <SceneFrame
+        label={`3D view of the ${name} mesh`}
+        busy={coming}
+        hint={!side.step.value && !busy ? "Choose a mesh for this side." : null}
+        bind={(view) => bindSide(view, side, store, setComing)}
+        onModel={(made) => (workspace.sideScenes[name].value = made)}
+        told={(result) => side.step.value?.outcome.resultId === result}
+        onFocus={() => (workspace.keySide.value = name)}
+      />
       {busy && (
         <div class="running-line" role="status">
           <span class="spinner" aria-hidden="true" />
@@ -81,7 +48,7 @@ export function CompareSide({ name, onView }: Props) {
           {side.error.value}
         </p>
       )}
-      {view && <Operations side={side} view={view} />}
+      {model && <Operations side={side} view={model.view} />}
       <FactsTable side={side} other={workspace.workbench.other(name)} />
     </section>
   );
@@ -135,7 +102,7 @@ function bindSide(
 async function transform(view: SceneView, side: Side, map: Transformation): Promise<void> {
   await side.apply(() => transformation(map));
   // What failed is taken back; what came out replaces what is seen.
-  if (side.error.peek() && view.transformTarget) view.transformTarget = { ...view.transformTarget };
+  if (side.error.peek()) view.resetDrag();
 }
 
 /** Adds the mesh of a step; the one before it stays until this one is there. */
@@ -148,8 +115,8 @@ function showStep(view: SceneView, step: Step | null, side: Side, store: Store):
   if (!view.results.some(({ result }) => result === cell.result))
     view.addResult(shapeSource(store.client, step.outcome, cell.column, step.label));
   view.update({ overrides: [{ cell, color: colors[side.name] }] });
-  if (view.vertexTarget) view.vertexTarget = { ...view.vertexTarget, cell };
-  if (view.transformTarget) view.transformTarget = { ...view.transformTarget, cell };
+  const { drag } = view.state.tools;
+  if (drag) view.update({ tools: { drag: { ...drag, cell } } });
 }
 
 /** Whether a scene has the mesh of a step. */

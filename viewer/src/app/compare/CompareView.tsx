@@ -9,8 +9,8 @@ import { CompareSide, isDrawn } from "./CompareSide";
 /** Two meshes side by side. */
 export function CompareView() {
   const { workbench, sideScenes, sameCamera } = useApp().workspace;
-  const left = sideScenes.left.value;
-  const right = sideScenes.right.value;
+  const left = sideScenes.left.value?.view;
+  const right = sideScenes.right.value?.view;
   useEffect(() => {
     if (!left || !right || !sameCamera.value) return;
     right.setCamera(left.state.camera, { animate: false });
@@ -28,8 +28,7 @@ export function CompareView() {
   }, [left, right, sameCamera.value]);
   return (
     <div class="compare" data-testid="compare">
-      <CompareSide name="left" onView={(view) => (sideScenes.left.value = view)} />
-      <div class="compare-middle">
+      <div class="compare-head">
         <label class="check" title="Turn both views together">
           <input
             type="checkbox"
@@ -39,7 +38,9 @@ export function CompareView() {
           <span>Same camera</span>
         </label>
       </div>
-      <CompareSide name="right" onView={(view) => (sideScenes.right.value = view)} />
+      <CompareSide name="left" />
+      <div class="compare-middle" />
+      <CompareSide name="right" />
     </div>
   );
 }

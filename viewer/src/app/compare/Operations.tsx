@@ -1,4 +1,4 @@
-import { useEffect, useState } from "preact/hooks";
+import { useState } from "preact/hooks";
 import type { SceneView } from "../../scene/api";
 import { cellOf, type Side } from "../../state/workbench";
 import {
@@ -15,6 +15,7 @@ import {
   type Scheme,
   type SetOperation,
 } from "../../state/workbench_operations";
+import { useSceneState } from "../../scene_panels";
 import { useApp } from "../context";
 
 interface Props {
@@ -151,6 +152,13 @@ function Simplify({ side }: { side: Side }) {
   );
 }
 
+const titles: Readonly<Record<SetOperation, string>> = {
+  union: "What is in this mesh or in that of the other side",
+  intersection: "What is in both meshes",
+  minus: "What is in this mesh and not in that of the other side",
+  either: "What is in one of both meshes only: the symmetric difference",
+};
+
 function SetOperations({ side }: { side: Side }) {
   const { workbench } = useApp().workspace;
   const other = workbench.other(side.name).step.value;
@@ -165,10 +173,10 @@ function SetOperations({ side }: { side: Side }) {
           type="button"
           class="btn"
           disabled={!other}
-          title={`${operation} with the mesh of the other side`}
+          title={titles[operation]}
           onClick={() => apply(operation)}
         >
-          {operation}
+          {operation === "either" ? "either, not both" : operation}
         </button>
       ))}
     </div>
@@ -186,15 +194,16 @@ type Drag = (typeof drags)[number]["id"];
 
 /** What is dragged in the scene: vertices, or the whole mesh by a handle. */
 function Drags({ side, view }: Props) {
-  const [drag, setDrag] = useState<Drag | null>(null);
+  const { tools } = useSceneState(view, "tools");
+  const drag = tools.tool === "drag" ? tools.drag?.how : undefined;
   const step = side.step.value;
-  useEffect(() => {
-    const cell = drag && step && cellOf(step);
-    const isVertex = drag === "normal" || drag === "plane";
-    view.tool = isVertex ? "vertex" : "select";
-    view.vertexTarget = cell && isVertex ? { cell, along: drag } : null;
-    view.transformTarget = cell && !isVertex ? { cell, mode: drag } : null;
-  }, [view, drag, step]);
+  const choose = (how: Drag): void => {
+    if (!step) return;
+    const isEnd = drag === how;
+    view.update({
+      tools: { tool: isEnd ? "select" : "drag", drag: isEnd ? null : { cell: cellOf(step), how } },
+    });
+  };
   return (
     <div class="btn-group" role="group" aria-label="Drag in the scene">
       {drags.map(({ id, label, title }) => (
@@ -204,7 +213,7 @@ function Drags({ side, view }: Props) {
           class="btn"
           aria-pressed={drag === id}
           title={title}
-          onClick={() => setDrag(drag === id ? null : id)}
+          onClick={() => choose(id)}
         >
           {label}
         </button>

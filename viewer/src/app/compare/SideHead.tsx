@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import type { Side } from "../../state/workbench";
+import { chosenOf, type Side } from "../../state/workbench";
 import { isMeshType } from "../../state/workbench_operations";
 import { useApp } from "../context";
 import { IconButton } from "../ui/controls";
@@ -13,53 +13,94 @@ export function SideHead({ side }: { side: Side }) {
   const objects = store.catalogue.objects.value.filter(({ type, hasValue }) => isMeshType(type) && hasValue);
   const { readOnly } = store.connection.info.value ?? { readOnly: false };
   return (
-    <div class="panel-head side-head">
-      <select
-        class="input"
-        aria-label="Mesh of this side"
-        value=""
-        onChange={(event) => {
-          const name = event.currentTarget.value;
-          event.currentTarget.value = "";
-          if (name === "selected") loadSelected(side, store);
-          else if (name) void side.loadObject(name);
-        }}
-      >
-        <option value="">Choose a mesh…</option>
-        <option value="selected" disabled={store.results.selected.value === null}>
-          The selected object
-        </option>
-        {objects.map(({ name }) => (
-          <option key={name} value={name}>
-            {name}
+    <header class="side-head">
+      <div class="row">
+        <h2 class="panel-title grow ellipsis" title={titleOf(side)} data-testid="side-title">
+          {titleOf(side)}
+        </h2>
+        <select
+          class="input"
+          aria-label="Mesh of this side"
+          value=""
+          onChange={(event) => {
+            const name = event.currentTarget.value;
+            event.currentTarget.value = "";
+            if (name === "selected") loadSelected(side, store);
+            else if (name) void side.loadObject(name);
+          }}
+        >
+          <option value="">{side.step.value ? "Another mesh…" : "Choose a mesh…"}</option>
+          <option value="selected" disabled={store.results.selected.value === null}>
+            The selected object
           </option>
-        ))}
-      </select>
-      <span
-        class="steps ellipsis grow"
-        title={side.steps.value.map(({ statement }) => statement).join(";\n")}
-      >
-        {side.steps.value.map(({ label }) => label).join(" › ")}
-      </span>
-      <IconButton icon="undo" label="Undo" disabled={!side.canUndo.value} onClick={() => void side.undo()} />
-      <IconButton icon="redo" label="Redo" disabled={!side.canRedo.value} onClick={() => void side.redo()} />
-      {saving ? (
-        <SaveForm side={side} onDone={() => setSaving(false)} />
-      ) : (
+          {objects.map(({ name }) => (
+            <option key={name} value={name}>
+              {name}
+            </option>
+          ))}
+        </select>
         <IconButton
-          icon="save"
-          label="Save as a new object"
-          disabled={!side.step.value || readOnly}
-          onClick={() => setSaving(true)}
+          icon="undo"
+          label="Undo"
+          disabled={side.steps.value.length < 2}
+          onClick={() => void side.travel(-1)}
         />
-      )}
-      <IconButton
-        icon="close"
-        label="Clear this side"
-        disabled={!side.step.value}
-        onClick={() => side.clear()}
-      />
-    </div>
+        <IconButton
+          icon="redo"
+          label="Redo"
+          disabled={side.undone.value.length === 0}
+          onClick={() => void side.travel(1)}
+        />
+        {saving ? (
+          <SaveForm side={side} onDone={() => setSaving(false)} />
+        ) : (
+          <IconButton
+            icon="save"
+            label="Save as a new object"
+            disabled={!side.step.value || readOnly}
+            onClick={() => setSaving(true)}
+          />
+        )}
+        <IconButton
+          icon="close"
+          label="Clear this side"
+          disabled={!side.step.value}
+          onClick={() => side.clear()}
+        />
+      </div>
+      <StepList side={side} />
+    </header>
+  );
+}
+
+/** The name of the mesh that was chosen last; what was made of it is told by its steps. */
+function titleOf({ steps }: Side): string {
+  return chosenOf(steps.value)?.label ?? "No mesh";
+}
+
+/** What was done to the mesh; a click shows the state after a step. */
+function StepList({ side }: { side: Side }) {
+  const shown = side.step.value;
+  const all = [...side.steps.value, ...side.undone.value];
+  if (all.length < 2) return null;
+  return (
+    <ol class="steps" aria-label="What was done">
+      {all.map((step, index) => (
+        <li key={index}>
+          <button
+            type="button"
+            class="btn small quiet"
+            aria-current={step === shown ? "step" : undefined}
+            data-undone={side.undone.value.includes(step)}
+            disabled={side.busy.value !== ""}
+            title={step.statement}
+            onClick={() => void side.show(step)}
+          >
+            {index + 1}. {step.label}
+          </button>
+        </li>
+      ))}
+    </ol>
   );
 }
 

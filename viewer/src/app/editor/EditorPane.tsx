@@ -21,7 +21,7 @@ export function EditorPane() {
   const running = store.runner.running.value;
   return (
     <section class="panel editor-pane" aria-label="Editor">
-      <div class="panel-head">
+      <div class="editor-bar">
         <button
           type="button"
           class="btn primary"
@@ -31,6 +31,7 @@ export function EditorPane() {
         >
           <Icon name="play" /> Run
         </button>
+        <div ref={place} class="editor" data-testid="editor" />
         <button
           type="button"
           class="btn quiet"
@@ -39,14 +40,10 @@ export function EditorPane() {
         >
           Run all
         </button>
-        <span class="grow" />
-        <span class="muted hint wide-only">
-          <kbd>{control}</kbd> <kbd>Enter</kbd>
-        </span>
       </div>
-      <div ref={place} class="editor" data-testid="editor" />
       <p id={keysHint} class="muted hint editor-keys">
-        Tab indents; <kbd>Esc</kbd> then <kbd>Tab</kbd> leaves the editor.
+        <kbd>{control}</kbd> <kbd>Enter</kbd> runs the statement, Tab indents; <kbd>Esc</kbd> then{" "}
+        <kbd>Tab</kbd> leaves the editor.
       </p>
       {running.map((each) => (
         <RunningLine key={each.id} running={each} />
@@ -98,12 +95,25 @@ async function runHere({ store, workspace }: App): Promise<void> {
   const editor = workspace.editor.value;
   if (!editor) return;
   const { from, to } = editor.selection;
+  if (isEmpty(store, editor.text)) return;
   if (from < to) await store.runText(editor.text.slice(from, to), from);
   else await store.runAt(editor.text, from);
 }
 
 async function runAll({ store, workspace }: App): Promise<void> {
-  await store.runText(workspace.editor.value?.text ?? "");
+  const text = workspace.editor.value?.text ?? "";
+  if (!isEmpty(store, text)) await store.runText(text);
+}
+
+/** Whether there is nothing to run; then it says what to do. */
+function isEmpty(store: App["store"], text: string): boolean {
+  if (text.trim() !== "") return false;
+  const object = store.catalogue.objects.value.find(({ shape }) => shape)?.name;
+  const example = object ? `query ${object}` : "query createSphere(makePoint3D(0, 0, 0), 1, 24)";
+  const message = "The editor is empty.";
+  const remedy = `Write a statement, such as \`${example}\`, click an object in the list, or try an example.`;
+  store.fail({ statement: "", message, remedy, code: "empty", place: null }, null);
+  return true;
 }
 
 /** A running statement: its time, how far it is, and a button that stops it. */

@@ -86,11 +86,16 @@ function wordOptions(known: Known): readonly Completion[] {
   ];
 }
 
+/** The syntax with words for what stands in it: `fun(STREAMELEM)` is an expression of the attributes of a tuple. */
+export function readableSyntax(syntax: string): string {
+  return syntax.replace(/fun\([^()]*\)/g, "expression of .Attributes");
+}
+
 function operatorOption(operator: OperatorInfo): Completion {
   return {
     label: operator.name,
     type: "function",
-    detail: operator.syntax,
+    detail: readableSyntax(operator.syntax),
     info: operator.doc,
     apply: (view, _, from, to) => insertOperator(view, operator, from, to),
   };

@@ -64,7 +64,7 @@ export class Editor {
           closeBrackets(),
           highlightSelectionMatches(),
           search({ top: true }),
-          autocompletion({ override: [(context) => complete(context, options.known())] }),
+          autocompletion({ icons: false, override: [(context) => complete(context, options.known())] }),
           hoverTooltip((view, position) => describeWord(view, position, options.known())),
           keymap.of([
             { key: "Tab", run: acceptCompletion },
@@ -75,7 +75,7 @@ export class Editor {
             ...defaultKeymap,
             indentWithTab,
           ]),
-          placeholder("query createSphere(makePoint3D(0, 0, 0), 1, 24);"),
+          placeholder("Write a statement, for example: query createSphere(makePoint3D(0, 0, 0), 1, 24);"),
           EditorView.lineWrapping,
           EditorView.contentAttributes.of({
             "aria-label": "Statements",

@@ -1,13 +1,18 @@
 import { useApp } from "../context";
-import { pendingLink, restoreView, statementsOf } from "../link";
+import { pendingView } from "../link";
+import { restoreView } from "../page_view";
 import { Dialog } from "../ui/Dialog";
 
 /** Asks before the statements of a link are run. */
 export function LinkDialog() {
   const app = useApp();
-  const view = pendingLink.value;
-  if (!view) return null;
-  const close = () => (pendingLink.value = null);
+  const pending = pendingView.value;
+  if (!pending) return null;
+  const close = () => (pendingView.value = null);
+  const open = () => {
+    close();
+    void restoreView(app, pending.view, pending.known);
+  };
   return (
     <Dialog title="Open the view of this link?" onClose={close} testId="link-dialog">
       <p>
@@ -15,16 +20,14 @@ export function LinkDialog() {
         the link is from.
       </p>
       <pre class="code-block" tabIndex={0}>
-        {statementsOf(view)
-          .map((text) => `${text};`)
-          .join("\n\n")}
+        {pending.statements.map(({ text }) => `${text};`).join("\n\n")}
       </pre>
       <div class="row">
         <span class="grow" />
         <button type="button" class="btn" onClick={close}>
           Cancel
         </button>
-        <button type="button" class="btn primary" onClick={() => void restoreView(app, view)}>
+        <button type="button" class="btn primary" onClick={open}>
           Run and show
         </button>
       </div>

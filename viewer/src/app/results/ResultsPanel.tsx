@@ -12,15 +12,23 @@ export function ResultsPanel() {
   const { store } = useApp();
   const { results } = store;
   const outcome = results.active.value;
+  // The outcome whose notes were folded, or unfolded.
+  const [folded, setFolded] = useState<Outcome | null>(null);
+  const hasNotes = outcome !== null && outcome.answer.diagnostics.length > 0;
+  const open = hasNotes && folded !== outcome;
   return (
     <section class="panel results-panel" aria-label="Results">
       <div class="panel-head results-head">
-        <div class="result-tabs" role="tablist" aria-label="Results">
+        <div class="result-tabs" role="group" aria-label="Results that are kept">
           {results.list.value.map((each) => (
             <ResultTab key={each.key} outcome={each} active={each === outcome} />
           ))}
         </div>
-        <span class="grow" />
+        {outcome ? (
+          <ResultInfo outcome={outcome} open={open} onFold={() => setFolded(open ? outcome : null)} />
+        ) : (
+          <span class="grow" />
+        )}
         <button
           type="button"
           class="btn quiet"
@@ -34,6 +42,15 @@ export function ResultsPanel() {
         </button>
         <IconButton icon="close" label="Close all results" onClick={() => results.closeAll()} />
       </div>
+      {open && (
+        <div class="callout warning diagnostics" data-testid="diagnostics">
+          {outcome.answer.diagnostics.map((note) => (
+            <div key={note}>
+              <PlainText text={note} />
+            </div>
+          ))}
+        </div>
+      )}
       {outcome ? (
         <ResultBody key={outcome.key} outcome={outcome} />
       ) : (
@@ -64,9 +81,8 @@ function ResultTab({ outcome, active }: { outcome: Outcome; active: boolean }) {
       )}
       <button
         type="button"
-        role="tab"
         class="result-title"
-        aria-selected={active}
+        aria-current={active ? "true" : undefined}
         title={outcome.statement}
         onClick={() => (results.activeKey.value = outcome.key)}
         onAuxClick={(event) => event.button === 1 && results.close(outcome)}
@@ -93,52 +109,56 @@ function scrollIntoRow(tab: HTMLElement): void {
   else if (inner.right > outer.right) row.scrollLeft += inner.right - outer.right;
 }
 
-function ResultBody({ outcome }: { outcome: Outcome }) {
+interface InfoProps {
+  readonly outcome: Outcome;
+  /** Its notes are shown. */
+  readonly open: boolean;
+  readonly onFold: () => void;
+}
+
+/** The statement of a result, its size and time, and what can be done with it again. */
+function ResultInfo({ outcome, open, onFold }: InfoProps) {
   const { store, workspace } = useApp();
   const { answer, table, text, statement, parameters } = outcome;
-  const [open, setOpen] = useState(answer.diagnostics.length > 0);
   const count = table?.isRelation
     ? table.rows.count === 1
       ? "1 row"
       : `${table.rows.count.toLocaleString("en")} rows`
     : "";
   return (
-    <>
-      <div class="result-info">
-        <code class="ellipsis grow" title={statement}>
-          <PlainText text={statement.replace(/\s+/g, " ")} />
-        </code>
-        {answer.diagnostics.length > 0 && (
-          <button type="button" class="btn small quiet" aria-expanded={open} onClick={() => setOpen(!open)}>
-            <Icon name="warning" />
-            {answer.diagnostics.length === 1 ? "1 note" : `${answer.diagnostics.length} notes`}
-          </button>
-        )}
-        {text === null && (
-          <span class="muted">{[count, seconds(answer.seconds)].filter(Boolean).join(", ")}</span>
-        )}
-        <IconButton
-          small
-          icon="code"
-          label="Put the statement into the editor"
-          onClick={() => workspace.editor.value?.append(`${statement};`)}
-        />
-        <IconButton
-          small
-          icon="refresh"
-          label="Run again"
-          onClick={() => void store.run(statement, { parameters })}
-        />
-      </div>
-      {open && (
-        <div class="callout warning diagnostics" data-testid="diagnostics">
-          {answer.diagnostics.map((note) => (
-            <div key={note}>
-              <PlainText text={note} />
-            </div>
-          ))}
-        </div>
+    <div class="result-info">
+      <code class="ellipsis grow" title={statement}>
+        <PlainText text={statement.replace(/\s+/g, " ")} />
+      </code>
+      {answer.diagnostics.length > 0 && (
+        <button type="button" class="btn small quiet" aria-expanded={open} onClick={onFold}>
+          <Icon name="warning" />
+          {answer.diagnostics.length === 1 ? "1 note" : `${answer.diagnostics.length} notes`}
+        </button>
       )}
+      {text === null && (
+        <span class="muted">{[count, seconds(answer.seconds)].filter(Boolean).join(", ")}</span>
+      )}
+      <IconButton
+        small
+        icon="code"
+        label="Put the statement into the editor"
+        onClick={() => workspace.editor.value?.append(`${statement};`)}
+      />
+      <IconButton
+        small
+        icon="refresh"
+        label="Run again"
+        onClick={() => void store.run(statement, { parameters })}
+      />
+    </div>
+  );
+}
+
+function ResultBody({ outcome }: { outcome: Outcome }) {
+  const { table, text } = outcome;
+  return (
+    <>
       {table && <ResultTable outcome={outcome} table={table} />}
       {text !== null && (
         <pre class="description" tabIndex={0} data-testid="description">

@@ -2,7 +2,7 @@ import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/ho
 import type { Outcome, Table } from "../../state/outcome";
 import { useApp } from "../context";
 import { ColumnHead } from "./ColumnHead";
-import { columnWidths } from "./format";
+import { columnWidths, commonFolders, fittedWidths } from "./format";
 import { RowLayout } from "./row_layout";
 import { TableRow, type OpenedColumns } from "./TableRow";
 
@@ -22,7 +22,10 @@ export function ResultTable({ outcome, table }: { outcome: Outcome; table: Table
   const [height, setHeight] = useState(300);
   const [lastOpened, setLastOpened] = useState<number | null>(null);
   const [opened, setOpened] = useState<OpenedColumns>(new Map());
-  const [widths, setWidths] = useState(() => columnWidths(table.columns, firstRows(table)));
+  const [widths, setWidths] = useState<readonly number[]>(() =>
+    columnWidths(table.columns, firstRows(table)),
+  );
+  const folders = useMemo(() => commonFolders(table.columns, firstRows(table)), [table]);
   const layout = useMemo(
     () =>
       new RowLayout(
@@ -41,6 +44,7 @@ export function ResultTable({ outcome, table }: { outcome: Outcome; table: Table
   useLayoutEffect(() => {
     const element = scroller.current;
     if (!element) return;
+    setWidths((wanted) => fittedWidths(wanted, table.columns, element.clientWidth - numberWidth));
     const observer = new ResizeObserver(() => setHeight(element.clientHeight));
     observer.observe(element);
     return () => observer.disconnect();
@@ -136,6 +140,7 @@ export function ResultTable({ outcome, table }: { outcome: Outcome; table: Table
             value={table.rows.row(row)}
             selected={row === selectedRow}
             opened={opened.get(row) ?? null}
+            folders={folders}
             top={scroll + layout.topOf(row) - offset}
             template={template}
             onSelect={select}

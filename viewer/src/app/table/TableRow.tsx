@@ -19,6 +19,8 @@ interface Props {
   readonly value: Row | null;
   readonly selected: boolean;
   readonly opened: string | null;
+  /** Of columns whose texts lie in one folder. */
+  readonly folders: ReadonlyMap<string, string>;
   readonly top: number;
   readonly template: string;
   readonly onSelect: (row: number, column: string | null) => void;
@@ -65,6 +67,7 @@ function Cell({
   value,
   column,
   opened,
+  folders,
   onSelect,
   onToggle,
   onOpen,
@@ -97,7 +100,7 @@ function Cell({
           }}
         />
       )}
-      <CellContent view={view} />
+      <CellContent view={view} folder={folders.get(column.name) ?? ""} />
       {hasMenu && (
         <IconButton
           small

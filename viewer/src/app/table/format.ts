@@ -64,6 +64,54 @@ export function columnWidths(columns: readonly Column[], rows: readonly (Row | n
   });
 }
 
+/** Texts become narrower until all columns are seen, or wider where there is room. */
+export function fittedWidths(
+  widths: readonly number[],
+  columns: readonly Column[],
+  available: number,
+): readonly number[] {
+  const isText = ({ type }: Column) => type === "string" || type === "text";
+  const texts = widths.filter((_, index) => columns[index] && isText(columns[index]));
+  const sum = texts.reduce((total, width) => total + width, 0);
+  const others = widths.reduce((total, width) => total + width, 0) - sum;
+  if (sum === 0) return widths;
+  const factor = (available - others) / sum;
+  return widths.map((width, index) => {
+    if (!columns[index] || !isText(columns[index])) return width;
+    const wanted = Math.floor(width * factor);
+    return factor < 1 ? Math.max(Math.min(width, leastTextWidth), wanted) : Math.min(2 * width, wanted);
+  });
+}
+
+const leastTextWidth = 120;
+
+/** By name of a column, the folder in which all of its texts lie; what tells them apart comes after it. */
+export function commonFolders(
+  columns: readonly Column[],
+  rows: readonly (Row | null)[],
+): ReadonlyMap<string, string> {
+  const folders = new Map<string, string>();
+  for (const { name } of columns) {
+    const texts = rows.flatMap((row) => (typeof row?.[name] === "string" ? [row[name]] : []));
+    const folder = texts.length > 1 ? folderOf(texts) : "";
+    if (folder.length >= leastFolder) folders.set(name, folder);
+  }
+  return folders;
+}
+
+/** Shorter ones are shown. */
+const leastFolder = 8;
+
+function folderOf(texts: readonly string[]): string {
+  let common = texts[0] ?? "";
+  for (const text of texts) {
+    let length = 0;
+    while (length < common.length && common[length] === text[length]) length++;
+    common = common.slice(0, length);
+  }
+  return common.slice(0, Math.max(common.lastIndexOf("/"), common.lastIndexOf("\\")) + 1);
+}
+
 export function seconds(value: number): string {
   if (value < 0.001) return "< 1 ms";
   if (value < 1) return `${Math.round(value * 1000)} ms`;

@@ -40,13 +40,15 @@ export interface TabItem<T extends string> {
 
 interface TabsProps<T extends string> {
   readonly label: string;
+  /** The id of the panel that they change. */
+  readonly panel: string;
   readonly items: readonly TabItem<T>[];
   readonly selected: T;
   readonly onSelect: (id: T) => void;
 }
 
 /** A list of tabs, with the arrow keys as the ARIA practices describe them. */
-export function Tabs<T extends string>({ label, items, selected, onSelect }: TabsProps<T>) {
+export function Tabs<T extends string>({ label, panel, items, selected, onSelect }: TabsProps<T>) {
   const move = (event: KeyboardEvent) => {
     const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
     if (step === 0) return;
@@ -67,6 +69,7 @@ export function Tabs<T extends string>({ label, items, selected, onSelect }: Tab
           role="tab"
           class="tab"
           aria-selected={id === selected}
+          aria-controls={panel}
           tabIndex={id === selected ? 0 : -1}
           onClick={() => onSelect(id)}
         >

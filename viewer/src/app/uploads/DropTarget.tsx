@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { useApp } from "../context";
 import { Icon } from "../ui/Icon";
+import { droppedFiles } from "./dropped_files";
 import { listedFormats } from "../../state/mesh_formats";
 
 /** Takes files that are dropped on the page, and those that are chosen by the button in the head. */
@@ -23,7 +24,8 @@ export function DropTarget() {
       if (!hasFiles(event)) return;
       event.preventDefault();
       setOver(false);
-      void workspace.uploads.take([...(event.dataTransfer?.files ?? [])]);
+      if (event.dataTransfer)
+        void droppedFiles(event.dataTransfer).then((files) => workspace.uploads.take(files));
     };
     addEventListener("dragover", onOver);
     addEventListener("dragleave", onLeave);

@@ -18,6 +18,7 @@ export function ReviewList() {
   useEffect(() => place.current?.scrollTo(0, 0), [reviews[0]]);
   return (
     <div class="reviews" ref={place}>
+      <ImportLine reviews={reviews} />
       {reviews.map((review) => (
         <ReviewCard key={review.key} review={review} />
       ))}
@@ -37,7 +38,7 @@ function ReviewCard({ review }: { review: Review }) {
   const { uploads } = useApp().workspace;
   const phase = review.phase.value;
   // On a narrow page the card lies over the scene, which is what a person wants to see first.
-  const [open, setOpen] = useState(() => !matchMedia("(max-width: 760px)").matches);
+  const [open, setOpen] = useState(() => !review.isOfMany && !matchMedia("(max-width: 760px)").matches);
   const shown = open || phase === "failed";
   return (
     <section
@@ -120,7 +121,7 @@ function ShownLine({ label, outcome }: { label: string; outcome: Outcome }) {
 /** The triangles that the repair added and took away, marked in 3D while a form of the mesh is shown. */
 function ChangesLine({ review }: { review: Review }) {
   const { store, workspace } = useApp();
-  const scene = workspace.scene.value;
+  const scene = workspace.scene.value?.view;
   const changes = review.changes.value;
   const [wanted, setWanted] = useState(true);
   const isDrawn = (outcome: Outcome | null) =>
@@ -179,6 +180,37 @@ function hasNoTriangles({ asIs }: Review): boolean {
   return value?.["faces"] === 0;
 }
 
+/** Files that came together as one relation. */
+function ImportLine({ reviews }: { reviews: readonly Review[] }) {
+  const { store, workspace } = useApp();
+  const [newest] = reviews;
+  const ready = reviews.filter(({ batch, phase }) => batch === newest?.batch && phase.value === "ready");
+  const [first] = useState(() =>
+    objectName(
+      "Parts",
+      store.catalogue.objects.value.map((object) => object.name),
+    ),
+  );
+  // The order in which they came.
+  const form = useNameForm(first, (name) => workspace.uploads.storeAll([...ready].reverse(), name));
+  const { readOnly } = store.connection.info.value ?? { readOnly: false };
+  if (ready.length < 2) return null;
+  return (
+    <form class="review review-all" onSubmit={form.submit} data-testid="import-all">
+      <span class="grow">{ready.length} files as a relation</span>
+      <NameField form={form} label="Name of the new relation" size={12} />
+      <button
+        type="submit"
+        class="btn primary"
+        disabled={!form.canSubmit || readOnly}
+        title={workspace.uploads.relationOf(ready)}
+      >
+        <Icon name="save" /> Import
+      </button>
+    </form>
+  );
+}
+
 /** What the import found and changed. */
 function Report({ outcome, isEmpty }: { outcome: Outcome; isEmpty: boolean }) {
   const rows = (outcome.answer.value ?? []) as readonly Row[];
@@ -195,13 +227,26 @@ function Report({ outcome, isEmpty }: { outcome: Outcome; isEmpty: boolean }) {
     );
   return (
     <table class="report">
+      <thead>
+        <tr>
+          <th scope="col" colSpan={2}>
+            Found and changed
+          </th>
+          <th scope="col" class="number">
+            Count
+          </th>
+          <th scope="col" class="number" title="The largest distance, in the units of the file">
+            Moved by up to
+          </th>
+        </tr>
+      </thead>
       <tbody>
         {told.map(({ Phase, What, Count, Amount }, index) => (
           <tr key={index} class={text(Phase)}>
             <td>{text(Phase)}</td>
             <td>{text(What)}</td>
             <td class="number">{typeof Count === "number" ? Count.toLocaleString("en") : ""}</td>
-            <td class="number muted">{typeof Amount === "number" ? shortNumber(Amount) : ""}</td>
+            <td class="number muted">{typeof Amount === "number" ? `${shortNumber(Amount)} units` : ""}</td>
           </tr>
         ))}
       </tbody>

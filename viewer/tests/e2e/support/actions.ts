@@ -70,3 +70,16 @@ export async function clickMiddle(page: Page, selector = '[data-testid="scene"]'
 export function expectNoErrors(errors: readonly string[]): void {
   expect(errors).toEqual([]);
 }
+
+/** The link that the button copies. */
+export async function copiedLink(page: Page): Promise<string> {
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.getByText("The link to this view is copied.").waitFor();
+  return page.evaluate(() => navigator.clipboard.readText());
+}
+
+/** Waits until the address has the present view. */
+export async function settled(page: Page): Promise<void> {
+  await page.locator('.page[data-settled="true"]').waitFor();
+}

@@ -40,8 +40,15 @@ export class CompareSession {
 
   /** Waits until the steps that made the mesh of a side read like this. */
   readonly expectSteps = async (name: SideName, text: RegExp): Promise<void> => {
-    const steps = this.side(name).locator(".steps");
-    await expect.poll(() => steps.innerText(), { timeout: 30_000 }).toMatch(text);
+    await expect.poll(() => this.stepsOf(name), { timeout: 30_000 }).toMatch(text);
+  };
+
+  /** What was done to the mesh of a side up to what is shown: "Cube › subdivide loop". */
+  readonly stepsOf = async (name: SideName): Promise<string> => {
+    const items = this.side(name).locator('.steps button:not([data-undone="true"])');
+    const labels = (await items.allInnerTexts()).map((label) => label.replace(/^\d+\. /, ""));
+    const title = await this.side(name).getByTestId("side-title").innerText();
+    return labels.length > 0 ? labels.join(" › ") : title;
   };
 
   readonly load = async (name: SideName, object: string): Promise<void> => {

@@ -2,7 +2,7 @@ import { CompletionContext } from "@codemirror/autocomplete";
 import { EditorState } from "@codemirror/state";
 import { expect, test } from "vitest";
 import type { DatabaseObject } from "../../../src/api/types";
-import { attributesIn, complete, type Known } from "../../../src/app/editor/completion";
+import { attributesIn, complete, type Known, readableSyntax } from "../../../src/app/editor/completion";
 
 const parts: DatabaseObject = {
   name: "Parts",
@@ -63,4 +63,8 @@ test("nothing is completed within literals and numbers, or without a reason", ()
 
 test("an open literal in an earlier statement does not matter", () => {
   expect(labels("query 'x;\n\nquery vol")).not.toBeNull();
+});
+
+test("arguments that are expressions are called so", () => {
+  expect(readableSyntax("_ filter[fun(STREAMELEM)]")).toBe("_ filter[expression of .Attributes]");
 });

@@ -4,6 +4,8 @@ import {
   bytesText,
   canOpen,
   columnWidths,
+  commonFolders,
+  fittedWidths,
   listText,
   seconds,
   viewOf,
@@ -57,6 +59,25 @@ test("wide texts make wide columns, within limits", () => {
   const [n, t] = columnWidths(columns, [{ N: 1, T: "x".repeat(500) }]);
   expect(n).toBe(84);
   expect(t).toBe(420);
+});
+
+test("columns of texts give way so that all are seen, and take the room that there is", () => {
+  const columns = [
+    { name: "File", type: "text", shape: false },
+    { name: "Solid", type: "volume3d", shape: true },
+  ];
+  expect(fittedWidths([420, 230], columns, 500)).toEqual([270, 230]);
+  expect(fittedWidths([420, 230], columns, 200)).toEqual([120, 230]);
+  expect(fittedWidths([420, 230], columns, 900)).toEqual([670, 230]);
+  expect(fittedWidths([230], [columns[1]!], 900)).toEqual([230]);
+});
+
+test("the folder in which all files lie is left out", () => {
+  const columns = [{ name: "File", type: "text", shape: false }];
+  const rows = ["parts/bolts/long/a.stl", "parts/bolts/long/b.stl"].map((File) => ({ File }));
+  expect(commonFolders(columns, rows).get("File")).toBe("parts/bolts/long/");
+  expect(commonFolders(columns, [...rows, { File: "other/c.stl" }]).size).toBe(0);
+  expect(commonFolders(columns, rows.slice(0, 1)).size).toBe(0);
 });
 
 test("names of objects are checked before they are sent", () => {

@@ -27,7 +27,7 @@ describe("the state", () => {
         lights: [{ id: 3, on: true, color: "#ff0000", brightness: 2, position: [1, 1, 1], reach: 9 }],
       },
       section: { on: true, normal: [0, 1, 0] },
-      display: { explode: 0.5 },
+      display: { arrangement: "exploded", explode: 0.5, sortBy: "Volume" },
       index: { name: "Parts_Solid", level: 2 },
       overrides: [{ cell: { result: "r1", row: 4, column: "Solid" }, color: "#00ff00" }],
     }).state;

@@ -10,7 +10,7 @@ import { sceneOf } from "./support/store";
 function handleOf(mode: TransformMode) {
   const { store, projector, camera } = sceneOf([cube(0, 2)]);
   const handle = new TransformHandle(new Scene(), store, projector);
-  handle.target = { cell: [...store.records()][0]!.cell, mode };
+  handle.target = { cell: [...store.records()][0]!.cell, how: mode };
   const box = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
   const state = { ...camera, direction: [0, 0, 1], up: [0, 1, 0], target: [0, 0, 0], height: 8 } as const;
   handle.update(projector.camera({ ...state, projection: "orthographic" }, box));

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { MeshFormat } from "../../../src/api/types";
-import { downloadsOf, importerOf, listedFormats } from "../../../src/state/mesh_formats";
+import { downloadsOf, importerOf, listedFormats, unreadFormat } from "../../../src/state/mesh_formats";
 
 function format(name: string, endings: string[], forms: [string, boolean][]): MeshFormat {
   return {
@@ -55,4 +55,12 @@ test("formats in a sentence", () => {
   expect(listedFormats([flat])).toBe("FLAT");
   expect(listedFormats([wide, flat])).toBe("WIDE or FLAT");
   expect(listedFormats([flat, wide, flat])).toBe("FLAT, WIDE or FLAT");
+});
+
+test("formats of geometry that are not read are known by their endings", () => {
+  expect(unreadFormat("Part.PLY")).toBe("PLY");
+  expect(unreadFormat("a.b.step")).toBe("STEP");
+  expect(unreadFormat("prices.csv")).toBeNull();
+  expect(unreadFormat("part.stl")).toBeNull();
+  expect(unreadFormat("toString")).toBeNull();
 });

@@ -21,8 +21,12 @@ test("a view survives the way through a link", async () => {
     p: { result: "r1", row: 0, column: "value" },
     v: { type: "vector3d", value: "(1 0 0)" },
   });
-  const { view, left } = makeView([a, b], b.key, { result: "r1", row: 0, column: "value" }, "query Plate;", {
-    camera: 1,
+  const { view, left } = makeView({
+    outcomes: [a, b],
+    activeKey: b.key,
+    selected: { result: "r1", row: 0, column: "value" },
+    editor: "query Plate;",
+    scene: { camera: 1 },
   });
   expect(left).toEqual([]);
   const text = await encodeView(view);
@@ -39,7 +43,13 @@ test("a view survives the way through a link", async () => {
 
 test("an outcome whose parameters are cells of closed results is left out", () => {
   const orphan = outcome("query volume($p)", "r9", { p: { result: "r8", row: 0, column: "value" } });
-  const { view, left } = makeView([orphan], orphan.key, null, "", null);
+  const { view, left } = makeView({
+    outcomes: [orphan],
+    activeKey: orphan.key,
+    selected: null,
+    editor: "",
+    scene: null,
+  });
   expect(view.statements).toEqual([]);
   expect(left).toEqual([orphan]);
 });

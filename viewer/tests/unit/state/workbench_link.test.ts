@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
 import { decodeView, encodeView, makeView, sceneOf } from "../../../src/state/permalink";
-import { foreignStatements, linkOf, restoreSides } from "../../../src/state/workbench_link";
+import { foreignSteps, linkOf, restoreSides } from "../../../src/state/workbench_link";
 import {
   dual,
   isWorkbenchStatement,
@@ -66,8 +66,8 @@ test("the sides are made again in an order in which each mesh has what it needs"
   await bench.left.apply(dual, null, 2);
   const link = linkOf(bench, () => null, { left: { l: 1 }, right: { r: 1 }, sameCamera: false });
   expect(link).not.toBeNull();
-  expect(foreignStatements(link!)).toEqual(["query Cube", "query Ball"]);
-  const { view } = makeView([], null, null, "", null);
+  expect(foreignSteps(link!).map(({ statement }) => statement)).toEqual(["query Cube", "query Ball"]);
+  const { view } = makeView({ outcomes: [], activeKey: null, selected: null, editor: "", scene: null });
   const read = (await decodeView(await encodeView({ ...view, compare: link! }))).compare!;
   expect(read).toEqual(link);
 
@@ -116,4 +116,22 @@ test("colours of single objects go with their statements", () => {
     camera: { height: 3 },
   });
   expect(sceneOf(scene, [null])).toEqual({ overrides: [], camera: { height: 3 } });
+});
+
+test("measures go with their objects, and only if all of them are there", () => {
+  const hit = (result: string) => ({ cell: { result, row: 0, column: "S" }, point: [0, 0, 0] });
+  const scene = {
+    tools: {
+      measures: [
+        { id: 1, kind: "distance", hits: [hit("0"), hit("0")] },
+        { id: 2, kind: "distance", hits: [hit("0"), hit("1")] },
+      ],
+      inspected: hit("1"),
+    },
+    focus: { hidden: [hit("0").cell, hit("1").cell] },
+  };
+  const { tools, focus } = sceneOf(scene, ["r9", null]) as typeof scene;
+  expect(tools.measures).toEqual([{ id: 1, kind: "distance", hits: [hit("r9"), hit("r9")] }]);
+  expect("inspected" in tools).toBe(false);
+  expect(focus.hidden).toEqual([hit("r9").cell]);
 });
