@@ -119,6 +119,14 @@ void append_mesh_text(const TriangleMesh& mesh, std::string& text) {
     point_to_nested(mesh.point(VertexId(v))).print_to(points);
     ends.push_back(points.size());
   }
+  // A text of hundreds of megabytes is not moved while it grows: that cannot be interrupted.
+  std::size_t size = 2;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    poll_interruption_at(f);
+    size += 5;
+    for (const std::uint32_t v : mesh.triangle(FaceId(f))) size += ends[v + 1] - ends[v];
+  }
+  text.reserve(text.size() + size);
   text += '(';
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     poll_interruption_at(f);
