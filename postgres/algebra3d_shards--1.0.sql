@@ -147,6 +147,26 @@ COMMENT ON FUNCTION algebra3d_shard_ready(text, integer[]) IS 'An error unless t
 
 ---- Writing ----
 
+-- What beginning to write into some tiles is here: each that the present transaction does not write yet gets a new generation.
+-- Its server, which is to get the same, and the generation.
+CREATE FUNCTION algebra3d_shard_claim(relation text, tiles integer[]) RETURNS TABLE (tile integer, server name, generation bigint)
+LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  one integer;
+BEGIN
+  FOR one IN SELECT DISTINCT t FROM unnest(tiles) t LOOP
+    IF NOT pg_catalog.pg_try_advisory_xact_lock_shared(pg_catalog.hashtext('algebra3d ' || $1), one) THEN
+      RAISE 'tile % of % is being moved', one, $1 USING ERRCODE = 'lock_not_available',
+        HINT = 'Try again when algebra3d_shard_move or algebra3d_shard_split has ended.';
+    END IF;
+  END LOOP;
+  -- In one order in all transactions, so that they do not wait for each other.
+  PERFORM FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = ANY ($2) ORDER BY t.tile FOR UPDATE;
+  RETURN QUERY UPDATE @extschema@.algebra3d_shard_tiles t SET generation = t.generation + 1, writer = pg_catalog.pg_current_xact_id()
+    WHERE t.relation = $1 AND t.tile = ANY ($2) AND t.writer IS DISTINCT FROM pg_catalog.pg_current_xact_id()
+    RETURNING t.tile, t.server, t.generation;
+END $$;
+
 -- Begins to write into some tiles, in the present transaction: each gets a new generation here and on its server, and rows
 -- that died in earlier ones go.
 CREATE FUNCTION algebra3d_shard_begin(relation text, tiles integer[]) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
@@ -160,16 +180,7 @@ BEGIN
     RETURN;
   END IF;
   known := @extschema@.algebra3d_shard_relation(relation);
-  FOR one IN SELECT DISTINCT t.tile FROM unnest(tiles) t(tile) LOOP
-    IF NOT pg_catalog.pg_try_advisory_xact_lock_shared(pg_catalog.hashtext('algebra3d ' || $1), one.tile) THEN
-      RAISE 'tile % of % is being moved', one.tile, $1 USING ERRCODE = 'lock_not_available', HINT = 'Try again when algebra3d_shard_move has ended.';
-    END IF;
-  END LOOP;
-  -- In one order in all transactions, so that they do not wait for each other.
-  PERFORM FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = ANY ($2) ORDER BY t.tile FOR UPDATE;
-  FOR one IN UPDATE @extschema@.algebra3d_shard_tiles t SET generation = t.generation + 1, writer = pg_catalog.pg_current_xact_id()
-             WHERE t.relation = $1 AND t.tile = ANY ($2) AND t.writer IS DISTINCT FROM pg_catalog.pg_current_xact_id()
-             RETURNING t.tile, t.server, t.generation LOOP
+  FOR one IN SELECT * FROM @extschema@.algebra3d_shard_claim($1, $2) LOOP
     EXECUTE format('UPDATE %s SET generation = $3 WHERE relation = $1 AND tile = $2 AND generation = $3 - 1',
                    @extschema@.algebra3d_shard_generations_of(one.server)) USING $1, one.tile, one.generation;
     GET DIAGNOSTICS touched = ROW_COUNT;
@@ -187,6 +198,32 @@ CREATE FUNCTION algebra3d_shard_tiles_of(box rect3, grid grid, reach float8) RET
 RETURN coalesce(tiles_of(box, grid, reach), ARRAY[0]);
 CREATE FUNCTION algebra3d_shard_home_of(box rect3, grid grid) RETURNS integer LANGUAGE SQL IMMUTABLE
 RETURN coalesce(tile_of(box, grid), 0);
+
+-- What `algebra3d push --shards` asks, which writes into the tiles over connections of its own: for each of some boxes a new number
+-- of a row, its tiles, and its home; and how a server is reached.
+CREATE FUNCTION algebra3d_shard_places(relation text, boxes rect3[]) RETURNS TABLE (row_id bigint, tiles integer[], home integer) LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+BEGIN
+  RETURN QUERY SELECT nextval(format('%I.%I', known.schema_name, known.name || '_row_id')::regclass),
+    algebra3d_shard_tiles_of(b.box, known.grid, known.reach), algebra3d_shard_home_of(b.box, known.grid)
+    FROM unnest(boxes) WITH ORDINALITY b(box, n) ORDER BY b.n;
+END $$;
+-- As a conninfo of libpq: the options that are not those of postgres_fdw itself.
+CREATE FUNCTION algebra3d_shard_conninfo(server name) RETURNS text LANGUAGE SQL STABLE
+SET search_path = pg_catalog, pg_temp AS $$
+  WITH options AS (
+    SELECT o.* FROM pg_foreign_server s, pg_options_to_table(s.srvoptions) o WHERE s.srvname = $1
+    UNION ALL
+    SELECT o.* FROM (SELECT u.umoptions FROM pg_user_mappings u WHERE u.srvname = $1 AND u.usename IN (current_user, 'public')
+                     ORDER BY u.usename = current_user DESC LIMIT 1) m, pg_options_to_table(m.umoptions) o)
+  SELECT string_agg(format('%s=''%s''', option_name, replace(replace(option_value, '\', '\\'), '''', '\''')), ' ') FROM (
+    SELECT * FROM options WHERE option_name NOT IN ('use_remote_estimate', 'fdw_startup_cost', 'fdw_tuple_cost', 'extensions', 'updatable', 'truncatable',
+      'fetch_size', 'batch_size', 'async_capable', 'parallel_commit', 'parallel_abort', 'analyze_sampling', 'keep_connections', 'password_required')
+    UNION ALL
+    SELECT 'user', current_user WHERE NOT EXISTS (SELECT FROM options WHERE option_name = 'user')) q
+$$;
 
 -- Before each statement that writes into a view: its number.
 CREATE FUNCTION algebra3d_shard_stamp() RETURNS trigger LANGUAGE plpgsql VOLATILE AS $$
