@@ -31,10 +31,11 @@ constexpr const char* kRepair =
 struct DividedRelation {
   std::string relation;  ///< qualified and quoted, as the extension names it
   std::string schema, name, geometry;
+};
 
-  std::string tile_sql(int tile) const {
-    return quoted_identifier(schema) + "." + quoted_identifier(fmt::format("{}_{}", name, tile));
-  }
+/// The foreign server of a tile, and its table there.
+struct TilePlace {
+  std::string server, table;
 };
 
 /// A number as COPY sends it.
@@ -97,6 +98,9 @@ class ShardedPush {
   Status run_lanes();
   Status commit(const Tiles& tiles);
   Status compare();
+  std::string tile_sql(int tile) const {
+    return quoted_identifier(target_.schema) + "." + quoted_identifier(places_.at(tile).table);
+  }
   std::string named(const std::string& name) const { return extension_.schema + ".algebra3d_shard_" + name; }
 
   const TransferOptions& options_;
@@ -116,7 +120,7 @@ class ShardedPush {
   ServerTable table_;  // the view
   MovedColumns columns_;
   std::map<std::string, std::unique_ptr<StatementLane>> lanes_;  // by the name of the foreign server
-  std::map<int, std::string> servers_;                           // of the tiles
+  std::map<int, TilePlace> places_;
   RowDigest at_start_;
   PushJournal::Entry committed_, begun_;
   std::uint64_t bytes_ = 0;
@@ -190,7 +194,7 @@ Status ShardedPush::connect_shards() {
   const ServerHost host{*pq_, host_.cancel, [this](const std::string& text) { report_.note(text); }};
   for (int row = 0; row < tiles.row_count(); ++row) {
     const std::string server = tiles.text(row, 1);
-    servers_[std::stoi(tiles.text(row, 0))] = server;
+    places_[std::stoi(tiles.text(row, 0))] = {server, tiles.text(row, 2)};
     if (lanes_.contains(server)) continue;
     A3D_ASSIGN(const ServerAnswer conninfo,
                coordinator_->query(fmt::format("SELECT {}($1)", named("conninfo")), {server}));
@@ -205,12 +209,12 @@ Status ShardedPush::connect_shards() {
 // Of the rows, not of their copies.
 Result<RowDigest> ShardedPush::digest() {
   RowDigest all;
-  for (const auto& [tile, server] : servers_) {
+  for (const auto& [tile, place] : places_) {
     ServerTable table;
     table.schema = target_.schema;
-    table.name = fmt::format("{}_{}", target_.name, tile);
+    table.name = place.table;
     A3D_ASSIGN(const RowDigest one,
-               columns_.digest_of(lanes_.at(server)->connection(), table, "home AND died IS NULL"));
+               columns_.digest_of(lanes_.at(place.server)->connection(), table, "home AND died IS NULL"));
     all = all + one;
   }
   return all;
@@ -245,13 +249,12 @@ Status ShardedPush::prepare(PushJournal& journal) {
 
 Status ShardedPush::delete_all() {
   std::string all;
-  for (const auto& each : servers_) all += fmt::format("{}{}", all.empty() ? "{" : ",", each.first);
+  for (const auto& each : places_) all += fmt::format("{}{}", all.empty() ? "{" : ",", each.first);
   A3D_ASSIGN(const Tiles tiles, claim(all + "}"));
   A3D_TRY(begin_tiles(tiles));
   for (const auto& [tile, writing] : tiles)
     A3D_TRY(lanes_.at(writing.server)
-                ->add({fmt::format("UPDATE {} SET died = {} WHERE died IS NULL", target_.tile_sql(tile),
-                                   writing.generation)}));
+                ->add({fmt::format("UPDATE {} SET died = {} WHERE died IS NULL", tile_sql(tile), writing.generation)}));
   return commit(tiles);
 }
 
@@ -284,7 +287,7 @@ Result<ShardedPush::Tiles> ShardedPush::claim(const std::string& tiles) {
     writing.server = claimed.text(row, 1);
     writing.generation = std::stoll(claimed.text(row, 2));
     writing.rows = copy_beginning();
-    if (servers_.at(tile) != writing.server)
+    if (places_.at(tile).server != writing.server)
       return Error{ErrorCode::database_busy, "tile {} of {} was moved to server {} meanwhile", tile, target_.relation,
                    writing.server};
   }
@@ -312,7 +315,7 @@ Status ShardedPush::begin_tiles(const Tiles& tiles) {
                       {},
                       1,
                       differs}));
-    A3D_TRY(lane.add({fmt::format("DELETE FROM {} WHERE died IS NOT NULL", target_.tile_sql(number))}));
+    A3D_TRY(lane.add({fmt::format("DELETE FROM {} WHERE died IS NOT NULL", tile_sql(number))}));
   }
   return {};
 }
@@ -408,7 +411,7 @@ Status ShardedPush::send_batch(const PushJournal& journal) {
     };
     A3D_TRY(lanes_.at(tile.server)
                 ->add({fmt::format("COPY {} ({}, row_id, tile, home, born, stamp) FROM STDIN (FORMAT binary)",
-                                   target_.tile_sql(tile_number), columns_.names_sql()),
+                                   tile_sql(tile_number), columns_.names_sql()),
                        std::move(tile.rows), tile.row_count, taken}));
   }
   A3D_TRY(commit(tiles));
@@ -420,7 +423,7 @@ Status ShardedPush::send_batch(const PushJournal& journal) {
 Status ShardedPush::compare() {
   report_.work_at("comparing checksums");
   // Without statistics a server does not know that sending its count is cheaper than sending its rows.
-  for (const auto& [tile, server] : servers_) A3D_TRY(lanes_.at(server)->add({"ANALYZE " + target_.tile_sql(tile)}));
+  for (const auto& [tile, server] : servers_) A3D_TRY(lanes_.at(server)->add({"ANALYZE " + tile_sql(tile)}));
   A3D_TRY(run_lanes());
   A3D_ASSIGN(const RowDigest at_end, digest());
   const RowDigest came = at_end - at_start_;
