@@ -112,14 +112,15 @@ CREATE FUNCTION algebra3d_shard_differences(relation text, tiles integer[]) RETU
 LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
   shard name;
+  its_tiles integer[];
 BEGIN
-  FOR shard IN SELECT DISTINCT t.server FROM @extschema@.algebra3d_shard_tiles t
-               WHERE t.relation = $1 AND ($2 IS NULL OR t.tile = ANY ($2)) ORDER BY 1 LOOP
+  FOR shard, its_tiles IN SELECT t.server, array_agg(t.tile) FROM @extschema@.algebra3d_shard_tiles t
+               WHERE t.relation = $1 AND ($2 IS NULL OR t.tile = ANY ($2)) GROUP BY 1 ORDER BY 1 LOOP
     RETURN QUERY EXECUTE format(
       'SELECT t.tile, t.generation, g.generation FROM @extschema@.algebra3d_shard_tiles t LEFT JOIN '
-      '(SELECT g.tile, g.generation FROM %s g WHERE g.relation = $1) g ON g.tile = t.tile '
-      'WHERE t.relation = $1 AND t.server = $3 AND ($2 IS NULL OR t.tile = ANY ($2)) AND g.generation IS DISTINCT FROM t.generation',
-      @extschema@.algebra3d_shard_generations_of(shard)) USING $1, $2, shard;
+      '(SELECT g.tile, g.generation FROM %s g WHERE g.relation = $1 AND g.tile = ANY ($2)) g ON g.tile = t.tile '
+      'WHERE t.relation = $1 AND t.tile = ANY ($2) AND g.generation IS DISTINCT FROM t.generation',
+      @extschema@.algebra3d_shard_generations_of(shard)) USING $1, its_tiles;
   END LOOP;
 END $$;
 
@@ -415,6 +416,20 @@ BEGIN
       columns, known.schema_name, known.name || '_' || tile, known.grid, known.geometry, k), ' UNION ALL ') FROM unnest(tiles) tile), known.geometry, k) USING place, box;
 END $$;
 
+-- How many values' boxes meet a box. Tiles are left out when a plan is made, so it is made for each box: above partitions that are
+-- aggregated each for itself, PostgreSQL leaves none out later.
+CREATE FUNCTION algebra3d_shard_count(relation text, box rect3) RETURNS bigint LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+  counted bigint;
+BEGIN
+  EXECUTE format('SELECT coalesce(sum(n), 0)::bigint FROM (SELECT tile, count(*) AS n FROM %1$I.%2$I WHERE tile = ANY ($2) AND died IS NULL AND %3$I && $1 '
+                 'AND is_pair_tile(tile, box, $1, %4$L::grid) AND tile > (SELECT algebra3d_shard_ready($3, $2)) GROUP BY tile) q',
+                 known.schema_name, known.name || '_tiles', known.geometry, known.grid) INTO counted USING box, tiles_of(box, known.grid), known.relation;
+  RETURN counted;
+END $$;
+
 -- The view and the functions of a relation, which know its tiles.
 CREATE FUNCTION algebra3d_shard_functions(known algebra3d_shard_relations) RETURNS void LANGUAGE plpgsql VOLATILE
 SET search_path = @extschema@, pg_temp AS $$
@@ -427,11 +442,10 @@ BEGIN
     'CREATE OR REPLACE FUNCTION %1$I.%7$I(box rect3) RETURNS SETOF %1$I.%2$I LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
     'SELECT %4$s, row_id FROM %1$I.%3$I WHERE tile = ANY (tiles_of($1, %5$L::grid)) AND died IS NULL AND %3$I.%6$I && $1 '
     'AND is_pair_tile(tile, %3$I.box, $1, %5$L::grid) AND tile > (SELECT algebra3d_shard_ready(%12$L, tiles_of($1, %5$L::grid))); END',
-    'CREATE OR REPLACE FUNCTION %1$I.%8$I(box rect3 DEFAULT NULL) RETURNS bigint LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
-    'SELECT coalesce(sum(n), 0)::bigint FROM (SELECT tile, count(*) AS n FROM %1$I.%3$I WHERE died IS NULL AND '
-    'CASE WHEN $1 IS NULL THEN home ELSE %3$I.%6$I && $1 AND is_pair_tile(tile, %3$I.box, $1, %5$L::grid) END '
-    'AND tile = ANY (CASE WHEN $1 IS NULL THEN %13$L::integer[] ELSE tiles_of($1, %5$L::grid) END) '
-    'AND tile > (SELECT algebra3d_shard_ready(%12$L, tiles_of($1, %5$L::grid))) GROUP BY tile) q; END',
+    'CREATE OR REPLACE FUNCTION %1$I.%8$I() RETURNS bigint LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
+    'SELECT coalesce(sum(n), 0)::bigint FROM (SELECT tile, count(*) AS n FROM %1$I.%3$I WHERE home AND died IS NULL '
+    'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END',
+    'CREATE OR REPLACE FUNCTION %1$I.%8$I(box rect3) RETURNS bigint LANGUAGE SQL VOLATILE BEGIN ATOMIC SELECT algebra3d_shard_count(%12$L, $1); END',
     'CREATE OR REPLACE FUNCTION %1$I.%9$I() RETURNS rect3 LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
     'SELECT extent(b) FROM (SELECT tile, extent(%3$I.box) AS b FROM %1$I.%3$I WHERE died IS NULL '
     'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END'] ||
@@ -443,13 +457,13 @@ BEGIN
     'SELECT union_agg(u) FROM (SELECT tile, union_agg(%6$I) AS u FROM %1$I.%3$I WHERE died IS NULL '
     'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END'] ELSE '{}' END ||
     ARRAY[
-    'CREATE OR REPLACE FUNCTION %1$I.%14$I(place point3d, k integer) RETURNS SETOF %1$I.%2$I LANGUAGE SQL VOLATILE BEGIN ATOMIC '
+    'CREATE OR REPLACE FUNCTION %1$I.%13$I(place point3d, k integer) RETURNS SETOF %1$I.%2$I LANGUAGE SQL VOLATILE BEGIN ATOMIC '
     'SELECT n.* FROM algebra3d_shard_near(NULL::%1$I.%2$I, %12$L, $1, $2) n; END']
   LOOP
     EXECUTE format(statement, known.schema_name, known.name, known.name || '_tiles',
       (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c), known.grid, known.geometry,
       known.name || '_window', known.name || '_count', known.name || '_extent', known.name || '_volume', known.name || '_union',
-      known.relation, (SELECT array_agg(i) FROM generate_series(0, tile_count(known.grid) - 1) i), known.name || '_near');
+      known.relation, known.name || '_near');
   END LOOP;
   EXECUTE format('CREATE OR REPLACE TRIGGER stamp BEFORE INSERT OR UPDATE OR DELETE ON %I.%I FOR EACH STATEMENT EXECUTE FUNCTION algebra3d_shard_stamp(%L)',
     known.schema_name, known.name, format('%I.%I', known.schema_name, known.name || '_row_id'));

@@ -170,7 +170,8 @@ Status ShardedPush::find_relation() {
              coordinator_->query(
                  fmt::format("SELECT relation, schema_name, name, geometry FROM {}($1)", named("relation")), {name}));
   target_ = {known.text(0, 0), known.text(0, 1), known.text(0, 2), known.text(0, 3)};
-  A3D_ASSIGN(table_, find_table(*coordinator_, target_.relation));
+  A3D_ASSIGN(table_,
+             find_table(*coordinator_, quoted_identifier(target_.schema) + "." + quoted_identifier(target_.name)));
   return {};
 }
 
@@ -189,7 +190,9 @@ Status ShardedPush::find_columns() {
 Status ShardedPush::connect_shards() {
   A3D_ASSIGN(const ServerAnswer tiles,
              coordinator_->query(
-                 fmt::format("SELECT t.tile, t.server FROM {} t WHERE t.relation = $1 ORDER BY t.tile", named("tiles")),
+                 fmt::format("SELECT t.tile, t.server, {}(r, t.tile) FROM {} t JOIN {} r USING (relation) WHERE "
+                             "t.relation = $1 ORDER BY t.tile",
+                             named("tile_name"), named("tiles"), named("relations")),
                  {target_.relation}));
   const ServerHost host{*pq_, host_.cancel, [this](const std::string& text) { report_.note(text); }};
   for (int row = 0; row < tiles.row_count(); ++row) {
@@ -423,7 +426,7 @@ Status ShardedPush::send_batch(const PushJournal& journal) {
 Status ShardedPush::compare() {
   report_.work_at("comparing checksums");
   // Without statistics a server does not know that sending its count is cheaper than sending its rows.
-  for (const auto& [tile, server] : servers_) A3D_TRY(lanes_.at(server)->add({"ANALYZE " + tile_sql(tile)}));
+  for (const auto& [tile, place] : places_) A3D_TRY(lanes_.at(place.server)->add({"ANALYZE " + tile_sql(tile)}));
   A3D_TRY(run_lanes());
   A3D_ASSIGN(const RowDigest at_end, digest());
   const RowDigest came = at_end - at_start_;
