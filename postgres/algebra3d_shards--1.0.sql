@@ -43,7 +43,7 @@ COMMENT ON FUNCTION is_pair_tile(integer, rect3, rect3, grid, float8) IS 'Whethe
 ---- What is known ----
 
 CREATE TABLE algebra3d_shard_relations (
-  relation text PRIMARY KEY,      -- qualified and quoted, as in SQL
+  relation text PRIMARY KEY,      -- qualified and quoted, as in SQL; after that, (N) if it was divided anew N times
   schema_name name NOT NULL,
   name name NOT NULL,
   geometry name NOT NULL,         -- the column in space, and its type
@@ -85,8 +85,13 @@ CREATE FUNCTION algebra3d_shard_relation(relation text) RETURNS algebra3d_shard_
 SET search_path = @extschema@, pg_temp AS $$
 DECLARE
   known algebra3d_shard_relations;
-  wanted name[] := parse_ident(relation);
+  wanted name[];
 BEGIN
+  SELECT r.* INTO known FROM algebra3d_shard_relations r WHERE r.relation = $1;
+  IF FOUND THEN
+    RETURN known;
+  END IF;
+  wanted := parse_ident(relation);
   SELECT r.* INTO known FROM algebra3d_shard_relations r
     WHERE r.name = wanted[cardinality(wanted)] AND (cardinality(wanted) = 1 OR r.schema_name = wanted[1]);
   IF NOT FOUND THEN
@@ -107,14 +112,15 @@ CREATE FUNCTION algebra3d_shard_differences(relation text, tiles integer[]) RETU
 LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
   shard name;
+  its_tiles integer[];
 BEGIN
-  FOR shard IN SELECT DISTINCT t.server FROM @extschema@.algebra3d_shard_tiles t
-               WHERE t.relation = $1 AND ($2 IS NULL OR t.tile = ANY ($2)) ORDER BY 1 LOOP
+  FOR shard, its_tiles IN SELECT t.server, array_agg(t.tile) FROM @extschema@.algebra3d_shard_tiles t
+               WHERE t.relation = $1 AND ($2 IS NULL OR t.tile = ANY ($2)) GROUP BY 1 ORDER BY 1 LOOP
     RETURN QUERY EXECUTE format(
       'SELECT t.tile, t.generation, g.generation FROM @extschema@.algebra3d_shard_tiles t LEFT JOIN '
-      '(SELECT g.tile, g.generation FROM %s g WHERE g.relation = $1) g ON g.tile = t.tile '
-      'WHERE t.relation = $1 AND t.server = $3 AND ($2 IS NULL OR t.tile = ANY ($2)) AND g.generation IS DISTINCT FROM t.generation',
-      @extschema@.algebra3d_shard_generations_of(shard)) USING $1, $2, shard;
+      '(SELECT g.tile, g.generation FROM %s g WHERE g.relation = $1 AND g.tile = ANY ($2)) g ON g.tile = t.tile '
+      'WHERE t.relation = $1 AND t.tile = ANY ($2) AND g.generation IS DISTINCT FROM t.generation',
+      @extschema@.algebra3d_shard_generations_of(shard)) USING $1, its_tiles;
   END LOOP;
 END $$;
 
@@ -147,6 +153,26 @@ COMMENT ON FUNCTION algebra3d_shard_ready(text, integer[]) IS 'An error unless t
 
 ---- Writing ----
 
+-- What beginning to write into some tiles is here: each that the present transaction does not write yet gets a new generation.
+-- Its server, which is to get the same, and the generation.
+CREATE FUNCTION algebra3d_shard_claim(relation text, tiles integer[]) RETURNS TABLE (tile integer, server name, generation bigint)
+LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  one integer;
+BEGIN
+  FOR one IN SELECT DISTINCT t FROM unnest(tiles) t LOOP
+    IF NOT pg_catalog.pg_try_advisory_xact_lock_shared(pg_catalog.hashtext('algebra3d ' || $1), one) THEN
+      RAISE 'tile % of % is being moved', one, $1 USING ERRCODE = 'lock_not_available',
+        HINT = 'Try again when algebra3d_shard_move or algebra3d_shard_split has ended.';
+    END IF;
+  END LOOP;
+  -- In one order in all transactions, so that they do not wait for each other.
+  PERFORM FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = ANY ($2) ORDER BY t.tile FOR UPDATE;
+  RETURN QUERY UPDATE @extschema@.algebra3d_shard_tiles t SET generation = t.generation + 1, writer = pg_catalog.pg_current_xact_id()
+    WHERE t.relation = $1 AND t.tile = ANY ($2) AND t.writer IS DISTINCT FROM pg_catalog.pg_current_xact_id()
+    RETURNING t.tile, t.server, t.generation;
+END $$;
+
 -- Begins to write into some tiles, in the present transaction: each gets a new generation here and on its server, and rows
 -- that died in earlier ones go.
 CREATE FUNCTION algebra3d_shard_begin(relation text, tiles integer[]) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
@@ -160,16 +186,7 @@ BEGIN
     RETURN;
   END IF;
   known := @extschema@.algebra3d_shard_relation(relation);
-  FOR one IN SELECT DISTINCT t.tile FROM unnest(tiles) t(tile) LOOP
-    IF NOT pg_catalog.pg_try_advisory_xact_lock_shared(pg_catalog.hashtext('algebra3d ' || $1), one.tile) THEN
-      RAISE 'tile % of % is being moved', one.tile, $1 USING ERRCODE = 'lock_not_available', HINT = 'Try again when algebra3d_shard_move has ended.';
-    END IF;
-  END LOOP;
-  -- In one order in all transactions, so that they do not wait for each other.
-  PERFORM FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = ANY ($2) ORDER BY t.tile FOR UPDATE;
-  FOR one IN UPDATE @extschema@.algebra3d_shard_tiles t SET generation = t.generation + 1, writer = pg_catalog.pg_current_xact_id()
-             WHERE t.relation = $1 AND t.tile = ANY ($2) AND t.writer IS DISTINCT FROM pg_catalog.pg_current_xact_id()
-             RETURNING t.tile, t.server, t.generation LOOP
+  FOR one IN SELECT * FROM @extschema@.algebra3d_shard_claim($1, $2) LOOP
     EXECUTE format('UPDATE %s SET generation = $3 WHERE relation = $1 AND tile = $2 AND generation = $3 - 1',
                    @extschema@.algebra3d_shard_generations_of(one.server)) USING $1, one.tile, one.generation;
     GET DIAGNOSTICS touched = ROW_COUNT;
@@ -187,6 +204,32 @@ CREATE FUNCTION algebra3d_shard_tiles_of(box rect3, grid grid, reach float8) RET
 RETURN coalesce(tiles_of(box, grid, reach), ARRAY[0]);
 CREATE FUNCTION algebra3d_shard_home_of(box rect3, grid grid) RETURNS integer LANGUAGE SQL IMMUTABLE
 RETURN coalesce(tile_of(box, grid), 0);
+
+-- What `algebra3d push --shards` asks, which writes into the tiles over connections of its own: for each of some boxes a new number
+-- of a row, its tiles, and its home; and how a server is reached.
+CREATE FUNCTION algebra3d_shard_places(relation text, boxes rect3[]) RETURNS TABLE (row_id bigint, tiles integer[], home integer) LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+BEGIN
+  RETURN QUERY SELECT nextval(format('%I.%I', known.schema_name, known.name || '_row_id')::regclass),
+    algebra3d_shard_tiles_of(b.box, known.grid, known.reach), algebra3d_shard_home_of(b.box, known.grid)
+    FROM unnest(boxes) WITH ORDINALITY b(box, n) ORDER BY b.n;
+END $$;
+-- As a conninfo of libpq: the options that are not those of postgres_fdw itself.
+CREATE FUNCTION algebra3d_shard_conninfo(server name) RETURNS text LANGUAGE SQL STABLE
+SET search_path = pg_catalog, pg_temp AS $$
+  WITH options AS (
+    SELECT o.* FROM pg_foreign_server s, pg_options_to_table(s.srvoptions) o WHERE s.srvname = $1
+    UNION ALL
+    SELECT o.* FROM (SELECT u.umoptions FROM pg_user_mappings u WHERE u.srvname = $1 AND u.usename IN (current_user, 'public')
+                     ORDER BY u.usename = current_user DESC LIMIT 1) m, pg_options_to_table(m.umoptions) o)
+  SELECT string_agg(format('%s=''%s''', option_name, replace(replace(option_value, '\', '\\'), '''', '\''')), ' ') FROM (
+    SELECT * FROM options WHERE option_name NOT IN ('use_remote_estimate', 'fdw_startup_cost', 'fdw_tuple_cost', 'extensions', 'updatable', 'truncatable',
+      'fetch_size', 'batch_size', 'async_capable', 'parallel_commit', 'parallel_abort', 'analyze_sampling', 'keep_connections', 'password_required')
+    UNION ALL
+    SELECT 'user', current_user WHERE NOT EXISTS (SELECT FROM options WHERE option_name = 'user')) q
+$$;
 
 -- Before each statement that writes into a view: its number.
 CREATE FUNCTION algebra3d_shard_stamp() RETURNS trigger LANGUAGE plpgsql VOLATILE AS $$
@@ -262,7 +305,7 @@ BEGIN
     columns, source, known.geometry, known.schema_name, known.name || '_tiles', format('%I.%I', known.schema_name, known.name || '_row_id'))
     INTO loaded USING known.grid, known.reach, known.relation, nextval(format('%I.%I', known.schema_name, known.name || '_row_id')::regclass);
   -- Without statistics a server does not know that sending its count is cheaper than sending its rows.
-  PERFORM algebra3d_shard_execute(t.server, format('ANALYZE %I.%I', known.schema_name, known.name || '_' || t.tile))
+  PERFORM algebra3d_shard_execute(t.server, format('ANALYZE %I.%I', known.schema_name, algebra3d_shard_tile_name(known, t.tile)))
     FROM algebra3d_shard_tiles t WHERE t.relation = known.relation ORDER BY t.tile;
   RETURN loaded;
 END $$;
@@ -332,13 +375,18 @@ CREATE FUNCTION algebra3d_shard_added_columns(geometry name, type text) RETURNS 
   CASE WHEN type = 'volume3d' THEN format(', volume float8 GENERATED ALWAYS AS (@extschema@.volume(%I)) STORED', geometry) ELSE '' END ||
   CASE WHEN type IN ('volume3d', 'surface3d') THEN format(', area float8 GENERATED ALWAYS AS (@extschema@.area(%I)) STORED', geometry) ELSE '' END;
 
+-- The table of a tile on its server. Those of each division have names of their own, since the old ones count until a new
+-- division is committed here.
+CREATE FUNCTION algebra3d_shard_tile_name(known algebra3d_shard_relations, tile integer) RETURNS text LANGUAGE SQL IMMUTABLE
+RETURN known.name || coalesce('_v' || substring(known.relation from ' \((\d+)\)$'), '') || '_' || tile;
+
 -- What makes a tile on its server.
 CREATE FUNCTION algebra3d_shard_tile_script(known algebra3d_shard_relations, tile integer, definitions text) RETURNS text LANGUAGE SQL STABLE
 RETURN pg_catalog.format('CREATE SCHEMA IF NOT EXISTS %1$I; DROP TABLE IF EXISTS %1$I.%2$I; '
   'CREATE TABLE %1$I.%2$I (%4$s, CHECK (tile = %3$s), PRIMARY KEY (row_id, stamp)); CREATE INDEX ON %1$I.%2$I USING gist (%5$I); '
   'DELETE FROM @extschema@.algebra3d_shard_generations WHERE relation = %6$L AND tile = %3$s; '
   'INSERT INTO @extschema@.algebra3d_shard_generations VALUES (%6$L, %3$s, 0)',
-  known.schema_name, known.name || '_' || tile, tile, definitions, known.geometry, known.relation);
+  known.schema_name, @extschema@.algebra3d_shard_tile_name(known, tile), tile, definitions, known.geometry, known.relation);
 
 -- The k nearest rows of a relation, whose row type the first argument has: of its own tile to bound the distance, then of
 -- each tile within that the k nearest. Foreign tables are named themselves: LIMIT is not sent for the one part of another.
@@ -368,21 +416,36 @@ BEGIN
       columns, known.schema_name, known.name || '_' || tile, known.grid, known.geometry, k), ' UNION ALL ') FROM unnest(tiles) tile), known.geometry, k) USING place, box;
 END $$;
 
--- Functions of a relation that know its tiles.
+-- How many values' boxes meet a box. Tiles are left out when a plan is made, so it is made for each box: above partitions that are
+-- aggregated each for itself, PostgreSQL leaves none out later.
+CREATE FUNCTION algebra3d_shard_count(relation text, box rect3) RETURNS bigint LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+  counted bigint;
+BEGIN
+  EXECUTE format('SELECT coalesce(sum(n), 0)::bigint FROM (SELECT tile, count(*) AS n FROM %1$I.%2$I WHERE tile = ANY ($2) AND died IS NULL AND %3$I && $1 '
+                 'AND is_pair_tile(tile, box, $1, %4$L::grid) AND tile > (SELECT algebra3d_shard_ready($3, $2)) GROUP BY tile) q',
+                 known.schema_name, known.name || '_tiles', known.geometry, known.grid) INTO counted USING box, tiles_of(box, known.grid), known.relation;
+  RETURN counted;
+END $$;
+
+-- The view and the functions of a relation, which know its tiles.
 CREATE FUNCTION algebra3d_shard_functions(known algebra3d_shard_relations) RETURNS void LANGUAGE plpgsql VOLATILE
 SET search_path = @extschema@, pg_temp AS $$
 DECLARE
   statement text;
 BEGIN
   FOREACH statement IN ARRAY ARRAY[
+    'CREATE OR REPLACE VIEW %1$I.%2$I WITH (security_invoker = true) AS SELECT %4$s, row_id FROM %1$I.%3$I '
+    'WHERE home AND died IS NULL AND tile > (SELECT algebra3d_shard_ready(%12$L))',
     'CREATE OR REPLACE FUNCTION %1$I.%7$I(box rect3) RETURNS SETOF %1$I.%2$I LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
     'SELECT %4$s, row_id FROM %1$I.%3$I WHERE tile = ANY (tiles_of($1, %5$L::grid)) AND died IS NULL AND %3$I.%6$I && $1 '
     'AND is_pair_tile(tile, %3$I.box, $1, %5$L::grid) AND tile > (SELECT algebra3d_shard_ready(%12$L, tiles_of($1, %5$L::grid))); END',
-    'CREATE OR REPLACE FUNCTION %1$I.%8$I(box rect3 DEFAULT NULL) RETURNS bigint LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
-    'SELECT coalesce(sum(n), 0)::bigint FROM (SELECT tile, count(*) AS n FROM %1$I.%3$I WHERE died IS NULL AND '
-    'CASE WHEN $1 IS NULL THEN home ELSE %3$I.%6$I && $1 AND is_pair_tile(tile, %3$I.box, $1, %5$L::grid) END '
-    'AND tile = ANY (CASE WHEN $1 IS NULL THEN %13$L::integer[] ELSE tiles_of($1, %5$L::grid) END) '
-    'AND tile > (SELECT algebra3d_shard_ready(%12$L, tiles_of($1, %5$L::grid))) GROUP BY tile) q; END',
+    'CREATE OR REPLACE FUNCTION %1$I.%8$I() RETURNS bigint LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
+    'SELECT coalesce(sum(n), 0)::bigint FROM (SELECT tile, count(*) AS n FROM %1$I.%3$I WHERE home AND died IS NULL '
+    'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END',
+    'CREATE OR REPLACE FUNCTION %1$I.%8$I(box rect3) RETURNS bigint LANGUAGE SQL VOLATILE BEGIN ATOMIC SELECT algebra3d_shard_count(%12$L, $1); END',
     'CREATE OR REPLACE FUNCTION %1$I.%9$I() RETURNS rect3 LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
     'SELECT extent(b) FROM (SELECT tile, extent(%3$I.box) AS b FROM %1$I.%3$I WHERE died IS NULL '
     'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END'] ||
@@ -394,13 +457,47 @@ BEGIN
     'SELECT union_agg(u) FROM (SELECT tile, union_agg(%6$I) AS u FROM %1$I.%3$I WHERE died IS NULL '
     'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END'] ELSE '{}' END ||
     ARRAY[
-    'CREATE OR REPLACE FUNCTION %1$I.%14$I(place point3d, k integer) RETURNS SETOF %1$I.%2$I LANGUAGE SQL VOLATILE BEGIN ATOMIC '
+    'CREATE OR REPLACE FUNCTION %1$I.%13$I(place point3d, k integer) RETURNS SETOF %1$I.%2$I LANGUAGE SQL VOLATILE BEGIN ATOMIC '
     'SELECT n.* FROM algebra3d_shard_near(NULL::%1$I.%2$I, %12$L, $1, $2) n; END']
   LOOP
     EXECUTE format(statement, known.schema_name, known.name, known.name || '_tiles',
       (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c), known.grid, known.geometry,
       known.name || '_window', known.name || '_count', known.name || '_extent', known.name || '_volume', known.name || '_union',
-      known.relation, (SELECT array_agg(i) FROM generate_series(0, tile_count(known.grid) - 1) i), known.name || '_near');
+      known.relation, known.name || '_near');
+  END LOOP;
+  EXECUTE format('CREATE OR REPLACE TRIGGER stamp BEFORE INSERT OR UPDATE OR DELETE ON %I.%I FOR EACH STATEMENT EXECUTE FUNCTION algebra3d_shard_stamp(%L)',
+    known.schema_name, known.name, format('%I.%I', known.schema_name, known.name || '_row_id'));
+  EXECUTE format('CREATE OR REPLACE TRIGGER write INSTEAD OF INSERT OR UPDATE OR DELETE ON %I.%I FOR EACH ROW EXECUTE FUNCTION algebra3d_shard_write(%L)',
+    known.schema_name, known.name, known.relation);
+END $$;
+
+-- Makes the tiles of a relation, here and on their servers: PREFIX_tiles, and PREFIX_0 ... as its partitions. `bytes`: of a value.
+CREATE FUNCTION algebra3d_shard_make(known algebra3d_shard_relations, servers text[], definitions text, bytes float8, prefix text) RETURNS void
+LANGUAGE plpgsql VOLATILE SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  -- Some 8 MB of rows at a time.
+  rows integer := greatest(10, least(10000, 8e6 / greatest(coalesce(bytes, 4000), 100)))::integer;
+  shard text;
+BEGIN
+  IF cardinality(servers) IS NULL OR cardinality(servers) = 0 OR array_position(servers, NULL) IS NOT NULL THEN
+    RAISE 'no servers, expected at least one' USING ERRCODE = 'invalid_parameter_value';
+  END IF;
+  INSERT INTO algebra3d_shard_relations VALUES (known.*);
+  INSERT INTO algebra3d_shard_tiles (relation, tile, server)
+    SELECT known.relation, i, servers[i % cardinality(servers) + 1] FROM generate_series(0, tile_count(known.grid) - 1) i;
+  -- Tiles of one number lie on one server in all relations of a grid: what was decided for the first one holds.
+  UPDATE algebra3d_shard_tiles t SET server = o.server FROM algebra3d_shard_tiles o JOIN algebra3d_shard_relations r ON r.relation = o.relation
+    WHERE t.relation = known.relation AND (r.schema_name, r.name) <> (known.schema_name, known.name) AND r.grid::text = known.grid::text AND o.tile = t.tile;
+  EXECUTE format('CREATE TABLE %I.%I (%s) PARTITION BY LIST (tile)', known.schema_name, prefix || '_tiles', definitions);
+  FOR shard IN SELECT DISTINCT server FROM algebra3d_shard_tiles t WHERE t.relation = known.relation ORDER BY 1 LOOP
+    PERFORM algebra3d_shard_server(shard);
+  END LOOP;
+  FOR i IN 0 .. tile_count(known.grid) - 1 LOOP
+    SELECT t.server INTO shard FROM algebra3d_shard_tiles t WHERE t.relation = known.relation AND t.tile = i;
+    PERFORM algebra3d_shard_execute(shard, algebra3d_shard_tile_script(known, i, definitions));
+    EXECUTE format('CREATE FOREIGN TABLE %1$I.%2$I PARTITION OF %1$I.%3$I FOR VALUES IN (%4$s) SERVER %5$I '
+                   'OPTIONS (schema_name %1$L, table_name %7$L, fetch_size ''%6$s'', batch_size ''%6$s'')',
+                   known.schema_name, prefix || '_' || i, prefix || '_tiles', i, shard, rows, algebra3d_shard_tile_name(known, i));
   END LOOP;
 END $$;
 
@@ -412,9 +509,7 @@ DECLARE
   definitions text;
   bytes float8;
   loaded bigint;
-  rows integer;
   taken name;
-  shard text;
 BEGIN
   SELECT c.oid::regclass, n.nspname, c.relname INTO source, known.schema_name, known.name
     FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace WHERE c.oid = to_regclass(
@@ -424,9 +519,6 @@ BEGIN
       AND c.relkind = 'r';
   IF source IS NULL THEN
     RAISE 'no table %, whose columns and rows the tiles are to have', relation USING ERRCODE = 'undefined_table';
-  END IF;
-  IF cardinality(servers) IS NULL OR cardinality(servers) = 0 OR array_position(servers, NULL) IS NOT NULL THEN
-    RAISE 'no servers, expected at least one' USING ERRCODE = 'invalid_parameter_value';
   END IF;
   IF NOT (reach >= 0 AND reach < 'infinity') THEN
     RAISE 'a reach of %, expected a distance from 0', reach USING ERRCODE = 'invalid_parameter_value';
@@ -445,36 +537,11 @@ BEGIN
     RAISE 'column % of % has a name that tiles need', taken, known.relation USING ERRCODE = 'duplicate_column',
       HINT = 'row_id, tile, home, born, died, stamp, box, size, volume and area are added to each tile.';
   END IF;
-  INSERT INTO algebra3d_shard_relations VALUES (known.*);
-  INSERT INTO algebra3d_shard_tiles (relation, tile, server)
-    SELECT known.relation, i, servers[i % cardinality(servers) + 1] FROM generate_series(0, tile_count(grid) - 1) i;
-  -- Tiles of one number lie on one server in all relations of a grid: what was decided for the first one holds.
-  UPDATE algebra3d_shard_tiles t SET server = o.server FROM algebra3d_shard_tiles o JOIN algebra3d_shard_relations r ON r.relation = o.relation
-    WHERE t.relation = known.relation AND o.relation <> known.relation AND r.grid::text = known.grid::text AND o.tile = t.tile;
-
   EXECUTE format('ALTER TABLE %s RENAME TO %I', source, known.name || '_local');
   EXECUTE format('CREATE SEQUENCE %I.%I', known.schema_name, known.name || '_row_id');
   definitions := definitions || ', ' || algebra3d_shard_added_columns(known.geometry, known.geometry_type);
-  EXECUTE format('CREATE TABLE %I.%I (%s) PARTITION BY LIST (tile)', known.schema_name, known.name || '_tiles', definitions);
   EXECUTE format('SELECT avg(pg_column_size(%I)) FROM (SELECT %1$I FROM %s LIMIT 1000) q', known.geometry, source) INTO bytes;
-  -- Some 8 MB of rows at a time.
-  rows := greatest(10, least(10000, 8e6 / greatest(coalesce(bytes, 4000), 100)))::integer;
-  FOR shard IN SELECT DISTINCT server FROM algebra3d_shard_tiles t WHERE t.relation = known.relation ORDER BY 1 LOOP
-    PERFORM algebra3d_shard_server(shard);
-  END LOOP;
-  FOR i IN 0 .. tile_count(grid) - 1 LOOP
-    SELECT t.server INTO shard FROM algebra3d_shard_tiles t WHERE t.relation = known.relation AND t.tile = i;
-    PERFORM algebra3d_shard_execute(shard, algebra3d_shard_tile_script(known, i, definitions));
-    EXECUTE format('CREATE FOREIGN TABLE %1$I.%2$I PARTITION OF %1$I.%3$I FOR VALUES IN (%4$s) SERVER %5$I '
-                   'OPTIONS (schema_name %1$L, table_name %2$L, fetch_size ''%6$s'', batch_size ''%6$s'')',
-                   known.schema_name, known.name || '_' || i, known.name || '_tiles', i, shard, rows);
-  END LOOP;
-  EXECUTE format('CREATE VIEW %1$I.%2$I WITH (security_invoker = true) AS SELECT %3$s, row_id FROM %1$I.%4$I WHERE home AND died IS NULL AND tile > (SELECT algebra3d_shard_ready(%5$L))',
-    known.schema_name, known.name, (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c), known.name || '_tiles', known.relation);
-  EXECUTE format('CREATE TRIGGER stamp BEFORE INSERT OR UPDATE OR DELETE ON %I.%I FOR EACH STATEMENT EXECUTE FUNCTION algebra3d_shard_stamp(%L)',
-    known.schema_name, known.name, format('%I.%I', known.schema_name, known.name || '_row_id'));
-  EXECUTE format('CREATE TRIGGER write INSTEAD OF INSERT OR UPDATE OR DELETE ON %I.%I FOR EACH ROW EXECUTE FUNCTION algebra3d_shard_write(%L)',
-    known.schema_name, known.name, known.relation);
+  PERFORM algebra3d_shard_make(known, servers, definitions, bytes, known.name);
   PERFORM algebra3d_shard_functions(known);
   EXECUTE format('ALTER DATABASE %I SET enable_partitionwise_join = on', current_database());
   EXECUTE format('ALTER DATABASE %I SET enable_partitionwise_aggregate = on', current_database());
@@ -587,6 +654,22 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION algebra3d_shard_repair() IS 'Takes back on each server what a transaction wrote that was not committed here, and says of which tiles.';
 
+-- Locks a table against all others, who wait for the lock as long as those do who read now: so not for long.
+CREATE FUNCTION algebra3d_shard_lock(parent text) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+BEGIN
+  FOR attempt IN 1 .. 100 LOOP
+    BEGIN
+      PERFORM pg_catalog.set_config('lock_timeout', '500ms', true);
+      EXECUTE format('LOCK TABLE %s IN ACCESS EXCLUSIVE MODE', parent);
+      PERFORM pg_catalog.set_config('lock_timeout', '0', true);
+      RETURN;
+    EXCEPTION WHEN lock_not_available THEN
+      PERFORM pg_catalog.pg_sleep(0.5);
+    END;
+  END LOOP;
+  RAISE 'the tiles of % were not exchanged: others read all the time', parent USING ERRCODE = 'lock_not_available';
+END $$;
+
 -- Moves a tile to another server: its rows are copied while others read, then the partition is exchanged.
 CREATE PROCEDURE algebra3d_shard_move(relation text, tile integer, server name) LANGUAGE plpgsql AS $$
 DECLARE
@@ -617,29 +700,79 @@ BEGIN
   EXECUTE format('UPDATE %s SET generation = (SELECT t.generation FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = $2) '
                  'WHERE relation = $1 AND tile = $2', @extschema@.algebra3d_shard_generations_of(server)) USING known.relation, tile;
   UPDATE @extschema@.algebra3d_shard_tiles t SET server = $3 WHERE t.relation = known.relation AND t.tile = $2;
-  -- Others wait for this lock as long as those do who read now: so not for long.
-  FOR attempt IN 1 .. 100 LOOP
-    BEGIN
-      PERFORM pg_catalog.set_config('lock_timeout', '500ms', true);
-      EXECUTE format('LOCK TABLE %s IN ACCESS EXCLUSIVE MODE', parent);
-      EXIT;
-    EXCEPTION WHEN lock_not_available THEN
-      IF attempt = 100 THEN
-        RAISE 'tile % of % was not moved: others read all the time', tile, known.relation USING ERRCODE = 'lock_not_available';
-      END IF;
-      PERFORM pg_catalog.pg_sleep(0.5);
-    END;
-  END LOOP;
+  PERFORM @extschema@.algebra3d_shard_lock(parent);
   EXECUTE format('DROP FOREIGN TABLE %I.%I', known.schema_name, foreign_name);
   EXECUTE format('ALTER FOREIGN TABLE %I.%I RENAME TO %I', known.schema_name, foreign_name || '_moving', foreign_name);
   EXECUTE format('ALTER TABLE %s ATTACH PARTITION %I.%I FOR VALUES IN (%s)', parent, known.schema_name, foreign_name, tile);
   COMMIT;
   -- Not before: until then the old tile is the one that counts.
-  PERFORM @extschema@.algebra3d_shard_execute(before, format('DROP TABLE %I.%I', known.schema_name, foreign_name));
+  PERFORM @extschema@.algebra3d_shard_execute(before, format('DROP TABLE %I.%I', known.schema_name, @extschema@.algebra3d_shard_tile_name(known, tile)));
   PERFORM @extschema@.algebra3d_shard_execute(before, format(
     'DELETE FROM @extschema@.algebra3d_shard_generations WHERE relation = %L AND tile = %s', known.relation, tile));
 END $$;
 COMMENT ON PROCEDURE algebra3d_shard_move(text, integer, name) IS 'Moves a tile to another server; who writes into it meanwhile gets an error, who reads waits a moment at most.';
+
+-- Divides a relation anew, by another grid and over other servers: rows are copied while others read, then all tiles are exchanged at once.
+CREATE PROCEDURE algebra3d_shard_split(relation text, grid @extschema@.grid, servers text[]) LANGUAGE plpgsql AS $$
+DECLARE
+  known @extschema@.algebra3d_shard_relations := @extschema@.algebra3d_shard_relation(relation);
+  new_one @extschema@.algebra3d_shard_relations := known;
+  parent text := format('%I.%I', known.schema_name, known.name || '_tiles');
+  view_name text := format('%I.%I', known.schema_name, known.name);
+  prefix text := known.name || '_anew';
+  columns text := (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c);
+  definitions text;
+  old_servers name[];
+  old_tiles integer[];
+  roles text[];
+  writers boolean[];
+  bytes float8;
+BEGIN
+  new_one.grid := grid;
+  new_one.relation := format('%s (%s)', view_name, coalesce(substring(known.relation from ' \((\d+)\)$')::integer, 0) + 1);
+  -- Who writes is told so, as by algebra3d_shard_move.
+  PERFORM pg_catalog.pg_advisory_xact_lock(pg_catalog.hashtext('algebra3d ' || known.relation), t.tile)
+    FROM (SELECT t.tile FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation ORDER BY t.tile) t;
+  PERFORM @extschema@.algebra3d_shard_ready(known.relation);
+  SELECT string_agg(c.definition, ', ') || ', ' || @extschema@.algebra3d_shard_added_columns(known.geometry, known.geometry_type) INTO definitions
+    FROM @extschema@.algebra3d_shard_columns(parent::regclass) c WHERE c.name = ANY (known.columns);
+  EXECUTE format('SELECT avg(pg_column_size(%I)) FROM (SELECT %1$I FROM %s LIMIT 1000) q', known.geometry, parent) INTO bytes;
+  PERFORM @extschema@.algebra3d_shard_make(new_one, servers, definitions, bytes, prefix);
+  EXECUTE format(
+    'INSERT INTO %1$I.%2$I (%3$s, row_id, tile, home, born, stamp) SELECT %3$s, row_id, n.tile, n.tile = @extschema@.algebra3d_shard_home_of(box, $1), 0, stamp '
+    'FROM %4$s, unnest(@extschema@.algebra3d_shard_tiles_of(box, $1, $2)) AS n(tile) WHERE home AND died IS NULL',
+    known.schema_name, prefix || '_tiles', columns, parent) USING new_one.grid, new_one.reach;
+  PERFORM @extschema@.algebra3d_shard_execute(t.server, format('ANALYZE %I.%I', new_one.schema_name, @extschema@.algebra3d_shard_tile_name(new_one, t.tile)))
+    FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = new_one.relation ORDER BY t.tile;
+
+  PERFORM @extschema@.algebra3d_shard_lock(view_name);
+  PERFORM @extschema@.algebra3d_shard_lock(parent);
+  SELECT array_agg(t.server ORDER BY t.tile), array_agg(t.tile ORDER BY t.tile) INTO old_servers, old_tiles
+    FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation;
+  SELECT array_agg(role), array_agg(writes) INTO roles, writers FROM (
+    SELECT a.grantee::regrole::text AS role, bool_or(a.privilege_type = 'INSERT') AS writes FROM pg_catalog.pg_class c, pg_catalog.aclexplode(c.relacl) a
+    WHERE c.oid = parent::regclass AND a.grantee NOT IN (0, c.relowner) GROUP BY 1) q;
+  EXECUTE format('ALTER TABLE %s RENAME TO %I', parent, known.name || '_tiles_before');
+  EXECUTE format('ALTER TABLE %I.%I RENAME TO %I', known.schema_name, prefix || '_tiles', known.name || '_tiles');
+  DELETE FROM @extschema@.algebra3d_shard_relations r WHERE r.relation = known.relation;
+  PERFORM @extschema@.algebra3d_shard_functions(new_one);
+  EXECUTE format('DROP TABLE %I.%I CASCADE', known.schema_name, known.name || '_tiles_before');
+  FOR i IN 0 .. @extschema@.tile_count(grid) - 1 LOOP
+    EXECUTE format('ALTER FOREIGN TABLE %I.%I RENAME TO %I', known.schema_name, prefix || '_' || i, known.name || '_' || i);
+  END LOOP;
+  FOR i IN 1 .. coalesce(cardinality(roles), 0) LOOP
+    PERFORM @extschema@.algebra3d_shard_grant(new_one.relation, (pg_catalog.parse_ident(roles[i]))[1], writers[i]);
+  END LOOP;
+  COMMIT;
+  -- Not before: until then the old tiles are those that count.
+  FOR i IN 1 .. cardinality(old_tiles) LOOP
+    PERFORM @extschema@.algebra3d_shard_execute(old_servers[i],
+      format('DROP TABLE %I.%I', known.schema_name, @extschema@.algebra3d_shard_tile_name(known, old_tiles[i])));
+    PERFORM @extschema@.algebra3d_shard_execute(old_servers[i], format(
+      'DELETE FROM @extschema@.algebra3d_shard_generations WHERE relation = %L AND tile = %s', known.relation, old_tiles[i]));
+  END LOOP;
+END $$;
+COMMENT ON PROCEDURE algebra3d_shard_split(text, @extschema@.grid, text[]) IS 'Divides a relation anew: who writes into it meanwhile gets an error, who reads waits a moment at most. Its joins are to be made anew.';
 
 CREATE FUNCTION algebra3d_shard_check() RETURNS TABLE (object text, fault text, remedy text) LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
@@ -669,12 +802,12 @@ BEGIN
           'ALTER EXTENSION ... UPDATE on the older one';
       END LOOP;
       FOR one IN EXECUTE format('SELECT t.schemaname, t.tablename, r.relation, (pg_catalog.regexp_match(t.tablename, ''_(\d+)$''))[1]::integer AS tile '
-          'FROM %I.%I t JOIN @extschema@.algebra3d_shard_relations r ON r.schema_name = t.schemaname AND t.tablename ~ (''^'' || r.name || ''_\d+$'') '
+          'FROM %I.%I t JOIN @extschema@.algebra3d_shard_relations r ON r.schema_name = t.schemaname AND t.tablename ~ (''^'' || r.name || ''_(v\d+_)?\d+$'') '
           'WHERE NOT EXISTS (SELECT FROM @extschema@.algebra3d_shard_tiles s WHERE s.relation = r.relation AND s.server = $1 '
-          'AND t.tablename = r.name || ''_'' || s.tile)', '@extschema@', 'algebra3d_tables_' || shard) USING shard LOOP
+          'AND t.tablename = @extschema@.algebra3d_shard_tile_name(r, s.tile))', '@extschema@', 'algebra3d_tables_' || shard) USING shard LOOP
         -- Servers may name one database.
-        CONTINUE WHEN EXISTS (SELECT FROM @extschema@.algebra3d_shard_tiles s JOIN pg_catalog.pg_foreign_server f ON f.srvname = s.server,
-          pg_catalog.pg_foreign_server own WHERE own.srvname = shard AND s.relation = one.relation AND s.tile = one.tile AND
+        CONTINUE WHEN EXISTS (SELECT FROM @extschema@.algebra3d_shard_relations r JOIN @extschema@.algebra3d_shard_tiles s USING (relation) JOIN pg_catalog.pg_foreign_server f ON f.srvname = s.server,
+          pg_catalog.pg_foreign_server own WHERE own.srvname = shard AND s.relation = one.relation AND @extschema@.algebra3d_shard_tile_name(r, s.tile) = one.tablename AND
           (SELECT array_agg(o ORDER BY o) FROM unnest(f.srvoptions) o WHERE o ~ '^(host|hostaddr|port|dbname)=') IS NOT DISTINCT FROM
           (SELECT array_agg(o ORDER BY o) FROM unnest(own.srvoptions) o WHERE o ~ '^(host|hostaddr|port|dbname)='));
         RETURN QUERY SELECT format('server %s, table %I.%I', shard, one.schemaname, one.tablename), 'a tile that lies elsewhere now',

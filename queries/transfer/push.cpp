@@ -17,6 +17,7 @@
 #include "queries/transfer/detail/libpq.h"
 #include "queries/transfer/detail/moved_columns.h"
 #include "queries/transfer/detail/push_journal.h"
+#include "queries/transfer/detail/pushed_tuples.h"
 #include "queries/transfer/detail/transfer_report.h"
 #include "queries/transfer/transfer.h"
 
@@ -101,15 +102,7 @@ Status Push::open_relation() {
   A3D_ASSIGN(store_, Store::open(options_.database, OpenMode::read_only, host_.registry));
   store_->end_waiting_when(host_.cancel);
   A3D_TRY(store_->begin(false));
-  A3D_ASSIGN(const auto found, store_->find(options_.relation));
-  if (!found)
-    return Error{ErrorCode::unknown_name, "there is no relation '{}' in {}", options_.relation,
-                 options_.database.string()};
-  if (!found->type.is_relation())
-    return Error{ErrorCode::type_error, "'{}' is of type {}, expected a relation", options_.relation,
-                 found->type.text()};
-  A3D_ASSIGN(const Datum datum, store_->read(options_.relation));
-  relation_ = datum.relation();
+  A3D_ASSIGN(relation_, relation_to_push(*store_, options_));
   A3D_ASSIGN(tuple_count_, relation_->count());
   return {};
 }
@@ -162,15 +155,9 @@ Status Push::prepare_journal(ServerConnection& connection, PushJournal& journal)
 // The tuples that were sent before must be those that are here now: others would be missing on the server.
 Status Push::skip_pushed(const PushJournal& journal) {
   A3D_ASSIGN(tuples_, relation_->scan());
-  RowDigest digest;
-  while (true) {
-    algebra3d::poll_interruption();
-    A3D_ASSIGN(next_tuple_, tuples_->next());
-    if (next_tuple_ == nullptr || next_tuple_->id > journal.entry().last_tuple) break;
-    A3D_ASSIGN(const MovedColumns::Row row, columns_.row_of(*next_tuple_));
-    digest = digest + row.digest;
-    report_.work_at("comparing the tuples that were pushed before");
-  }
+  A3D_ASSIGN(const RowDigest digest,
+             skip_pushed_tuples(*tuples_, next_tuple_, columns_, journal.entry().last_tuple,
+                                [&] { report_.work_at("comparing the tuples that were pushed before"); }));
   if (digest == journal.entry().digest) return {};
   return Error{
       ErrorCode::io_error,

@@ -27,6 +27,14 @@ struct TransferHost {
 /// are those of the tuples; 1 the push failed; 2 wrong usage; 130 interrupted. Never throws.
 int run_push(const TransferOptions& options, const TransferHost& host);
 
+/// Copies a relation into one that is divided among several servers (docs/scaling.md), straight into their tables; the
+/// server of the options is the coordinator. A batch of tuples is one transaction over all of them, one batch after the
+/// other; the coordinator, which has algebra3d_transfers, commits last. What was committed only by some of them
+/// algebra3d_shard_repair() takes back: a push that meets it ends with an error that says so.
+///
+/// Returns the exit status like run_push.
+int run_push_into_shards(const TransferOptions& options, const TransferHost& host);
+
 /// Copies a table of a server into a relation, in the order of rows in the table, as the table was at one moment. A
 /// batch of rows is one transaction, which also records the place of the last row. A repeated pull goes on behind it,
 /// once the server has found the rows up to there to be those that were pulled. Values are proved to be valid.

@@ -31,10 +31,15 @@ CLI::App* add_push_command(CLI::App& app, TransferOptions& options) {
                    "Table, created if it does not exist: NAME or SCHEMA.NAME, as in SQL (default: the relation's name)")
       ->type_name("TABLE");
   add_common_options(*push, options, "Delete the rows of the table first, and begin anew");
-  push->add_option("--connections", options.connections,
-                   "Connections that rows are sent over; with one they lie in the table in the order of ids")
-      ->check(CLI::Range(1, 16))
-      ->capture_default_str();
+  CLI::Option* const connections =
+      push->add_option("--connections", options.connections,
+                       "Connections that rows are sent over; with one they lie in the table in the order of ids");
+  connections->check(CLI::Range(1, 16))->capture_default_str();
+  push->add_flag("--shards", options.shards,
+                 "The table is divided among several servers by the extension algebra3d_shards; CONNINFO is their "
+                 "coordinator, and rows go straight to them, over a connection to each")
+      ->disable_flag_override()
+      ->excludes(connections);
   push->footer(
       "Columns have the names of attributes in lower case, as psql takes them without quotes. Types: int is bigint,\n"
       "real is double precision, bool is boolean, string and text are text, bytes is bytea, instant is timestamp, and\n"

@@ -13,7 +13,8 @@ struct TransferOptions {
   std::string table;      ///< an identifier of SQL, perhaps with a schema; of `push`: empty for the relation's name
   bool replaces = false;  ///< empty the target first
   bool quiet = false;     ///< no progress and no summary
-  int connections = 2;    ///< of `push`
+  bool shards = false;    ///< of `push`: the table is divided among several servers
+  int connections = 2;    ///< of `push` into one table
   double batch_megabytes = 4;  ///< 10^6 bytes; a batch is one transaction, which ends with the row that reaches this
 };
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "queries/transfer/detail/server_connection.h"
+#include "queries/transfer/detail/statement_lane.h"
 
 namespace queries {
 
@@ -14,11 +14,8 @@ class CopyLane {
  public:
   enum class State : std::uint8_t {
     free,        ///< ready for a batch
-    opening,     ///< waits for the server to take the rows
-    sending,     ///< sends them
-    ending,      ///< waits for the server to have stored them
+    storing,     ///< sends the rows, or waits for the server to have stored them
     stored,      ///< to be committed
-    recording,   ///< the statement beside the rows runs
     committing,  ///< waits for the end of the transaction
   };
   struct Batch {
@@ -27,10 +24,10 @@ class CopyLane {
     std::string record_sql;  ///< must change one row
   };
 
-  explicit CopyLane(std::unique_ptr<ServerConnection> connection) : connection_(std::move(connection)) {}
+  explicit CopyLane(std::unique_ptr<ServerConnection> connection) : lane_(std::move(connection)) {}
 
   State state() const { return state_; }
-  ServerConnection& connection() { return *connection_; }
+  ServerConnection& connection() const { return lane_.connection(); }
   /// Requires `free`. The statements before COPY end with a semicolon, or are empty.
   Status store(Batch batch, const std::string& before_copy_sql, const std::string& copy_sql);
   /// Requires `stored`.
@@ -38,20 +35,12 @@ class CopyLane {
   /// Errors: those of the server.
   Status advance();
   /// Whether the lane waits for room to send in; else for an answer.
-  bool is_writing() const { return is_writing_; }
+  bool is_writing() const { return lane_.is_writing(); }
 
  private:
-  Status send_rows();
-  Status take_answers();
-  Status take(const ServerAnswer& answer);
-  Status end_of_answers();
-
-  std::unique_ptr<ServerConnection> connection_;
+  StatementLane lane_;
   State state_ = State::free;
-  Batch batch_;
-  std::size_t sent_ = 0;
-  bool has_sent_end_ = false;
-  bool is_writing_ = false;
+  std::string record_sql_;
 };
 
 }  // namespace queries

@@ -123,7 +123,8 @@ TransferHost standard_host(const algebra3d::Registry& registry, const std::atomi
 }  // namespace
 
 int run_push(const TransferOptions& options, const algebra3d::Registry& registry, const std::atomic<bool>* cancel) {
-  return run_push(options, standard_host(registry, cancel));
+  return options.shards ? run_push_into_shards(options, standard_host(registry, cancel))
+                        : run_push(options, standard_host(registry, cancel));
 }
 
 int run_pull(const TransferOptions& options, const algebra3d::Registry& registry, const std::atomic<bool>* cancel) {
