@@ -49,9 +49,10 @@ class PlanRewrites : public testing::Test {
     std::string rows;
     for (int row = 0; row < count; ++row)
       rows += fmt::format("({} {} {} {} {}) ", row, key(), word(), below(6) == 0 ? "undefined" : "0.5", box());
-    ASSERT_EQ(session_.run(fmt::format(
-                  "let {} = [const rel(tuple([N: int, K: int, W: string, X: real, B: rect3])) value ({})]", name, rows)),
-              "");
+    ASSERT_EQ(
+        session_.run(fmt::format(
+            "let {} = [const rel(tuple([N: int, K: int, W: string, X: real, B: rect3])) value ({})]", name, rows)),
+        "");
     for (const char* attribute : {"K", "W"})
       ASSERT_EQ(session_.run(fmt::format("let {0}_{1} = {0} createbtree[{1}]", name, attribute)), "");
     ASSERT_EQ(session_.run(fmt::format("let {0}_B = {0} creatertree[B]", name)), "");
@@ -71,8 +72,8 @@ class PlanRewrites : public testing::Test {
 
   Sample inner_filter() {
     static const std::vector<std::pair<std::string, std::string>> conditions{
-        {".K = attr(t, K)", "K"},    {"attr(t, K) = .K", "K"},       {".W = attr(t, W)", "W"},
-        {".K > attr(t, K)", "K"},    {".K = attr(t, K) + 1", "K"},   {".B intersects attr(t, B)", "B"},
+        {".K = attr(t, K)", "K"},         {"attr(t, K) = .K", "K"},     {".W = attr(t, W)", "W"},
+        {".K > attr(t, K)", "K"},         {".K = attr(t, K) + 1", "K"}, {".B intersects attr(t, B)", "B"},
         {"attr(t, B) intersects .B", "B"}};
     const auto [condition, attribute] = one_of(conditions);
     const std::string filter = fmt::format("S feed filter[({}){}]", condition, further());
@@ -107,10 +108,11 @@ class PlanRewrites : public testing::Test {
     EXPECT_EQ(session_.run(fmt::format("set \"rewrites\" = {}", rewrites ? "TRUE" : "FALSE")), "");
     return session_.run(command);
   }
-  /// The kinds of notes: counts are left out.
+  /// The kinds of notes, without numbers: only the first notes of a kind are shown, with the number of the others.
   std::set<std::string> kinds_of_notes() const {
     std::set<std::string> kinds;
-    std::istringstream lines(std::regex_replace(session_.notes(), std::regex("[0-9]+"), "N"));
+    const std::string shown = std::regex_replace(session_.notes(), std::regex(" and [0-9]+ more"), "");
+    std::istringstream lines(std::regex_replace(shown, std::regex("[0-9]+"), "N"));
     for (std::string line; std::getline(lines, line);) kinds.insert(line);
     return kinds;
   }
@@ -155,19 +157,21 @@ TEST_F(PlanRewrites, give_the_tuples_of_plain_plans) {
 
 TEST_F(PlanRewrites, hold_beyond_the_work_memory) {
   ASSERT_EQ(session_.run("set \"memory\" = 1"), "");
-  ASSERT_EQ(session_.run("let R = intstream(1, 20000) transformstream projectextend[; N: .Elem, K: (.Elem * 7919) mod 101, "
-                         "W: \"a long string that fills the memory of one megabyte\"] consume"),
-            "");
+  ASSERT_EQ(
+      session_.run("let R = intstream(1, 20000) transformstream projectextend[; N: .Elem, K: (.Elem * 7919) mod 101, "
+                   "W: \"a long string that fills the memory of one megabyte\"] consume"),
+      "");
   ASSERT_EQ(session_.run("let S = R feed {s} head[3000] consume"), "");
   expect_same({"R feed sortby[K desc, N] head[9000] project[N, K] consume", {"keeps the first 9000"}});
-  expect_same({"R feed head[300] S feed product filter[.N = .N_s] project[N, K_s] consume",
-               {"by a hash table of N_s for N"}});
+  expect_same(
+      {"R feed head[300] S feed product filter[.N = .N_s] project[N, K_s] consume", {"by a hash table of N_s for N"}});
 }
 
 TEST_F(PlanRewrites, a_filter_sees_what_the_statement_has_changed) {
   make_relation("S", 50);
-  const std::string query = "query intstream(1, 6) transformstream loopsel[fun(t: TUPLE) S feed filter[.N = attr(t, "
-                            "Elem)] S updatedirect[N: .N + 1]] project[N_old, N] consume";
+  const std::string query =
+      "query intstream(1, 6) transformstream loopsel[fun(t: TUPLE) S feed filter[.N = attr(t, "
+      "Elem)] S updatedirect[N: .N + 1]] project[N_old, N] consume";
   ASSERT_EQ(session_.run("let S_N = S createbtree[N]"), "");
   std::vector<std::string> answers;
   for (const bool rewrites : {false, true}) {
