@@ -116,6 +116,8 @@ def sort_cases():
                f"SELECT count(Name) FROM (SELECT K, G, X, Name FROM {BIG} ORDER BY K, G, X, Name)", plan=SORTED,
                proof=("query Big feed project[K, G, X, Name] sort head[50] consume",
                       "SELECT K, G, X, Name FROM big ORDER BY K, G, X, Name LIMIT 50"))
+    yield Case("sortby, head[10]", "query Big feed sortby[X, Id] head[10] consume",
+               f"SELECT * FROM {BIG} ORDER BY X, Id LIMIT 10", plan=SORTED)
     yield Case("sort rdup", "query Big feed project[K, G] sort rdup count",
                f"SELECT count(G) FROM (SELECT DISTINCT K, G FROM {BIG} ORDER BY K, G)", plan="TEMP B-TREE")
     yield Case("krduph", "query Big feed project[G] krduph[G] count",
@@ -138,6 +140,15 @@ def join_cases():
     yield Case("loopjoin, 300 x 1000",
                "query Tiny feed head[300] loopjoin[fun(t: TUPLE) Tiny feed {s} filter[.K_s > attr(t, K)]] count",
                f"SELECT {pairs} FROM (SELECT * FROM tiny LIMIT 300) b CROSS JOIN tiny s ON s.K > b.K")
+    # Joins that plans are rewritten for: conditions of equality, and an index whose other operand is of the outer tuple.
+    yield Case("product filter, equality", "query Tiny feed head[50] Small feed {s} product filter[.G = .Id_s] count",
+               f"SELECT {pairs} FROM (SELECT * FROM tiny LIMIT 50) b CROSS JOIN small s ON b.G = s.Id")
+    yield Case("symmjoin, equality", "query Tiny feed head[50] Small feed {s} symmjoin[.G = ..Id_s] count",
+               f"SELECT {pairs} FROM (SELECT * FROM tiny LIMIT 50) b CROSS JOIN small s ON b.G = s.Id")
+    yield Case("loopsel, by an index",
+               "query Tiny feed head[50] loopsel[fun(t: TUPLE) Big feed filter[.G = attr(t, K)]] count",
+               "SELECT count(b.Name) FROM (SELECT * FROM tiny LIMIT 50) t CROSS JOIN big b ON b.G = t.K",
+               plan="USING INDEX big_g")
     yield Case("product, 1000 x 1000", "query Tiny feed Tiny feed {s} product count",
                f"SELECT {pairs} FROM tiny b CROSS JOIN tiny s")
 

@@ -2,6 +2,7 @@
 
 #include "algebra3d/operators/registry/operator.h"
 #include "base/propagate.h"
+#include "queries/language/rewriting.h"
 #include "queries/streams/value_operators.h"
 
 namespace queries {
@@ -70,7 +71,7 @@ Result<TypedPtr> Checker::check(const Application& application, const SourcePlac
   if (recorder_ == nullptr) return application_node(op, application, place, types);
   const std::size_t step = recorder_->begin(op.name);
   A3D_ASSIGN(TypedPtr node, application_node(op, application, place, types));
-  recorder_->describe(step, {}, estimated_tuples(application));
+  recorder_->describe(step, node->how(), estimated_tuples(*node, objects_));
   std::string signature = algebra3d::argument_list_text(types) + " -> " + node->type().text();
   return recorder_->finish(step, std::move(signature), std::move(node));
 }
@@ -132,11 +133,7 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
     const bool is_declared = !is_operand && bracket < pattern.places.size();
     const FunctionPlace functions{is_declared ? pattern.places[bracket].parameters : none, operands};
     ArgumentType type;
-    TypedPtr known = checked[index];
-    if (index == 0 && known == nullptr && op.name == "filter") {
-      A3D_ASSIGN(known, indexed_feed(application));
-    }
-    auto node = checked_argument(application.arguments[index], known, functions, type);
+    auto node = checked_argument(application.arguments[index], checked[index], functions, type);
     if (!node) {
       Error error = std::move(node).error();
       if (!error.place.is_known()) error = std::move(error).about(op.name);
@@ -152,6 +149,10 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
   }
   auto bound = bind_operator(registry_, op, types, context_);
   if (!bound) return std::move(bound).error().at(place);
+  if (const auto* attribute = std::get_if<ReadsAttribute>(&bound->role))
+    return make_attribute(bound->type, std::move(nodes[0]), attribute->index, place);
+  if (objects_.rewrites_plans())
+    A3D_TRY(rewrite(*bound, nodes, {registry_, objects_, context_, recorder_ != nullptr, !scopes_.empty()}));
   return make_stream_call(op, std::move(bound).value(), std::move(nodes), place);
 }
 

@@ -12,9 +12,6 @@
 
 namespace queries {
 
-struct IndexChoice;     // index_feed.h
-struct IndexCondition;  // index_condition.h
-
 /// Converts parsed to typed expressions: resolves operators in the registry and objects in the database. The object
 /// source, the registry and `context` outlive the typed nodes. Diagnostics of constants go to `context`.
 class Checker {
@@ -68,12 +65,6 @@ class Checker {
   Result<TypedPtr> stream_application(const algebra3d::Operator& op, const Application& application,
                                       const std::vector<TypedPtr>& checked, const SourcePlace& place,
                                       std::vector<TypeExpr>& shown_types);
-  std::string stored_relation(const Expression& expression);
-  bool is_function_object(const std::string& name);
-  Result<TypedPtr> indexed_feed(const Application& filter);
-  std::unique_ptr<IndexChoice> index_choice(const ObjectSource::IndexName& index, const IndexCondition& condition);
-  Result<TypedPtr> recorded_feed(TypedPtr relation, std::vector<IndexChoice> choices, const SourcePlace& place);
-  std::optional<std::uint64_t> estimated_tuples(const Application& application);
   Result<TypedPtr> checked_argument(const Argument& argument, const TypedPtr& checked,
                                     const FunctionPlace& function_place, ArgumentType& type);
   Result<TypedPtr> function_argument(const Expression& expression, const FunctionPlace& place);

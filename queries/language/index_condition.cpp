@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "algebra3d/operators/registry/operator.h"
-#include "queries/streams/value_operators.h"
 
 namespace queries {
 namespace {
-
-using IsFunction = std::function<bool(const std::string& name)>;
-using PlaceKind = algebra3d::SyntaxPattern::PlaceKind;
 
 /// How an operator limits its first operand and its second one.
 struct IndexUses {
@@ -30,13 +26,12 @@ constexpr std::array kComparisons{IndexedComparison{"=", {IndexUse::equals, Inde
                                   IndexedComparison{">", {IndexUse::at_least, IndexUse::at_most}},
                                   IndexedComparison{">=", {IndexUse::at_least, IndexUse::at_most}}};
 
-std::optional<IndexUses> index_uses(const std::string& name, const algebra3d::Registry& registry) {
-  if (const auto* const known = std::ranges::find(kComparisons, name, &IndexedComparison::name);
+std::optional<IndexUses> index_uses(const algebra3d::Operator& op) {
+  if (const auto* const known = std::ranges::find(kComparisons, op.name, &IndexedComparison::name);
       known != kComparisons.end())
     return known->uses;
   using algebra3d::BoxCondition;
-  const algebra3d::Operator* const op = registry.find_operator(name);
-  switch (op == nullptr ? BoxCondition::none : op->boxes) {
+  switch (op.boxes) {
     case BoxCondition::meet:
       return IndexUses{IndexUse::meets, IndexUse::meets};
     case BoxCondition::first_is_inside:
@@ -51,85 +46,83 @@ std::optional<IndexUses> index_uses(const std::string& name, const algebra3d::Re
   return std::nullopt;
 }
 
-/// The expressions that an operator is applied to; none if some argument is something else.
-std::vector<ExpressionPtr> operands_of(const Application& application) {
-  std::vector<ExpressionPtr> operands;
-  for (const Argument& argument : application.arguments) {
-    if (argument.kind != PlaceKind::value || argument.value == nullptr || argument.misread) return {};
-    operands.push_back(argument.value);
-  }
-  return operands;
-}
-
 /// The name of the attribute in `.A` or `bbox(.A)`.
-std::optional<std::string> attribute_in(const Expression& expression) {
-  if (const auto* use = std::get_if<AttributeUse>(&expression.node))
-    return use->parameter == 1 ? std::optional(use->name) : std::nullopt;
-  const auto* application = std::get_if<Application>(&expression.node);
-  if (application == nullptr || application->name != "bbox") return std::nullopt;
-  const auto operands = operands_of(*application);
-  const auto* use = operands.size() == 1 ? std::get_if<AttributeUse>(&operands[0]->node) : nullptr;
-  return use != nullptr && use->parameter == 1 ? std::optional(use->name) : std::nullopt;
+std::optional<std::string> attribute_in(const TypedNode& expression) {
+  const NodeView view = expression.view();
+  if (const auto* call = std::get_if<ValueCallView>(&view))
+    return call->call.op->name == "bbox" && call->arguments.size() == 1 &&
+                   std::holds_alternative<AttributeView>(call->arguments[0]->view())
+               ? attribute_in(*call->arguments[0])
+               : std::nullopt;
+  const auto* use = std::get_if<AttributeView>(&view);
+  if (use == nullptr) return std::nullopt;
+  const NodeView tuple = use->tuple.view();
+  const auto* parameter = std::get_if<ParameterView>(&tuple);
+  if (parameter == nullptr || parameter->level != 0 || parameter->index != 0) return std::nullopt;
+  return use->tuple.type().attributes()[use->index].name;
 }
 
-bool is_call_of_function(const Expression& expression, const IsFunction& is_function) {
-  const auto* application = std::get_if<Application>(&expression.node);
-  return application != nullptr && application->is_call && is_function(application->name);
-}
-
-std::optional<IndexCondition> index_condition(const Application& application, const algebra3d::Registry& registry,
-                                              const IsFunction& is_function) {
-  const std::optional<IndexUses> known = index_uses(application.name, registry);
+std::optional<IndexCondition> index_condition(const TypedNode& condition) {
+  const NodeView view = condition.view();
+  const auto* call = std::get_if<ValueCallView>(&view);
+  const auto known = call == nullptr ? std::nullopt : index_uses(*call->call.op);
   if (!known) return std::nullopt;
-  const std::vector<ExpressionPtr> operands = operands_of(application);
   const bool has_limit = known->of_first == IndexUse::is_near;
-  if (operands.size() != (has_limit ? 3U : 2U)) return std::nullopt;
-  if (has_limit && !is_same_for_all_tuples(*operands[2], registry)) return std::nullopt;
+  if (call->arguments.size() != (has_limit ? 3U : 2U)) return std::nullopt;
+  if (has_limit && !is_same_for_all_tuples(*call->arguments[2])) return std::nullopt;
   for (const std::size_t own : {0U, 1U}) {
-    const ExpressionPtr& other = operands[1 - own];
-    const auto attribute = attribute_in(*operands[own]);
-    if (!attribute || is_call_of_function(*operands[own], is_function)) continue;
-    if (!is_same_for_all_tuples(*other, registry)) continue;
-    return IndexCondition{own == 0 ? known->of_first : known->of_second, *attribute, other,
-                          has_limit ? operands[2] : nullptr, application.name};
+    const TypedPtr& other = call->arguments[1 - own];
+    auto attribute = attribute_in(*call->arguments[own]);
+    if (!attribute || !is_same_for_all_tuples(*other)) continue;
+    return IndexCondition{own == 0 ? known->of_first : known->of_second, *std::move(attribute), other->unmeasured(),
+                          has_limit ? call->arguments[2]->unmeasured() : nullptr};
   }
   return std::nullopt;
 }
 
-void add_conditions(const Expression& predicate, const algebra3d::Registry& registry, const IsFunction& is_function,
-                    std::vector<IndexCondition>& conditions) {
-  const auto* application = std::get_if<Application>(&predicate.node);
-  if (application == nullptr || is_call_of_function(predicate, is_function)) return;
-  if (application->name == "and") {
-    for (const ExpressionPtr& operand : operands_of(*application))
-      add_conditions(*operand, registry, is_function, conditions);
+void add_conjuncts(const TypedNode& predicate, std::vector<TypedPtr>& conditions) {
+  const NodeView view = predicate.view();
+  const auto* call = std::get_if<ValueCallView>(&view);
+  if (call == nullptr || call->call.op->name != "and") {
+    conditions.push_back(predicate.shared_from_this());
     return;
   }
-  if (auto condition = index_condition(*application, registry, is_function))
-    conditions.push_back(std::move(*condition));
+  for (const TypedPtr& operand : call->arguments) add_conjuncts(*operand, conditions);
 }
+
+/// Answers for each kind of node whether the value is the same for all tuples.
+struct SameForAllTuples {
+  bool operator()(const ConstantView&) const { return true; }
+  bool operator()(const ObjectView&) const { return true; }
+  bool operator()(const ParameterView& parameter) const { return parameter.level > 0; }
+  bool operator()(const AttributeView& use) const { return is_same_for_all_tuples(use.tuple); }
+  bool operator()(const ConversionView& conversion) const { return is_same_for_all_tuples(conversion.argument); }
+  bool operator()(const ValueCallView& view) const {
+    return view.call.op->is_pure_in(*view.call.overload) &&
+           std::ranges::all_of(view.arguments, [](const TypedPtr& each) { return is_same_for_all_tuples(*each); });
+  }
+  template <typename Other>
+  bool operator()(const Other&) const {
+    return false;
+  }
+};
 
 }  // namespace
 
-bool is_same_for_all_tuples(const Expression& expression, const algebra3d::Registry& registry) {
-  if (std::holds_alternative<Literal>(expression.node) || std::holds_alternative<TypedLiteral>(expression.node) ||
-      std::holds_alternative<HostValue>(expression.node) || std::holds_alternative<NameUse>(expression.node))
-    return true;
-  const auto* application = std::get_if<Application>(&expression.node);
-  if (application == nullptr) return false;
-  const algebra3d::Operator* const op = registry.find_operator(application->name);
-  if (op == nullptr || takes_streams(*op) || !op->is_pure || op->kind() != algebra3d::OperatorKind::scalar)
-    return false;
-  const std::vector<ExpressionPtr> operands = operands_of(*application);
-  return operands.size() == application->arguments.size() &&
-         std::ranges::all_of(operands,
-                             [&](const ExpressionPtr& each) { return is_same_for_all_tuples(*each, registry); });
+bool is_same_for_all_tuples(const TypedNode& expression) {
+  return std::visit(SameForAllTuples(), expression.view());
 }
 
-std::vector<IndexCondition> index_conditions(const Expression& predicate, const algebra3d::Registry& registry,
-                                             const std::function<bool(const std::string& name)>& is_function) {
+std::vector<TypedPtr> conjuncts(const TypedNode& predicate) {
+  std::vector<TypedPtr> conditions;
+  add_conjuncts(predicate, conditions);
+  return conditions;
+}
+
+std::vector<IndexCondition> index_conditions(const TypedNode& predicate) {
   std::vector<IndexCondition> conditions;
-  add_conditions(predicate, registry, is_function, conditions);
+  for (const TypedPtr& each : conjuncts(predicate))
+    if (auto condition = index_condition(*each)) conditions.push_back(*std::move(condition));
   return conditions;
 }
 

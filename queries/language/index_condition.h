@@ -1,12 +1,9 @@
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "algebra3d/operators/registry/registry.h"
-#include "queries/language/syntax_tree.h"
+#include "queries/language/typed_tree.h"
 #include "queries/streams/index_candidates.h"
 
 namespace queries {
@@ -16,18 +13,18 @@ namespace queries {
 struct IndexCondition {
   IndexUse use;
   std::string attribute;
-  ExpressionPtr operand;          ///< the same for all tuples
-  ExpressionPtr limit = nullptr;  ///< of `is_near`
-  std::string text;               ///< "S intersects", for people
+  TypedPtr operand;          ///< the same for all tuples
+  TypedPtr limit = nullptr;  ///< of `is_near`
 };
 
-/// True if the value of an expression does not depend on the tuple that is filtered: it has no attributes and no
-/// implicit parameters, and only pure operators on values.
-bool is_same_for_all_tuples(const Expression& expression, const algebra3d::Registry& registry);
+/// True if the value of an expression in the function of a filter does not depend on the tuple that is filtered: it has
+/// no parameters of that function, and only pure operators on values.
+bool is_same_for_all_tuples(const TypedNode& expression);
 
-/// The conditions of which the predicate of a filter is the conjunction, as far as an index may answer them, in their
-/// order. `is_function(name)`: whether the database has a function that a call would mean instead of the operator.
-std::vector<IndexCondition> index_conditions(const Expression& predicate, const algebra3d::Registry& registry,
-                                             const std::function<bool(const std::string& name)>& is_function);
+/// The conditions of which a predicate is the conjunction by `and`, in their order.
+std::vector<TypedPtr> conjuncts(const TypedNode& predicate);
+
+/// The conjuncts of a filter's predicate that an index may answer, in their order.
+std::vector<IndexCondition> index_conditions(const TypedNode& predicate);
 
 }  // namespace queries

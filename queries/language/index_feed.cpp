@@ -22,11 +22,12 @@ std::optional<IndexQuestion> question_of(const IndexChoice& choice, const Frame*
   // Notes are left to the filter, which evaluates its operands again.
   algebra3d::Diagnostics unheard;
   Context own = context.with(unheard);
-  Result<Value> operand = choice.operand->evaluate_value(frame, own);
+  const Frame in_filter{{}, frame};
+  Result<Value> operand = choice.operand->evaluate_value(&in_filter, own);
   if (!operand) return std::nullopt;
   IndexQuestion question{choice.use, std::move(operand).value(), std::nullopt};
   if (choice.limit == nullptr) return question;
-  Result<Value> limit = choice.limit->evaluate_value(frame, own);
+  Result<Value> limit = choice.limit->evaluate_value(&in_filter, own);
   if (!limit) return std::nullopt;
   question.limit = std::move(limit).value();
   return question;
@@ -118,6 +119,10 @@ IndexFeedNode::IndexFeedNode(TypeExpr stream, std::vector<IndexChoice> choices, 
       relation_(std::move(relation)),
       objects_(objects) {
   std::ranges::stable_sort(choices_, {}, [](const IndexChoice& choice) { return rank(choice.use); });
+  std::vector<std::string> names;
+  for (const IndexChoice& choice : choices_)
+    if (std::ranges::find(names, choice.index.name) == names.end()) names.push_back(choice.index.name);
+  how_ = fmt::format("by the index {}", fmt::join(names, " or "));
 }
 
 // The index is asked when the first tuple is wanted, so that it shows the same state as a scan.
@@ -135,21 +140,19 @@ Result<Datum> IndexFeedNode::evaluate(const Frame* frame, Context& context) cons
   })};
 }
 
-Result<IndexFeedPlan> IndexFeedNode::plan(Context& context) const {
-  A3D_ASSIGN(const Datum datum, relation_->evaluate(nullptr, context));
-  const Relation& relation = *datum.relation();
-  A3D_ASSIGN(const auto found, found_by_index(relation, choices_, questions_of(choices_, nullptr, context), objects_));
-  if (found) return IndexFeedPlan{found->tuples.ids.size(), fmt::format("by the index {}", found->index)};
-  A3D_ASSIGN(const std::int64_t count, relation.count());
-  return IndexFeedPlan{static_cast<std::uint64_t>(count),
-                       fmt::format("a scan: not {}, which would find too many tuples or cannot decide", text())};
-}
-
-std::string IndexFeedNode::text() const {
-  std::vector<std::string> names;
-  for (const IndexChoice& choice : choices_)
-    if (std::ranges::find(names, choice.index.name) == names.end()) names.push_back(choice.index.name);
-  return fmt::format("by the index {}", fmt::join(names, " or "));
+std::optional<std::uint64_t> IndexFeedNode::describe_plan(Context& context) {
+  const auto datum = relation_->evaluate(nullptr, context);
+  if (!datum) return std::nullopt;
+  const Relation& relation = *datum->relation();
+  const auto found = found_by_index(relation, choices_, questions_of(choices_, nullptr, context), objects_);
+  const auto count = relation.count();
+  if (!found || !count) return std::nullopt;
+  if (*found) {
+    how_ = fmt::format("by the index {}", (*found)->index);
+    return (*found)->tuples.ids.size();
+  }
+  how_ = fmt::format("a scan: not {}, which would find too many tuples or cannot decide", how_);
+  return static_cast<std::uint64_t>(*count);
 }
 
 }  // namespace queries

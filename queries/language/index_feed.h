@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,14 +14,8 @@ namespace queries {
 struct IndexChoice {
   ObjectSource::IndexName index;
   IndexUse use;
-  TypedPtr operand;  ///< checked outside of the filter's function
+  TypedPtr operand;  ///< in the filter's function, whose parameters it does not use
   TypedPtr limit;    ///< of IndexUse::is_near and between; else null
-};
-
-/// The way in which an IndexFeedNode would read now.
-struct IndexFeedPlan {
-  std::uint64_t tuple_count;  ///< that it would give
-  std::string text;           ///< how, for people
 };
 
 /// The tuples of a relation that may fulfil a condition, found by an index: a node in place of `feed` before a filter,
@@ -33,15 +28,17 @@ class IndexFeedNode final : public TypedNode {
                 SourcePlace place);
   Result<Datum> evaluate(const Frame* frame, Context& context) const override;
 
-  /// Domain: outside of functions. Errors: those of reading the index.
-  Result<IndexFeedPlan> plan(Context& context) const;
-  /// The indexes that it may read by, for people.
-  std::string text() const;
+  /// The indexes that it may read by, or, after `describe_plan`, the way in which it would have read then.
+  std::string how() const override { return how_; }
+  /// Finds the way in which it would read now, and the number of tuples that it would give; nothing if the index cannot
+  /// be read. To be called before the node is shared. Domain: outside of functions.
+  std::optional<std::uint64_t> describe_plan(Context& context);
 
  private:
   std::vector<IndexChoice> choices_;
   TypedPtr relation_;
   ObjectSource& objects_;
+  std::string how_;
 };
 
 }  // namespace queries

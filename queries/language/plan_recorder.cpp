@@ -82,6 +82,14 @@ class MeasuredNode final : public TypedNode {
   bool is_always_defined() const override { return node_->is_always_defined(); }
   bool never_fails() const override { return node_->never_fails(); }
   bool gives_one_tuple() const override { return node_->gives_one_tuple(); }
+  NodeView view() const override { return node_->view(); }
+  std::string how() const override { return node_->how(); }
+  TypedPtr replaced_by(TypedPtr other, std::optional<std::uint64_t> estimate) const override {
+    step_.remark = other->how();
+    step_.estimate = estimate;
+    return std::make_shared<MeasuredNode>(std::move(other), step_);
+  }
+  TypedPtr unmeasured() const override { return node_; }
 
  private:
   TypedPtr node_;

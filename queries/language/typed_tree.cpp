@@ -49,13 +49,16 @@ class ConstantNode final : public TypedNode {
   Result<Datum> evaluate(const Frame*, Context&) const override { return value_; }
   Result<Value> evaluate_value(const Frame*, Context&) const override { return value_.value(); }
   const Datum* find(const Frame*) const override { return &value_; }
-  bool is_always_defined() const override {
-    const auto* value = std::get_if<Value>(&value_.content);
-    return value != nullptr && value->is_defined();
-  }
+  bool is_always_defined() const override { return defined_value() != nullptr; }
   bool never_fails() const override { return true; }
+  NodeView view() const override { return ConstantView{defined_value()}; }
 
  private:
+  const Value* defined_value() const {
+    const auto* value = std::get_if<Value>(&value_.content);
+    return value != nullptr && value->is_defined() ? value : nullptr;
+  }
+
   Datum value_;
 };
 
@@ -68,6 +71,7 @@ class UndefinedNode final : public ValueNode {
     return value_;
   }
   bool never_fails() const override { return true; }
+  NodeView view() const override { return ConstantView{nullptr}; }
 
  private:
   Value value_;
@@ -83,6 +87,7 @@ class ObjectNode final : public TypedNode {
     if (!value) return std::move(value).error().at(place());
     return value;
   }
+  NodeView view() const override { return ObjectView{name_}; }
 
  private:
   std::string name_;
@@ -100,6 +105,7 @@ class ParameterNode final : public TypedNode {
     return &frame->arguments[index_];
   }
   bool never_fails() const override { return true; }
+  NodeView view() const override { return ParameterView{level_, index_}; }
 
  private:
   std::size_t level_;
@@ -116,6 +122,7 @@ class AttributeNode final : public ValueNode {
     return tuple.tuple()->attributes[index_];
   }
   bool never_fails() const override { return tuple_->never_fails(); }
+  NodeView view() const override { return AttributeView{*tuple_, index_}; }
 
  private:
   TypedPtr tuple_;
@@ -163,6 +170,7 @@ class ValueCallNode final : public ValueNode {
     return call_.overload->never_fails && call_.op->is_pure_in(*call_.overload) &&
            std::ranges::all_of(arguments_, [](const TypedPtr& argument) { return argument->never_fails(); });
   }
+  NodeView view() const override { return ValueCallView{call_, arguments_}; }
 
  private:
   ResolvedCall call_;
@@ -177,24 +185,25 @@ class ShortCircuitNode final : public ValueNode {
       : ValueNode("bool", std::move(place)),
         decisive_(decisive),
         call_(call),
-        first_(std::move(first)),
-        second_(std::move(second)) {}
+        operands_{std::move(first), std::move(second)} {}
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
-    A3D_ASSIGN(const Value first, first_->evaluate_value(frame, context));
+    A3D_ASSIGN(const Value first, operands_[0]->evaluate_value(frame, context));
     if (first.is_defined() && first.get<bool>() == decisive_) return first;
-    A3D_ASSIGN(const Value second, second_->evaluate_value(frame, context));
+    A3D_ASSIGN(const Value second, operands_[1]->evaluate_value(frame, context));
     if (first.is_defined()) return second;
     std::array<Value, 2> operands{first, second};
     return Registry::call(call_, operands, context);
   }
-  bool is_always_defined() const override { return first_->is_always_defined() && second_->is_always_defined(); }
-  bool never_fails() const override { return first_->never_fails() && second_->never_fails(); }
+  bool is_always_defined() const override {
+    return operands_[0]->is_always_defined() && operands_[1]->is_always_defined();
+  }
+  bool never_fails() const override { return operands_[0]->never_fails() && operands_[1]->never_fails(); }
+  NodeView view() const override { return ValueCallView{call_, operands_}; }
 
  private:
   bool decisive_;
   ResolvedCall call_;
-  TypedPtr first_;
-  TypedPtr second_;
+  std::array<TypedPtr, 2> operands_;
 };
 
 class TableCallNode final : public TypedNode {
@@ -227,6 +236,8 @@ class StreamCallNode final : public TypedNode {
     return result;
   }
   bool gives_one_tuple() const override { return op_.gives_one_tuple; }
+  NodeView view() const override { return StreamCallView{op_, bound_, arguments_}; }
+  std::string how() const override { return bound_.how; }
 
  private:
   const algebra3d::Operator& op_;
@@ -255,6 +266,7 @@ class FunctionNode final : public TypedNode {
         written_(std::move(written)),
         height_(height) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override;
+  NodeView view() const override { return FunctionView{*body_}; }
   const TypedNode& body() const { return *body_; }
   const NestedList& written() const { return written_; }
   int height() const { return height_; }
@@ -354,6 +366,7 @@ class ConversionNode final : public ValueNode {
   }
   bool is_always_defined() const override { return argument_->is_always_defined(); }
   bool never_fails() const override { return argument_->never_fails(); }
+  NodeView view() const override { return ConversionView{*argument_}; }
 
  private:
   TypedPtr argument_;

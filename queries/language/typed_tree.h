@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "algebra3d/operators/registry/registry.h"
@@ -21,7 +25,47 @@ struct Frame {
   const Frame* outer = nullptr;
 };
 
-/// A checked expression: it has a type and evaluates without type errors. Immutable; shared by its closures.
+class TypedNode;
+using TypedPtr = std::shared_ptr<const TypedNode>;
+
+// What a node of the typed tree is, for rewrites. All pointers and references are valid as long as the node.
+
+/// `value`: null if it is undefined, or no value.
+struct ConstantView {
+  const Value* value;
+};
+struct ObjectView {
+  const std::string& name;
+};
+/// Argument `index` of the function `level` levels outward.
+struct ParameterView {
+  std::size_t level, index;
+};
+struct AttributeView {
+  const TypedNode& tuple;
+  std::size_t index;
+};
+struct ConversionView {
+  const TypedNode& argument;
+};
+struct ValueCallView {
+  const algebra3d::ResolvedCall& call;
+  std::span<const TypedPtr> arguments;
+};
+struct StreamCallView {
+  const algebra3d::Operator& op;
+  const BoundOperator& bound;
+  std::span<const TypedPtr> arguments;
+};
+struct FunctionView {
+  const TypedNode& body;
+};
+/// monostate: none of these.
+using NodeView = std::variant<std::monostate, ConstantView, ObjectView, ParameterView, AttributeView, ConversionView,
+                              ValueCallView, StreamCallView, FunctionView>;
+
+/// A checked expression: it has a type and evaluates without type errors. Immutable; shared by its closures. The nodes
+/// of stream operators are the logical plan of a query, which rewriting.h changes.
 class TypedNode : public std::enable_shared_from_this<TypedNode> {
  public:
   virtual ~TypedNode() = default;
@@ -43,6 +87,18 @@ class TypedNode : public std::enable_shared_from_this<TypedNode> {
   /// True for a stream of at most one tuple.
   virtual bool gives_one_tuple() const { return false; }
 
+  virtual NodeView view() const { return {}; }
+  /// How an operator works, for people, if that is not as its description says.
+  virtual std::string how() const { return {}; }
+  /// `other`, counted and timed as this node is if it is; to put it in the place of this one. `estimate`: the number of
+  /// tuples that are expected, if it is known.
+  virtual TypedPtr replaced_by(TypedPtr other, std::optional<std::uint64_t> estimate) const {
+    static_cast<void>(estimate);
+    return other;
+  }
+  /// The same node, neither counted nor timed.
+  virtual TypedPtr unmeasured() const { return shared_from_this(); }
+
  protected:
   TypedNode(TypeExpr type, SourcePlace place) : type_(std::move(type)), place_(std::move(place)) {}
 
@@ -50,7 +106,6 @@ class TypedNode : public std::enable_shared_from_this<TypedNode> {
   TypeExpr type_;
   SourcePlace place_;
 };
-using TypedPtr = std::shared_ptr<const TypedNode>;
 
 /// The objects of the database by name, for the checker and the evaluation.
 class ObjectSource {
@@ -77,6 +132,8 @@ class ObjectSource {
   }
   /// An index as it is now; `value_of` may give one that was read before a change of the statement.
   virtual Result<Datum> current_index(const std::string& name) { return value_of(name); }
+  /// Whether plans are rewritten (rewriting.h).
+  virtual bool rewrites_plans() const { return true; }
   /// False if there can be no objects, because no database is open.
   virtual bool is_open() const { return true; }
   /// Names of all objects, for suggestions.

@@ -12,7 +12,7 @@ namespace queries {
 Result<Value> Session::evaluate_alone(const Expression& expression, Context& context) {
   std::optional<Value> result;
   A3D_TRY(in_transaction(false, [&]() -> Status {
-    Objects objects(registry_, store_.get(), context);
+    Objects objects(registry_, store_.get(), context, options_.rewrites_plans);
     A3D_ASSIGN(const TypedPtr node, Checker(registry_, objects, context).check(expression));
     A3D_ASSIGN(const Datum datum, node->evaluate(nullptr, context));
     const auto* value = std::get_if<Value>(&datum.content);
@@ -87,7 +87,8 @@ Status Session::run(const SetOption& command, Presenter&, Context& context) {
   static const std::map<std::string, bool SessionOptions::*, std::less<>> switches = {
       {"timing", &SessionOptions::shows_timing},
       {"paging", &SessionOptions::uses_pager},
-      {"restoreReads", &SessionOptions::restore_reads}};
+      {"restoreReads", &SessionOptions::restore_reads},
+      {"rewrites", &SessionOptions::rewrites_plans}};
   A3D_ASSIGN(const Value value, evaluate_alone(*command.value, context));
   if (command.name == "memory") return set_memory(value, command.value->place);
   const auto found = switches.find(command.name);

@@ -74,7 +74,7 @@ Status Session::run(const CreateObject& command, Presenter&, Context& context) {
   A3D_ASSIGN(Store * store, required_store());
   A3D_TRY(check_new_name(command.name, command.name_place));
   return in_transaction(true, [&]() -> Status {
-    Objects objects(registry_, store, context);
+    Objects objects(registry_, store, context, options_.rewrites_plans);
     A3D_ASSIGN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
     if (!can_be_stored(type, registry_) || type.is_function() || is_index(type))
       return cannot_be_stored("create", type);
@@ -129,7 +129,7 @@ Status Session::define(const std::string& final_name, const Expression& value, b
   const std::string& name = interim.empty() ? final_name : interim;
   Context own = context;
   if (is_derived) own.unchanging = "a derived object is evaluated again whenever it is restored";
-  Objects objects(registry_, store_.get(), own);
+  Objects objects(registry_, store_.get(), own, options_.rewrites_plans);
   const auto node = checked_definition(value, is_derived, objects, own);
   if (!node) return node.error();
   const TypeExpr& type = (*node)->type();
@@ -157,7 +157,7 @@ Status Session::define(const std::string& final_name, const Expression& value, b
 Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
   A3D_ASSIGN(Store * store, required_store());
   return in_transaction(true, [&]() -> Status {
-    Objects objects(registry_, store, context);
+    Objects objects(registry_, store, context, options_.rewrites_plans);
     A3D_ASSIGN(const auto existing, store->find(command.name));
     if (!existing) return no_object(command.name, *store, "; use let to create one");
     if (!existing->derived_text.empty())
@@ -252,7 +252,7 @@ Status Session::run(const DefineType& command, Presenter&, Context& context) {
   if (registry_.find_type(command.name) != nullptr || command.name == "longint")
     return Error(ErrorCode::name_exists, "there is a type '{}' already", command.name).at(command.name_place);
   return in_transaction(true, [&]() -> Status {
-    Objects objects(registry_, store, context);
+    Objects objects(registry_, store, context, options_.rewrites_plans);
     A3D_ASSIGN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
     return at_name(store->create_type(command.name, type), command.name_place);
   });

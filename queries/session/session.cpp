@@ -279,7 +279,7 @@ Result<Store*> Session::required_store() {
 Status Session::run(const Query& command, Presenter& presenter, Context& context) {
   bool has_shown = false;
   const auto work = [&]() -> Status {
-    Objects objects(registry_, store_.get(), context);
+    Objects objects(registry_, store_.get(), context, options_.rewrites_plans);
     Checker checker(registry_, objects, context);
     A3D_ASSIGN(const TypedPtr node,
                presenter.takes_streams() ? checker.check(*command.value) : checker.check_result(*command.value));
@@ -304,7 +304,7 @@ Status Session::run(const Explain& command, Presenter& presenter, Context& conte
     PlanRecorder recorder;
     Context own = context;
     if (!command.runs) own.unchanging = "`explain` without `query` runs nothing";
-    Objects objects(registry_, store_.get(), own);
+    Objects objects(registry_, store_.get(), own, options_.rewrites_plans);
     A3D_ASSIGN(const TypedPtr node, Checker(registry_, objects, own, &recorder).check(*command.value));
     if (command.runs) A3D_TRY(run_to_end(*node, own));
     return presenter.present_inquiry(plan_list(recorder));

@@ -88,6 +88,8 @@ struct SessionOptions {
   /// Folders for the reports of statements that end with the error internal: the first that takes one gets it.
   /// None: no reports are written.
   std::vector<std::filesystem::path> failure_folders = {};
+  /// Whether plans are rewritten (queries/language/rewriting.h); changed by `set`.
+  bool rewrites_plans = true;
   /// The values of `$name` in commands.
   SessionParameters parameters = {};
   /// Whether the session runs statements of many users on one database: commands that open, close, make or delete

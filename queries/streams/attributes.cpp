@@ -18,7 +18,8 @@ Result<BoundOperator> map_attr(std::span<const ArgumentType> arguments) {
   return BoundOperator{check[0].type.attributes()[index].type,
                        [index](std::vector<Datum> given, Context&) -> Result<Datum> {
                          return Datum{given[0].tuple()->attributes[index]};
-                       }};
+                       },
+                       ReadsAttribute{index}};
 }
 
 BoundOperator projection(const TypeExpr& tuple, const std::vector<std::size_t>& indices) {

@@ -27,7 +27,8 @@ Result<BoundOperator> map_feed(std::span<const ArgumentType> arguments) {
                          [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                            A3D_ASSIGN(TupleStreamPtr tuples, given[0].relation()->scan());
                            return Datum{interruptible(std::move(tuples), context)};
-                         }};
+                         },
+                         ScansRelation{}};
   if (check[0].type.is_nested_relation())
     return BoundOperator{TypeExpr::stream(check[0].type.element()),
                          [](std::vector<Datum> given, Context& context) -> Result<Datum> {

@@ -1,5 +1,7 @@
 // product, symmjoin, loopjoin, loopsel: pairs of tuples by nested loops.
 #include <array>
+#include <optional>
+#include <string>
 
 #include "base/propagate.h"
 #include "queries/streams/all.h"
@@ -9,31 +11,53 @@
 namespace queries {
 namespace {
 
+std::string text_of(const std::optional<JoinKeys>& keys, const JoinTypes& types) {
+  if (!keys) return {};
+  return "by a hash table of " + types.right.attributes()[keys->right].name + " for " +
+         types.left.attributes()[keys->left].name;
+}
+
+BoundOperator bound_product(const JoinTypes& types, std::optional<JoinKeys> keys) {
+  return {TypeExpr::stream(types.joined),
+          [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
+            A3D_ASSIGN(TupleBuffer right, buffered(*given[1].tuples(), context));
+            return Datum{joined_pairs(given[0].tuples(), std::move(right), keys, context)};
+          },
+          PairsTuples{types.left.attributes().size(), false,
+                      [types](JoinKeys equal) { return bound_product(types, equal); }},
+          text_of(keys, types)};
+}
+
 Result<BoundOperator> map_product(std::span<const ArgumentType> arguments) {
   A3D_ASSIGN(const JoinTypes types, join_types(MappingCheck("product", arguments)));
-  return BoundOperator{TypeExpr::stream(types.joined), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                         A3D_ASSIGN(TupleBuffer right, buffered(*given[1].tuples(), context));
-                         return Datum{all_pairs(given[0].tuples(), std::move(right), context)};
-                       }};
+  return bound_product(types, std::nullopt);
+}
+
+BoundOperator bound_symmjoin(const JoinTypes& types, std::optional<JoinKeys> keys) {
+  return {TypeExpr::stream(types.joined),
+          [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
+            A3D_ASSIGN(TupleBuffer right, buffered(*given[1].tuples(), context));
+            return Datum{make_stream([loop = NestedLoop(given[0].tuples(), std::move(right), keys, context),
+                                      predicate = given[2].function_ptr()]() mutable -> Result<TuplePtr> {
+              while (true) {
+                A3D_ASSIGN(auto pair, loop.next());
+                if (pair.first == nullptr) return TuplePtr();
+                const std::array<Datum, 2> both = {Datum{pair.first}, Datum{pair.second}};
+                A3D_ASSIGN(const Value holds, predicate->call_for_value(both));
+                if (is_true(holds)) return concatenated(*pair.first, *pair.second);
+              }
+            })};
+          },
+          PairsTuples{types.left.attributes().size(), true,
+                      [types](JoinKeys equal) { return bound_symmjoin(types, equal); }},
+          text_of(keys, types)};
 }
 
 Result<BoundOperator> map_symmjoin(std::span<const ArgumentType> arguments) {
   const MappingCheck check("symmjoin", arguments);
   A3D_ASSIGN(const JoinTypes types, join_types(check));
   A3D_TRY(check.function(2, {types.left, types.right}, "bool"));
-  return BoundOperator{TypeExpr::stream(types.joined), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                         A3D_ASSIGN(TupleBuffer right, buffered(*given[1].tuples(), context));
-                         return Datum{make_stream([loop = NestedLoop(given[0].tuples(), std::move(right), context),
-                                                   predicate = given[2].function_ptr()]() mutable -> Result<TuplePtr> {
-                           while (true) {
-                             A3D_ASSIGN(auto pair, loop.next());
-                             if (pair.first == nullptr) return TuplePtr();
-                             const std::array<Datum, 2> both = {Datum{pair.first}, Datum{pair.second}};
-                             A3D_ASSIGN(const Value holds, predicate->call_for_value(both));
-                             if (is_true(holds)) return concatenated(*pair.first, *pair.second);
-                           }
-                         })};
-                       }};
+  return bound_symmjoin(types, std::nullopt);
 }
 
 /// What `combine(outer, inner)` makes of each tuple and each tuple of the stream that the function gives for it.

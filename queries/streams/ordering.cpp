@@ -1,5 +1,6 @@
 // sortby, sort, rdup, rduph, krdup, krduph: order, and what is equal.
 #include <numeric>
+#include <string>
 #include <utility>
 
 #include "algebra3d/operators/registry/operator.h"
@@ -13,12 +14,23 @@
 namespace queries {
 namespace {
 
-BoundOperator sorting(const TypeExpr& tuple, std::vector<SortKey> order) {
+BoundOperator sorting_of_first(const TypeExpr& tuple, const std::vector<SortKey>& order, std::size_t count) {
   return {TypeExpr::stream(tuple),
-          [order = std::move(order)](std::vector<Datum> given, Context& context) -> Result<Datum> {
+          [order, count](std::vector<Datum> given, Context& context) -> Result<Datum> {
+            A3D_ASSIGN(TupleStreamPtr stream, first_sorted(*given[0].tuples(), order, count, context));
+            return Datum{std::move(stream)};
+          },
+          {},
+          "keeps the first " + std::to_string(count)};
+}
+
+BoundOperator sorting(const TypeExpr& tuple, const std::vector<SortKey>& order) {
+  return {TypeExpr::stream(tuple),
+          [order](std::vector<Datum> given, Context& context) -> Result<Datum> {
             A3D_ASSIGN(TupleStreamPtr stream, sorted(*given[0].tuples(), order, context));
             return Datum{std::move(stream)};
-          }};
+          },
+          SortsTuples{[tuple, order](std::size_t count) { return sorting_of_first(tuple, order, count); }}};
 }
 
 Result<BoundOperator> map_sortby(std::span<const ArgumentType> arguments) {
@@ -28,7 +40,7 @@ Result<BoundOperator> map_sortby(std::span<const ArgumentType> arguments) {
   if (attributes.empty()) return check.error("expected at least one attribute");
   std::vector<SortKey> order;
   for (std::size_t i = 0; i < attributes.size(); ++i) order.push_back({attributes[i], check[1].modifiers[i] == "desc"});
-  return sorting(tuple, std::move(order));
+  return sorting(tuple, order);
 }
 
 Result<BoundOperator> map_sort(std::span<const ArgumentType> arguments) {

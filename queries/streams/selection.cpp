@@ -18,7 +18,8 @@ Result<BoundOperator> map_filter(std::span<const ArgumentType> arguments) {
   A3D_ASSIGN(const TypeExpr element, check.any_stream(0));
   A3D_TRY(check.function(1, {element}, "bool"));
   return BoundOperator{
-      TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+      TypeExpr::stream(element),
+      [](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& stream) {
           return Result<Datum>(Datum{make_stream_of<Stream>([stream, predicate = given[1].function_ptr(), &context,
                                                              step = 0U]() mutable -> Result<ElementOf<Stream>> {
@@ -32,7 +33,8 @@ Result<BoundOperator> map_filter(std::span<const ArgumentType> arguments) {
             }
           })});
         });
-      }};
+      },
+      SelectsElements{}};
 }
 
 // A number of elements: none for an undefined or negative one.
@@ -45,7 +47,8 @@ Result<BoundOperator> map_head(std::span<const ArgumentType> arguments) {
   const MappingCheck check("head", arguments);
   A3D_ASSIGN(const TypeExpr element, check.any_stream(0));
   A3D_TRY(check.type(1, "int"));
-  return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context&) -> Result<Datum> {
+  return BoundOperator{TypeExpr::stream(element),
+                       [](std::vector<Datum> given, Context&) -> Result<Datum> {
                          return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& stream) {
                            return Result<Datum>(Datum{make_stream_of<Stream>(
                                [stream, left = element_count(given[1])]() mutable -> Result<ElementOf<Stream>> {
@@ -54,7 +57,8 @@ Result<BoundOperator> map_head(std::span<const ArgumentType> arguments) {
                                  return stream->next();
                                })});
                          });
-                       }};
+                       },
+                       TakesFirst{}};
 }
 
 // Two buffers: when the newer one holds as many as are wanted, the older one goes.

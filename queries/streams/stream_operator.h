@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "algebra3d/operators/registry/registry.h"
@@ -30,12 +31,50 @@ struct ArgumentType {
   std::function<Result<Value>()> constant;
 };
 
+struct BoundOperator;
+
+/// Two attributes that an equi-join compares.
+struct JoinKeys {
+  std::size_t left = 0;
+  std::size_t right = 0;
+};
+
+// What an operator does, as far as rewrites of plans use it (queries/language/rewriting.h), and the operators that may
+// stand in its place there: they give the same tuples in the same order.
+
+/// The value of an attribute of the tuple at place 0.
+struct ReadsAttribute {
+  std::size_t index = 0;
+};
+/// All tuples of the relation at place 0.
+struct ScansRelation {};
+/// The elements of the stream at place 0 for which the function at place 1 gives TRUE.
+struct SelectsElements {};
+/// The first elements of the stream at place 0, as many as the int at place 1 says.
+struct TakesFirst {};
+/// The tuples of the stream at place 0, sorted.
+struct SortsTuples {
+  /// Gives only the first tuples, this many.
+  std::function<BoundOperator(std::size_t count)> of_first;
+};
+/// Pairs of tuples of the streams at places 0 and 1, the first one varying slowest.
+struct PairsTuples {
+  std::size_t left_count = 0;  ///< attributes of the first tuple
+  bool has_predicate = false;  ///< at place 2: a function of both tuples that selects pairs
+  /// Leaves out pairs, all or some, whose keys differ or are undefined. The keys are of one type.
+  std::function<BoundOperator(JoinKeys keys)> with_equal;
+};
+using OperatorRole =
+    std::variant<std::monostate, ReadsAttribute, ScansRelation, SelectsElements, TakesFirst, SortsTuples, PairsTuples>;
+
 /// An operator bound to the types of its arguments: the type of the result, and the function that computes it.
 /// `arguments` holds per place: the evaluated expression (operands, `_`), a Function (`fun`), a list of Functions
 /// (`functions`), or an empty list (name places).
 struct BoundOperator {
   TypeExpr type;
   std::function<Result<Datum>(std::vector<Datum> arguments, algebra3d::Context& context)> run;
+  OperatorRole role = {};
+  std::string how = {};  ///< how it works, for people, if that is not as its description says
 };
 
 /// The type mapping: binds an operator to argument types. Errors: type_error "filter: expected ..., got ...".

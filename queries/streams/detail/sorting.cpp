@@ -276,6 +276,76 @@ class Sorter {
   std::vector<SortedRun> runs_;
 };
 
+/// The first tuples of a sort order. The last of them is at the top of a heap, so that most tuples are dropped after
+/// one comparison.
+class FirstTuples {
+ public:
+  FirstTuples(const std::vector<SortKey>& keys, std::size_t count, const Context& context)
+      : order_(keys), count_(count), account_(context.memory), sorter_(keys, context) {}
+
+  Status add(TuplePtr tuple) {
+    if (count_ == 0) return {};
+    if (is_too_large_) return sorter_.add(std::move(tuple));
+    A3D_ASSIGN(KeyedTuple keyed, order_.keyed(std::move(tuple)));
+    Kept kept{order_.prefix(keyed), number_++, std::move(keyed)};
+    const auto before = [this](const Kept& a, const Kept& b) { return is_before(a, b); };
+    if (heap_.size() == count_) {
+      if (!is_before(kept, heap_.front())) return {};
+      std::ranges::pop_heap(heap_, before);
+      bytes_ -= bytes_of(heap_.back());
+      heap_.pop_back();
+    }
+    bytes_ += bytes_of(kept);
+    heap_.push_back(std::move(kept));
+    std::ranges::push_heap(heap_, before);
+    const bool has_room = bytes_ <= account_.used() || account_.take(bytes_ - account_.used());
+    return has_room ? Status() : give_up();
+  }
+
+  Result<TupleStreamPtr> finish() {
+    if (is_too_large_) return sorter_.finish();
+    std::ranges::sort_heap(heap_, [this](const Kept& a, const Kept& b) { return is_before(a, b); });
+    return make_stream(
+        [heap = std::move(heap_), account = std::move(account_), index = std::size_t{0}]() mutable -> Result<TuplePtr> {
+          return index == heap.size() ? TuplePtr() : std::move(heap[index++].tuple.tuple());
+        });
+  }
+
+ private:
+  struct Kept {
+    std::uint64_t prefix;
+    std::uint64_t number;  // in the stream
+    KeyedTuple tuple;
+  };
+
+  static std::size_t bytes_of(const Kept& kept) { return kept.tuple.bytes() + sizeof(Kept); }
+
+  bool is_before(const Kept& a, const Kept& b) const {
+    if (a.prefix != b.prefix) return a.prefix < b.prefix;
+    const auto order = order_.compare_further(a.tuple, b.tuple);
+    return order != 0 ? order < 0 : a.number < b.number;
+  }
+
+  /// Hands the kept tuples over to a sort: those that were dropped are not among the first ones in any case.
+  Status give_up() {
+    is_too_large_ = true;
+    account_.clear();
+    std::ranges::sort(heap_, {}, &Kept::number);
+    for (Kept& kept : heap_) A3D_TRY(sorter_.add(std::move(kept.tuple.tuple())));
+    heap_.clear();
+    return {};
+  }
+
+  SortOrder order_;
+  std::size_t count_;
+  algebra3d::MemoryAccount account_;
+  Sorter sorter_;
+  std::vector<Kept> heap_;
+  std::size_t bytes_ = 0;  // of the heap
+  std::uint64_t number_ = 0;
+  bool is_too_large_ = false;
+};
+
 }  // namespace
 
 std::vector<SortKey> ascending(const std::vector<std::size_t>& attributes) {
@@ -311,6 +381,13 @@ Result<TupleStreamPtr> sorted(TupleStream& tuples, const std::vector<SortKey>& o
   Sorter sorter(order, context);
   A3D_TRY(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) { return sorter.add(tuple); }));
   return sorter.finish();
+}
+
+Result<TupleStreamPtr> first_sorted(TupleStream& tuples, const std::vector<SortKey>& order, std::size_t count,
+                                    const Context& context) {
+  FirstTuples first(order, count, context);
+  A3D_TRY(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) { return first.add(tuple); }));
+  return first.finish();
 }
 
 }  // namespace queries

@@ -26,4 +26,9 @@ std::strong_ordering compare_keys(const std::vector<Value>& a, const std::vector
 /// n log n. Source: [knuth1998], section 5.4.
 Result<TupleStreamPtr> sorted(TupleStream& tuples, const std::vector<SortKey>& order, const Context& context);
 
+/// The first `count` tuples of `sorted`, in a heap; if they exceed the work memory, all that are left are sorted. Reads
+/// the stream to its end. Errors: as of `sorted`. Cost: n log count. Memory: the tuples of the result.
+Result<TupleStreamPtr> first_sorted(TupleStream& tuples, const std::vector<SortKey>& order, std::size_t count,
+                                    const Context& context);
+
 }  // namespace queries
