@@ -9,12 +9,15 @@ the time of the coordinator, by the constants.
 """
 import random
 
-# Measured on 2026-11-30 with scripts/cluster (two servers in network namespaces, 600 solids of up to 84 triangles, each statement for
-# the second time in its session), by the counters of the servers' interfaces, and EXPLAIN (SUMMARY) for the planning time.
-BYTES_OF_A_COUNT = BYTES_A
-BYTES_OF_A_SERVER = BYTES_B
-PLANNING_MS = PLAN_A
-EXECUTION_MS = EXEC_A
+# Measured on 2026-11-30 with scripts/cluster (a coordinator and two servers, four foreign servers, all on two busy cores), each
+# statement for the second time in its session: bytes that servers sent for a count over 8 and over 64 tiles, and what a join had
+# more; planning and execution of a count over 64 and 512 tiles by EXPLAIN ANALYZE. The time of a tile is that of the coordinator and
+# the servers together, which share the cores, so the coordinator's own is less.
+BYTES_OF_A_TILE = 370
+BYTES_OF_A_SERVER = 560
+MORE_BYTES_OF_A_JOIN = 200
+PLANNING_MS = 0.06
+EXECUTION_MS = 0.8
 TILES_OF_A_SERVER = 4
 SAMPLE = 20000
 
@@ -36,7 +39,7 @@ def amount(number):
 
 def main():
     dice = random.Random(1)
-    print("| solids | servers | tiles | rows of a tile | copies of a solid, edge 0.5 / 2 / 10 | bytes of a count or join | the coordinator plans and asks for |")
+    print("| solids | servers | tiles | rows of a tile | copies of a solid, edge 0.5 / 2 / 10 | bytes of a join's count | the coordinator plans and asks for |")
     print("|---:|---:|---:|---:|---|---:|---:|")
     for solids in (10**6, 10**7, 10**8, 10**9, 10**10):
         for servers in (1, 10, 100, 1000):
@@ -45,7 +48,7 @@ def main():
             tiles = servers * TILES_OF_A_SERVER
             edge_of_tile = (solids / tiles) ** (1 / 3)
             found = [copies(edge, edge_of_tile, dice) for edge in (0.5, 2, 10)]
-            total_bytes = tiles * BYTES_OF_A_COUNT + servers * BYTES_OF_A_SERVER
+            total_bytes = tiles * (BYTES_OF_A_TILE + MORE_BYTES_OF_A_JOIN) + servers * BYTES_OF_A_SERVER
             seconds = tiles * (PLANNING_MS + EXECUTION_MS) / 1e3
             print(f"| {amount(solids)} | {servers} | {tiles} | {amount(solids / tiles * found[0])} | {' / '.join(f'{each:.3f}' for each in found)} | "
                   f"{amount(total_bytes)}B | {seconds:.2g} s |")
