@@ -23,6 +23,7 @@
 
 #include "algebra3d/c.h"
 #include "exported.h"
+#include "released_versions.h"
 #include "strategies.h"
 #include "versions.h"
 
@@ -459,7 +460,7 @@ void write_files(std::ostream& out) {
   }
 }
 
-/// What the registry declares, as the statements of one script.
+/// The statements of one script for all that the registry declares.
 std::string script_of(const std::vector<SqlFunction>& functions) {
   std::ostringstream out;
   write_beginning(out);
@@ -475,59 +476,6 @@ std::string script_of(const std::vector<SqlFunction>& functions) {
   write_index(out, operators);
   write_supports(out, functions);
   return out.str();
-}
-
-/// Numbers of a version such as 1.10, which is later than 1.9.
-std::vector<int> numbers_of(const std::string& version) {
-  std::vector<int> numbers;
-  std::istringstream in(version);
-  for (std::string part; std::getline(in, part, '.');) numbers.push_back(std::atoi(part.c_str()));
-  return numbers;
-}
-
-std::string content_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// The version that algebra3d.control names: the one that is under development, or the last one that was released.
-std::string version_of_control(const std::filesystem::path& folder) {
-  const std::string control = content_of(folder / "algebra3d.control"), mark = "default_version = '";
-  const std::size_t at = control.find(mark);
-  if (at == std::string::npos) return "";
-  const std::size_t begin = at + mark.size();
-  return control.substr(begin, control.find('\'', begin) - begin);
-}
-
-constexpr std::string_view kMembers = ".members", kPrefix = "algebra3d--";
-
-/// In the order of the versions.
-std::vector<std::string> released_versions(const std::filesystem::path& folder) {
-  std::vector<std::string> versions;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(kPrefix) && name.ends_with(kMembers))
-      versions.push_back(name.substr(kPrefix.size(), name.size() - kPrefix.size() - kMembers.size()));
-  }
-  std::ranges::sort(versions, {}, numbers_of);
-  return versions;
-}
-
-/// Lines that the list of members of a released version has and `script` has not: errors.
-std::vector<std::string> missing_members(const std::string& list, const std::string& script) {
-  const auto lines_of = [](const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);)
-      if (!line.starts_with("script\t")) lines.push_back(line);
-    return lines;
-  };
-  const std::vector<std::string> there = lines_of(members_of("", script));
-  const std::set<std::string> known(there.begin(), there.end());
-  std::vector<std::string> missing;
-  for (const std::string& line : lines_of(list))
-    if (!known.contains(line)) missing.push_back(line);
-  return missing;
 }
 
 int fail(const std::string& message) {

@@ -19,7 +19,7 @@
 /// index.
 namespace algebra3d_postgres {
 
-/// What a statement of a script declares.
+/// The object that a statement of a script declares.
 struct Declared {
   std::string kind;      ///< "function", "operator class", ... ; "" of an unknown statement
   std::string identity;  ///< among those of its kind
@@ -72,7 +72,7 @@ inline std::vector<Declared> declared_in(std::string_view script) {
   return all;
 }
 
-/// What later versions may declare in another way.
+/// Clauses that later versions may declare in another way.
 inline bool may_change(const Declared& declared) {
   return declared.kind == "comment" || declared.kind == "support";
 }
@@ -170,7 +170,7 @@ inline void add_difference(Difference& result, const Declared& before, const Dec
   }
 }
 
-/// What makes a database with the released version one with all that `now` declares.
+/// The script that makes a database with the released version one with all that `now` declares.
 inline Difference difference(const std::vector<Declared>& released, const std::vector<Declared>& now) {
   Difference result;
   std::map<std::pair<std::string, std::string>, const Declared*> before, after;

@@ -31,7 +31,7 @@ class Monitor {
 
   const std::atomic<bool>* cancel() const { return cancel_; }
   const Report* report() const { return report_; }
-  /// What was not given a flag ends as its thread does: callers that gave none expect no error.
+  /// Work without a flag is left by an exception, as poll_thread does: its callers expect no error.
   bool is_cancelled() const {
     if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return true;
     detail::poll_thread();

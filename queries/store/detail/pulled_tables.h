@@ -13,7 +13,7 @@ namespace queries {
 Result<bool> has_pulled_tables(SqliteConnection& connection);
 /// The rows of a relation, by its number. Errors: database_corrupt.
 Result<std::vector<Store::PulledTable>> read_pulled_tables(SqliteConnection& connection, std::int64_t relation);
-/// Makes the table if there is none.
+/// Makes the table unless it is there.
 Status write_pulled_table(SqliteConnection& connection, std::int64_t relation, const Store::PulledTable& table);
 Status erase_pulled_tables(SqliteConnection& connection, std::int64_t relation);
 

@@ -14,11 +14,11 @@ struct Libpq {
   struct CancelKey;   // PGcancel
   struct Option;      // PQconninfoOption
 
-  // Of ConnStatusType, PostgresPollingStatusType and ExecStatusType.
+  // Values of ConnStatusType, PostgresPollingStatusType and ExecStatusType.
   static constexpr int kConnectionBad = 1;
   static constexpr int kPollingFailed = 0, kPollingReading = 1, kPollingWriting = 2, kPollingOk = 3;
   static constexpr int kEmptyQuery = 0, kCommandOk = 1, kTuplesOk = 2, kCopyOut = 3, kCopyIn = 4;
-  // Of PG_DIAG_...
+  // Codes of fields of an error, PG_DIAG_...
   static constexpr int kSqlState = 'C', kPrimary = 'M', kDetail = 'D', kHint = 'H', kContext = 'W';
 
   using NoticeReceiver = void (*)(void* argument, const Answer* answer);

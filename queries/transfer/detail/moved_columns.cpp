@@ -14,7 +14,7 @@
 namespace queries {
 namespace {
 
-/// What does not fit, for one message.
+/// Columns that do not fit, for one message.
 class Differences {
  public:
   template <typename... Args>

@@ -19,8 +19,8 @@ class PushJournal {
 
   PushJournal(const ServerTable& target, std::string relation);
 
-  /// Makes the table if there is none, and reads it; other pushes of the relation wait until the transaction ends. Call
-  /// in a transaction.
+  /// Makes the table unless it is there, and reads it; other pushes of the relation wait until the transaction ends.
+  /// Call in a transaction.
   Status open(ServerConnection& connection);
   /// Forgets all relations that were pushed into the target. Call in the same transaction.
   Status clear(ServerConnection& connection);

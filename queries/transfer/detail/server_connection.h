@@ -53,7 +53,7 @@ struct ServerHost {
 /// destructor closes it, upon which the server undoes an open transaction.
 class ServerConnection {
  public:
-  /// Errors: wrong_usage for a text that is no conninfo; io_error with the reason of the server or the system.
+  /// Errors: wrong_usage for a text that is not a conninfo; io_error with the reason of the server or the system.
   static Result<std::unique_ptr<ServerConnection>> open(const ServerHost& host, const std::string& conninfo);
   ServerConnection(const ServerConnection&) = delete;
   ServerConnection& operator=(const ServerConnection&) = delete;
@@ -70,7 +70,7 @@ class ServerConnection {
   Status send(const std::string& sql);
   /// The next answer to what was sent: waits for it. Nothing after the last one.
   Result<std::optional<ServerAnswer>> next_answer();
-  /// The same without waiting: `is_ready` is set to false if there is none yet.
+  /// The next answer without waiting: `is_ready` is set to false if it has not come yet.
   Result<std::optional<ServerAnswer>> next_answer_if_ready(bool& is_ready);
 
   struct Copied {
