@@ -240,19 +240,21 @@ static a3d_status print(void* given) {
   return a3d_print(p->session, p->value, &p->bytes);
 }
 
-static char* list_text(a3d_value* value) {
+static a3d_bytes printed(a3d_value* value) {
   Printing printing = {backend_session(), value, {0}};
-  a3d_bytes bytes;
-  char* result;
   check_status(is_large(value) ? run_aside(print, &printing) : print(&printing));
-  bytes = printing.bytes;
-  if (bytes.size >= MaxAllocSize) {
-    a3d_free_bytes(&bytes);
+  if (printing.bytes.size >= MaxAllocSize - VARHDRSZ) {
+    a3d_free_bytes(&printing.bytes);
     ereport(ERROR, errcode(ERRCODE_PROGRAM_LIMIT_EXCEEDED), errmsg("a value list of 1 GB or more is no text"),
             errhint("Set algebra3d.output to codec."));
   }
-  result = taken_bytes(&bytes, 0);
-  return pg_any_to_server(result, strlen(result), PG_UTF8);
+  return printing.bytes;
+}
+
+static char* list_text(a3d_value* value) {
+  a3d_bytes bytes = printed(value);
+  size_t size = bytes.size;
+  return pg_any_to_server(taken_bytes(&bytes, 0), size, PG_UTF8);
 }
 
 /* The binary form of a datum, with header and checksum also for types that are stored without. */
@@ -296,7 +298,12 @@ Datum send_value(FunctionCallInfo fcinfo, const char* type) {
 }
 
 Datum text_of_value(FunctionCallInfo fcinfo, const char* type) {
-  PG_RETURN_TEXT_P(cstring_to_text(list_text(value_of_datum(PG_GETARG_DATUM(0), type))));
+  a3d_value* value = value_of_datum(PG_GETARG_DATUM(0), type);
+  a3d_bytes bytes;
+  /* A large text is copied once. */
+  if (GetDatabaseEncoding() != PG_UTF8) PG_RETURN_TEXT_P(cstring_to_text(list_text(value)));
+  bytes = printed(value);
+  return varlena_of_bytes(&bytes);
 }
 
 /* ---- Boxes ---- */
