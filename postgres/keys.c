@@ -31,11 +31,13 @@ bool is_of_all_space(const Key* key) {
   return isinf(key->min[0]) && isinf(key->max[0]);
 }
 
-bool may_meet(const Key* key, const a3d_header* box) {
-  if (is_empty(box)) return false;
-  for (int axis = 0; axis < 3; ++axis)
-    if (key->min[axis] > box->max[axis] || key->max[axis] < box->min[axis]) return false;
-  return true;
+Key inner_key(const a3d_header* box) {
+  Key key;
+  for (int axis = 0; axis < 3; ++axis) {
+    key.min[axis] = is_empty(box) ? NAN : float_above(box->min[axis]);
+    key.max[axis] = is_empty(box) ? NAN : float_below(box->max[axis]);
+  }
+  return key;
 }
 
 /* The bounds of the box within lie at most one float further in. */

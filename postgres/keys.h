@@ -13,8 +13,20 @@ typedef struct Key {
 Key key_of_header(const a3d_header* header);
 bool is_of_all_space(const Key* key);
 
-/* Whether boxes around which a key was made may meet, enclose or be enclosed by a box of doubles. */
-bool may_meet(const Key* key, const a3d_header* box);
+/* The least key that meets the same keys as a box does: each bound is the next float inward. An empty box meets none.
+ */
+Key inner_key(const a3d_header* box);
+
+/* Whether boxes around which a key was made may meet the box of an inner key. Without branches: a search asks this of
+ * each entry of a page, and no processor can guess which of six comparisons fails. */
+static inline bool may_meet(const Key* key, const Key* inner) {
+  unsigned meets = 1;
+  for (int axis = 0; axis < 3; ++axis)
+    meets &= (unsigned)(key->min[axis] <= inner->max[axis]) & (unsigned)(key->max[axis] >= inner->min[axis]);
+  return meets != 0;
+}
+
+/* Whether they may enclose or be enclosed by a box of doubles. */
 bool may_enclose(const Key* key, const a3d_header* box);
 bool may_be_inside(const Key* key, const a3d_header* box);
 /* Whether they meet for sure. */
