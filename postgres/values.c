@@ -7,6 +7,7 @@
 #include <common/hashfn.h>
 #include <libpq/pqformat.h>
 #include <mb/pg_wchar.h>
+#include <miscadmin.h>
 #include <utils/builtins.h>
 #include <utils/memutils.h>
 #include <utils/syscache.h>
@@ -183,8 +184,9 @@ static a3d_status parse(void* given) {
 }
 
 static a3d_value* parsed(const char* type, const char* given) {
-  char* utf8 = pg_server_to_any(given, strlen(given), PG_UTF8);
-  Parsing parsing = {backend_session(), type, utf8, strlen(utf8), NULL};
+  size_t size = strlen(given);
+  char* utf8 = pg_server_to_any(given, size, PG_UTF8);
+  Parsing parsing = {backend_session(), type, utf8, utf8 == given ? size : strlen(utf8), NULL};
   check_status(parsing.size > MOST_BYTES_AT_ONCE / 4 ? run_aside(parse, &parsing) : parse(&parsing));
   return owned_value(parsing.result);
 }
@@ -206,6 +208,8 @@ Datum read_value(FunctionCallInfo fcinfo, const char* type) {
   char* bytes = NULL;
   int size = 0;
   a3d_value* value;
+  /* The server has copied a large text without a look at them. */
+  CHECK_FOR_INTERRUPTS();
   while (*given == ' ' || *given == '\n' || *given == '\t' || *given == '\r') ++given;
   if (*given == '(') {
     value = parsed(type, given);

@@ -19,6 +19,29 @@ Result<std::optional<MeetingWitness>> enclosed_point(const SpatialSet& a, const 
   return witness_of_meeting(a, b, monitor);
 }
 
+/// The corners of a box, or twice a single point; nothing for other sets.
+struct Corners {
+  ExactPoint min, max;
+};
+std::optional<Corners> corners_of(const SpatialSet& set) {
+  if (const auto* box = std::get_if<Box3>(&set)) return Corners{box->min, box->max};
+  const auto* points = std::get_if<PointSet>(&set);
+  if (points == nullptr || points->points.size() != 1) return std::nullopt;
+  return Corners{points->points[0], points->points[0]};
+}
+
+/// The sum of the squares of the gaps along the axes.
+Rational squared_distance_of(const Corners& a, const Corners& b) {
+  Rational sum;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Rational below = b.min.ref().coordinate(axis) - a.max.ref().coordinate(axis);
+    const Rational above = a.min.ref().coordinate(axis) - b.max.ref().coordinate(axis);
+    const Rational& gap = below.sign() > 0 ? below : above;
+    if (gap.sign() > 0) sum += gap * gap;
+  }
+  return sum;
+}
+
 }  // namespace
 
 Result<std::optional<NearestPoints>> nearest_points(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
@@ -35,6 +58,8 @@ Result<std::optional<NearestPoints>> nearest_points(const SpatialSet& a, const S
 
 // Where sets cross, many pairs of triangles are at the distance 0, and each would be a candidate.
 Result<std::optional<Rational>> squared_distance_of(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
+  const auto first_box = corners_of(a), second_box = corners_of(b);
+  if (first_box && second_box) return std::optional(squared_distance_of(*first_box, *second_box));
   A3D_ASSIGN(const bool meet, do_meet(a, b, monitor));
   if (meet) return std::optional<Rational>(0);
   const BoundaryFaces first(a), second(b);
