@@ -23,8 +23,13 @@ TEST(embedded_stars, are_all_corners_of_smooth_and_of_convex_solids) {
   EXPECT_EQ(embedded_count(MeshMaker().box({1e9, 0, 0}, {1e9 + 1, 1e-3, 1e3}).mesh()), 8U);
 }
 
-TEST(embedded_stars, are_not_claimed_for_coordinates_that_are_no_doubles_or_out_of_range) {
-  EXPECT_EQ(embedded_count(MeshMaker(Rational(1, 3)).box({0, 0, 0}, {1, 1, 1}).mesh()), 0U);
+TEST(embedded_stars, are_found_where_coordinates_are_rounded_unless_that_could_hide_a_fold) {
+  EXPECT_EQ(embedded_count(MeshMaker(Rational(1, 3)).box({0, 0, 0}, {1, 1, 1}).mesh()), 8U);
+  EXPECT_EQ(embedded_count(MeshMaker(Rational(1, 3)).box({1e6, 0, 0}, {1e6 + 1, 1, 1}).mesh()), 8U);
+  EXPECT_EQ(embedded_count(MeshMaker(Rational(1, 3)).box({1e15, 0, 0}, {1e15 + 1, 1, 1}).mesh()), 0U);
+}
+
+TEST(embedded_stars, are_not_claimed_for_coordinates_out_of_range) {
   EXPECT_EQ(embedded_count(MeshMaker(Rational(1e-200)).box({0, 0, 0}, {1, 1, 1}).mesh()), 0U);
   EXPECT_EQ(embedded_count(MeshMaker(Rational(1e200)).box({0, 0, 0}, {1, 1, 1}).mesh()), 0U);
 }
@@ -35,12 +40,14 @@ TEST(embedded_stars, are_not_claimed_where_two_bodies_touch) {
 }
 
 TEST(embedded_stars, are_not_claimed_for_a_fan_that_goes_round_twice) {
-  MeshMaker maker;
-  std::vector<Vec3> ring;
-  for (int i = 0; i < 10; ++i)
-    ring.push_back({std::cos(0.4 * std::numbers::pi * i), std::sin(0.4 * std::numbers::pi * i), 0.01 * i});
-  for (std::size_t i = 0; i < 10; ++i) maker.triangle({0, 0, 0}, ring[i], ring[(i + 1) % 10]);
-  EXPECT_EQ(embedded_count(maker.mesh()), 0U);
+  for (const Rational& scale : {Rational(1), Rational(1, 3)}) {
+    MeshMaker maker(scale);
+    std::vector<Vec3> ring;
+    for (int i = 0; i < 10; ++i)
+      ring.push_back({std::cos(0.4 * std::numbers::pi * i), std::sin(0.4 * std::numbers::pi * i), 0.01 * i});
+    for (std::size_t i = 0; i < 10; ++i) maker.triangle({0, 0, 0}, ring[i], ring[(i + 1) % 10]);
+    EXPECT_EQ(embedded_count(maker.mesh()), 0U);
+  }
 }
 
 TEST(embedded_stars, are_not_claimed_for_a_flat_fold_or_a_boundary) {

@@ -134,20 +134,24 @@ RegionId common_field(const HeightFields& fields, std::span<const std::uint32_t>
 }
 
 // Pairs of leaves of one group need no test. Leaves with known faces alone are one group, those in one height field
-// another. All triangles at the tip of a cone or the pole of a sphere meet there, so their boxes do, and their pairs
-// are quadratically many: the group of such a leaf is the corner. The three kinds have different numbers.
+// another. All triangles at the tip of a cone meet there, so their boxes do, and their pairs are quadratically many:
+// the group of such a leaf is the corner, also where it lies in a field, since other leaves at the tip lie in other
+// fields. The three kinds have different numbers.
 void group_leaves(const TriangleMesh& mesh, const ProvedParts& proved, BoxHierarchy& hierarchy) {
   const auto known_group = static_cast<std::uint32_t>(mesh.vertex_count()), first_field = known_group + 1;
   const auto is_known = [&](std::uint32_t face) { return proved.known.contains(face); };
   std::vector<std::uint32_t> groups(hierarchy.leaf_count());
   parallel_for(groups.size(), kLeavesPerTask, [&](std::size_t leaf) {
     const auto faces = hierarchy.leaf_faces(leaf);
+    const std::uint32_t corner = common_embedded_corner(mesh, proved.stars, faces);
+    const RegionId field = common_field(proved.fields, faces);
+    const bool is_within_field = corner == kNone || proved.fields.is_inside(VertexId(corner));
     if (std::ranges::all_of(faces, is_known))
       groups[leaf] = known_group;
-    else if (const RegionId field = common_field(proved.fields, faces); !field.is_none())
+    else if (!field.is_none() && is_within_field)
       groups[leaf] = first_field + field.index();
     else
-      groups[leaf] = common_embedded_corner(mesh, proved.stars, faces);
+      groups[leaf] = corner;
   });
   hierarchy.set_groups(groups);
 }

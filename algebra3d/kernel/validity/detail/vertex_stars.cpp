@@ -4,9 +4,9 @@
 // a common point of two triangles lies over the common part of their projections, which is a shared edge or v.
 //
 // Any d will do, so d is made of small integers, and all rounding happens in the edge vectors and the products with
-// them: a bound for it is all that has to be compared with. Whatever the bound leaves open (sharp creases, saddles that
-// fold over every plane, slivers, coordinates that are not doubles, boundaries, several fans) is left to the exact test
-// of pairs.
+// them: a bound for it is all that has to be compared with. Coordinates that are not doubles are rounded first, by at
+// most 2^-53 of their size. Whatever the bound leaves open (sharp creases, saddles that fold over every plane, slivers,
+// boundaries, several fans) is left to the exact test of pairs.
 
 #include "algebra3d/kernel/validity/detail/vertex_stars.h"
 
@@ -24,27 +24,34 @@ struct Star {
   std::vector<Vec3> edges;    // from the vertex to its neighbours, counter-clockwise, rounded differences
   std::vector<Vec3> normals;  // edges[i] x edges[i + 1], rounded
   double longest = 0;         // largest absolute coordinate of an edge
+  double rounded = 0;         // largest absolute coordinate of a point that is not of doubles; 0 without such points
+
+  void add_point(const PointRef& point) {
+    if (!point.is_double()) rounded = std::max(rounded, detail::largest(point.approx));
+  }
 };
 
 constexpr double kDirectionSize = 1024;
 constexpr int kSearchRounds = 8;
 constexpr std::size_t kVerticesPerTask = 4096;
 
-/// Collects the closed fan of `v`; false if there is none, or its coordinates are not doubles.
+/// Collects the closed fan of `v`; false if there is none.
 bool collect_star(const TriangleMesh& mesh, VertexId v, Star& star) {
   star.edges.clear();
-  star.longest = 0;
+  star.longest = star.rounded = 0;
   const HalfedgeId first = mesh.outgoing(v);
   const PointRef centre = mesh.point(v);
-  if (!first.is_valid() || !centre.is_double() || mesh.is_nonmanifold(v)) return false;
+  if (!first.is_valid() || mesh.is_nonmanifold(v)) return false;
+  star.add_point(centre);
   HalfedgeId h = first;
   do {
     const PointRef end = mesh.point(mesh.target(h));
     const Vec3 edge = end.approx - centre.approx;
     star.edges.push_back(edge);
-    star.longest = std::max({star.longest, std::abs(edge.x), std::abs(edge.y), std::abs(edge.z)});
+    star.longest = std::max(star.longest, detail::largest(edge));
+    star.add_point(end);
     h = mesh.opposite(TriangleMesh::prev(h));
-    if (!h.is_valid() || !end.is_double()) return false;
+    if (!h.is_valid()) return false;
   } while (h != first);
   return star.edges.size() >= 3;
 }
@@ -76,9 +83,10 @@ bool shows_front(const Star& star, const Vec3& direction, double bound) {
 /// The sum of the normals serves smooth surfaces. Where a triangle turns away from it, that one's unit normal is added,
 /// one at a time: the perceptron rule, which ends if there is a solution with enough room.
 Vec3 front_direction(const Star& star, const Vec3& sum_of_normals) {
-  // Products of two edges and d: six terms of at most longest^2 * 1024, each with seven roundings.
+  // Products of two edges and d: six terms of at most longest^2 * 1024, each with seven roundings. Where points are
+  // rounded, the edges are wrong by 2^-52 * rounded, and so each term by 2 * 1024 * longest times that.
   const double square = star.longest * star.longest;
-  const double bound = 1e-11 * square;
+  const double bound = 1e-11 * (square + star.longest * star.rounded);
   // Outside this range underflow would break the bound, or overflow make it void.
   if (!(square > 1e-250 && square < 1e250)) return {};
   Vec3 direction = to_integers(sum_of_normals);
@@ -106,8 +114,8 @@ Vec3 across(const Vec3& d) {
 /// by less than 180 degrees, so a turn of 360 degrees steps from the right of a line to its left exactly once.
 bool goes_round_once(const Star& star, const Vec3& d) {
   const Vec3 line = across(d);
-  // Three terms of at most longest * 2.1 million, each with four roundings.
-  const double bound = 1e-8 * star.longest;
+  // Three terms of at most longest * 2.1 million, each with four roundings, and with edges of rounded points.
+  const double bound = 1e-8 * (star.longest + star.rounded);
   const double last = dot(star.edges.back(), line);
   int turns = 0;
   bool was_right = last < 0;
