@@ -11,6 +11,7 @@
 #include <utils/memutils.h>
 #include <utils/timestamp.h>
 
+#include "join.h"
 #include "settings.h"
 
 PG_MODULE_MAGIC;
@@ -22,6 +23,7 @@ int setting_max_threads = 1;
 int setting_memory = 0;
 int setting_max_memory = INT_MAX;
 int setting_max_digits = MOST_DIGITS;
+bool setting_enable_box_join = true;
 
 static a3d_session* session;
 
@@ -55,7 +57,10 @@ void _PG_init(void) {
   DefineCustomIntVariable("algebra3d.max_digits", "Digits of a number in a text or in binary input.",
                           "Numerator and denominator together. Reading a number cannot be cancelled.",
                           &setting_max_digits, MOST_DIGITS, 100, MOST_DIGITS, PGC_SUSET, 0, NULL, limit_digits, NULL);
+  DefineCustomBoolVariable("algebra3d.enable_box_join", "Enables the planner's use of joins by boxes in memory.", NULL,
+                           &setting_enable_box_join, true, PGC_USERSET, GUC_EXPLAIN, NULL, NULL, NULL);
   MarkGUCPrefixReserved("algebra3d");
+  offer_box_joins();
 }
 
 uint64 memory_limit(void) {

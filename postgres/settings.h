@@ -13,3 +13,4 @@ extern int setting_threads, setting_max_threads;
 /* In kilobytes; 0: the default. */
 extern int setting_memory, setting_max_memory;
 extern int setting_max_digits;
+extern bool setting_enable_box_join;

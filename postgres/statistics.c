@@ -17,6 +17,7 @@
 #include <utils/selfuncs.h>
 #include <utils/syscache.h>
 
+#include "join.h"
 #include "strategies.h"
 
 /* Of private use, as pg_statistic.h has it. The numbers: rows of the sample, those of them with an empty value, then
@@ -476,7 +477,6 @@ Datum algebra3d_box_restriction(PG_FUNCTION_ARGS) {
 }
 
 PG_FUNCTION_INFO_V1(algebra3d_box_join);
-Datum algebra3d_box_join(PG_FUNCTION_ARGS);
 Datum algebra3d_box_join(PG_FUNCTION_ARGS) {
   const Oid symbol = PG_GETARG_OID(1);
   const double share = join_share((PlannerInfo*)PG_GETARG_POINTER(0), strategy_of(symbol), (List*)PG_GETARG_POINTER(2),

@@ -13,6 +13,7 @@
 #include <parser/parse_func.h>
 #include <utils/lsyscache.h>
 
+#include "join.h"
 #include "statistics.h"
 #include "strategies.h"
 
@@ -71,7 +72,6 @@ static Datum support(FunctionCallInfo fcinfo, StrategyNumber of_first, StrategyN
 }
 
 PG_FUNCTION_INFO_V1(algebra3d_support_meet);
-Datum algebra3d_support_meet(PG_FUNCTION_ARGS);
 Datum algebra3d_support_meet(PG_FUNCTION_ARGS) {
   return support(fcinfo, STRATEGY_MEETS, STRATEGY_MEETS);
 }
@@ -88,29 +88,30 @@ Datum algebra3d_support_encloses(PG_FUNCTION_ARGS) {
   return support(fcinfo, STRATEGY_ENCLOSES, STRATEGY_IS_INSIDE);
 }
 
+Expr* call_of_box_around(Oid predicate, void* value, void* length) {
+  const Oid types[2] = {exprType(value), FLOAT8OID};
+  List* name = list_make2(makeString(get_namespace_name(get_func_namespace(predicate))), makeString("box_around"));
+  const Oid box_around = LookupFuncName(name, 2, types, true);
+  if (!OidIsValid(box_around)) return NULL;
+  return (Expr*)makeFuncExpr(box_around, get_func_rettype(box_around), list_make2(value, length), InvalidOid,
+                             InvalidOid, COERCE_EXPLICIT_CALL);
+}
+
 /* within_distance(a, b, d): the box of one meets the box around the other one that is larger by d on all sides. */
 PG_FUNCTION_INFO_V1(algebra3d_support_near);
-Datum algebra3d_support_near(PG_FUNCTION_ARGS);
 Datum algebra3d_support_near(PG_FUNCTION_ARGS) {
   Node* given = (Node*)PG_GETARG_POINTER(0);
   SupportRequestIndexCondition* request;
   Arguments arguments;
-  Oid types[2], box_around, box_type;
+  Expr* around;
   Node* made;
-  List* name;
   if (IsA(given, SupportRequestSelectivity)) return estimate((SupportRequestSelectivity*)given, STRATEGY_MEETS);
   if (!IsA(given, SupportRequestIndexCondition)) PG_RETURN_POINTER(NULL);
   request = (SupportRequestIndexCondition*)given;
   if (!find_arguments(request, &arguments) || arguments.limit == NULL) PG_RETURN_POINTER(NULL);
-  types[0] = exprType(arguments.other);
-  types[1] = FLOAT8OID;
-  name = list_make2(makeString(get_namespace_name(get_func_namespace(request->funcid))), makeString("box_around"));
-  box_around = LookupFuncName(name, 2, types, true);
-  if (!OidIsValid(box_around)) PG_RETURN_POINTER(NULL);
-  box_type = get_func_rettype(box_around);
-  made = condition(request, STRATEGY_MEETS, arguments.column,
-                   (Node*)makeFuncExpr(box_around, box_type, list_make2(arguments.other, arguments.limit), InvalidOid,
-                                       InvalidOid, COERCE_EXPLICIT_CALL));
+  around = call_of_box_around(request->funcid, arguments.other, arguments.limit);
+  if (around == NULL) PG_RETURN_POINTER(NULL);
+  made = condition(request, STRATEGY_MEETS, arguments.column, (Node*)around);
   if (made == NULL) PG_RETURN_POINTER(NULL);
   request->lossy = true;
   PG_RETURN_POINTER(list_make1(made));

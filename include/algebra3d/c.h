@@ -301,6 +301,27 @@ a3d_status a3d_save_aggregate(a3d_session* session, a3d_aggregate* aggregate, a3
 a3d_status a3d_restore_aggregate(a3d_session* session, const a3d_function* function, const char* bytes, size_t size,
                                  a3d_aggregate** result);
 
+/* ---- Joins of boxes ---- */
+
+/* A closed box: boxes that touch meet. One whose least corner is beyond its greatest on some axis is empty, and meets
+ * none. */
+typedef struct a3d_box {
+  double min[3], max[3];
+} a3d_box;
+typedef struct a3d_box_pair {
+  uint32_t first, second; /* numbers of boxes from 0 */
+} a3d_box_pair;
+
+/* The pairs of a box of one array and a box of another one that meet. The arrays may be freed after the call. At most
+ * 2^32 - 1 boxes each. Cost: linear, some 100 bytes and 100 nanoseconds for each box. */
+typedef struct a3d_box_join a3d_box_join;
+a3d_status a3d_open_box_join(a3d_session* session, const a3d_box* first, size_t first_count, const a3d_box* second,
+                             size_t second_count, a3d_box_join** result);
+/* The next pairs, some thousand at a time, in an order that depends on the boxes only; A3D_END if there are none. They
+ * live until the next call. Cost: that of the nodes of two R-trees that meet. */
+a3d_status a3d_next_pairs(a3d_session* session, a3d_box_join* join, const a3d_box_pair** pairs, size_t* count);
+void a3d_close_box_join(a3d_box_join* join); /* may be null */
+
 #ifdef __cplusplus
 }
 #endif
