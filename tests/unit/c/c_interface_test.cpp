@@ -442,6 +442,48 @@ TEST(CInterface, SessionsWorkAtTheSameTime) {
   EXPECT_EQ(right, 4);
 }
 
+TEST(CInterface, boxes_are_joined) {
+  const CSession session;
+  std::vector<a3d_box> first, second;
+  // On a grid, where many touch; each tenth is empty.
+  const auto drawn = [](std::size_t i) {
+    a3d_box box{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.min[axis] = static_cast<double>((i * (7 + 4 * axis)) % 13);
+      box.max[axis] = i % 10 == 9 ? box.min[axis] - 1 : box.min[axis] + static_cast<double>(i % 3);
+    }
+    return box;
+  };
+  for (std::size_t i = 0; i < 300; ++i) first.push_back(drawn(i));
+  for (std::size_t i = 0; i < 200; ++i) second.push_back(drawn(3 * i + 1));
+  const auto meet = [](const a3d_box& a, const a3d_box& b) {
+    bool result = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      result = result && a.min[axis] <= a.max[axis] && b.min[axis] <= b.max[axis] && a.min[axis] <= b.max[axis] &&
+               b.min[axis] <= a.max[axis];
+    return result;
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> expected, found;
+  for (std::size_t i = 0; i < first.size(); ++i)
+    for (std::size_t j = 0; j < second.size(); ++j)
+      if (meet(first[i], second[j])) expected.emplace_back(i, j);
+  a3d_box_join* join = nullptr;
+  ASSERT_EQ(a3d_open_box_join(session.get(), first.data(), first.size(), second.data(), second.size(), &join), A3D_OK);
+  const a3d_box_pair* pairs = nullptr;
+  std::size_t count = 0;
+  while (a3d_next_pairs(session.get(), join, &pairs, &count) == A3D_OK)
+    for (std::size_t i = 0; i < count; ++i) found.emplace_back(pairs[i].first, pairs[i].second);
+  EXPECT_EQ(a3d_next_pairs(session.get(), join, &pairs, &count), A3D_END);
+  a3d_close_box_join(join);
+  std::ranges::sort(found);
+  EXPECT_GT(found.size(), 500U);
+  EXPECT_EQ(found, expected);
+  ASSERT_EQ(a3d_open_box_join(session.get(), nullptr, 0, second.data(), second.size(), &join), A3D_OK);
+  EXPECT_EQ(a3d_next_pairs(session.get(), join, &pairs, &count), A3D_END);
+  a3d_close_box_join(join);
+  a3d_close_box_join(nullptr);
+}
+
 TEST(CInterface, WrongUseIsAnError) {
   const CSession session;
   const Owner cube = session.cube("(0 0 0)", "(1 1 1)");
