@@ -56,7 +56,15 @@ class ExactChoice {
       take_if_nearer(pair);
     }
   }
-  std::optional<ClosestPoints> take() { return std::move(best_); }
+  /// Nothing if there was no candidate.
+  std::optional<Rational> squared_distance() const {
+    return best_ ? std::optional(best_->squared_distance) : std::nullopt;
+  }
+  std::optional<ClosestPoints> points() const {
+    if (!best_) return std::nullopt;
+    return ClosestPoints{ExactPoint(best_->first), ExactPoint(best_->second), best_->squared_distance, faces_.first,
+                         faces_.second};
+  }
 
  private:
   void take_if_nearer(const CandidatePair& pair) {
@@ -67,32 +75,40 @@ class ExactChoice {
     second_side_.emplace(b_, points.second, points.second - points.first);
     // The root is rounded to nearest.
     upper_bound_ = std::nextafter(points.squared_distance.nearest_root(), std::numeric_limits<double>::infinity());
-    best_ = {ExactPoint(points.first), ExactPoint(points.second), std::move(points.squared_distance), pair.first,
-             pair.second};
+    best_ = std::move(points);
+    faces_ = {pair.first, pair.second};
   }
 
   const TriangleMesh &a_, &b_;
-  std::optional<ClosestPoints> best_;
+  std::optional<ExactClosest> best_;
+  std::pair<FaceId, FaceId> faces_;  // that have these points
   double upper_bound_ = 0;
   std::optional<FarSide> first_side_, second_side_;
 };
 
-std::optional<ClosestPoints> nearest_of(const DistanceOperand& a, const DistanceOperand& b,
-                                        std::span<const CandidatePair> candidates, const Rational& enough) {
+/// The nearest of all candidates.
+Result<ExactChoice> choice_of(const DistanceOperand& a, const DistanceOperand& b, const Monitor& monitor) {
   ExactChoice choice(a, b);
-  choice.choose(candidates, enough);
-  return choice.take();
+  if (a.mesh->is_empty() || b.mesh->is_empty()) return choice;
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity(), kNothing = -1;
+  A3D_ASSIGN(const std::vector<CandidatePair> candidates,
+             distances::find_candidates(a, b, kAnywhere, kNothing, monitor));
+  choice.choose(candidates, 0);
+  return choice;
 }
 
 }  // namespace
 
 Result<std::optional<ClosestPoints>> closest_points(const DistanceOperand& a, const DistanceOperand& b,
                                                     const Monitor& monitor) {
-  if (a.mesh->is_empty() || b.mesh->is_empty()) return std::optional<ClosestPoints>();
-  constexpr double kAnywhere = std::numeric_limits<double>::infinity(), kNothing = -1;
-  A3D_ASSIGN(const std::vector<CandidatePair> candidates,
-             distances::find_candidates(a, b, kAnywhere, kNothing, monitor));
-  return nearest_of(a, b, candidates, 0);
+  A3D_ASSIGN(const ExactChoice choice, choice_of(a, b, monitor));
+  return choice.points();
+}
+
+Result<std::optional<Rational>> squared_distance(const DistanceOperand& a, const DistanceOperand& b,
+                                                 const Monitor& monitor) {
+  A3D_ASSIGN(const ExactChoice choice, choice_of(a, b, monitor));
+  return choice.squared_distance();
 }
 
 // The distance is that of one of the candidates, which are ordered by their lower bounds.
@@ -116,8 +132,10 @@ Result<bool> are_within(const DistanceOperand& a, const DistanceOperand& b, cons
   for (const CandidatePair& pair : candidates)
     if (pair.bounds.upper <= enough) return true;
   const Rational squared = distance * distance;
-  const std::optional<ClosestPoints> nearest = nearest_of(a, b, candidates, squared);
-  return nearest && nearest->squared_distance <= squared;
+  ExactChoice choice(a, b);
+  choice.choose(candidates, squared);
+  const std::optional<Rational> least = choice.squared_distance();
+  return least && *least <= squared;
 }
 
 }  // namespace algebra3d

@@ -35,6 +35,10 @@ struct ClosestPoints {
 Result<std::optional<ClosestPoints>> closest_points(const DistanceOperand& a, const DistanceOperand& b,
                                                     const Monitor& monitor = {});
 
+/// The square of the distance alone. Exact. Errors, cost: as closest_points, without the points.
+Result<std::optional<Rational>> squared_distance(const DistanceOperand& a, const DistanceOperand& b,
+                                                 const Monitor& monitor = {});
+
 /// Two doubles between which a distance lies.
 struct DistanceRange {
   double lower = 0, upper = 0;

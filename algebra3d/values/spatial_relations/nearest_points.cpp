@@ -63,9 +63,7 @@ Result<std::optional<Rational>> squared_distance_of(const SpatialSet& a, const S
   A3D_ASSIGN(const bool meet, do_meet(a, b, monitor));
   if (meet) return std::optional<Rational>(0);
   const BoundaryFaces first(a), second(b);
-  A3D_ASSIGN(std::optional<ClosestPoints> closest, closest_points(first.operand(), second.operand(), monitor));
-  if (!closest) return std::optional<Rational>();
-  return std::optional(std::move(closest->squared_distance));
+  return squared_distance(first.operand(), second.operand(), monitor);
 }
 
 Result<std::optional<DistanceRange>> distance_range_of(const SpatialSet& a, const SpatialSet& b, double reach,

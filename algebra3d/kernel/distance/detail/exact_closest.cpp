@@ -6,7 +6,6 @@
 #include <cassert>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "algebra3d/kernel/distance/detail/half_space.h"
 #include "algebra3d/kernel/exact/plane.h"
@@ -14,8 +13,24 @@
 namespace algebra3d::distances {
 namespace {
 
+/// At most so many elements, in place: the numbers below are few, and would cost more to allocate than to compute.
+template <typename T, std::size_t kCapacity>
+class ShortList {
+ public:
+  void push_back(T element) { elements_[count_++] = std::move(element); }
+  std::size_t size() const { return count_; }
+  T& operator[](std::size_t i) { return elements_[i]; }
+  const T& operator[](std::size_t i) const { return elements_[i]; }
+  const T* begin() const { return elements_.data(); }
+  const T* end() const { return elements_.data() + count_; }
+
+ private:
+  std::array<T, kCapacity> elements_;
+  std::size_t count_ = 0;
+};
+
 /// The corners of a simplex as rationals, and those that a feature has.
-using Corners = std::vector<RationalVec3>;
+using Corners = ShortList<RationalVec3, 3>;
 
 Corners corners_of(const Simplex& simplex) {
   Corners corners;
@@ -30,9 +45,13 @@ Corners corners_of(const Corners& all, Feature feature) {
   return corners;
 }
 
-/// Solves a symmetric system of up to four equations by elimination; nothing if it is singular. The matrix is one of
-/// inner products, so no pivot is 0 unless it is.
-std::optional<std::vector<Rational>> solved(std::vector<std::vector<Rational>> rows) {
+/// Up to four unknowns: the weights of two corners of each simplex.
+constexpr std::size_t kMostUnknowns = 4;
+using Row = ShortList<Rational, kMostUnknowns + 1>;
+
+/// Solves a symmetric system of equations by elimination; nothing if it is singular. The matrix is one of inner
+/// products, so no pivot is 0 unless it is.
+std::optional<Row> solved(ShortList<Row, kMostUnknowns> rows) {
   const std::size_t count = rows.size();
   for (std::size_t i = 0; i < count; ++i) {
     if (rows[i][i].sign() == 0) return std::nullopt;
@@ -42,7 +61,7 @@ std::optional<std::vector<Rational>> solved(std::vector<std::vector<Rational>> r
       for (std::size_t k = i; k <= count; ++k) rows[j][k] -= factor * rows[i][k];
     }
   }
-  std::vector<Rational> solution;
+  Row solution;
   for (std::size_t i = 0; i < count; ++i) solution.push_back(rows[i][count] / rows[i][i]);
   return solution;
 }
@@ -65,19 +84,21 @@ std::optional<RationalVec3> weighted(const Corners& corners, const Rational* beg
 /// The points of the affine hulls of two features that are nearest to each other, if each lies in its feature. Nothing
 /// if there are several such pairs: then smaller features have one of them.
 std::optional<ExactClosest> closest_of_features(const Corners& a, const Corners& b) {
-  std::vector<RationalVec3> directions;
+  ShortList<RationalVec3, kMostUnknowns> directions;
   for (std::size_t i = 1; i < a.size(); ++i) directions.push_back(a[i] - a[0]);
   for (std::size_t i = 1; i < b.size(); ++i) directions.push_back(b[0] - b[i]);
   const RationalVec3 to_second = b[0] - a[0];
-  std::vector<std::vector<Rational>> rows(directions.size());
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    for (const RationalVec3& direction : directions) rows[i].push_back(dot(directions[i], direction));
-    rows[i].push_back(dot(directions[i], to_second));
+  ShortList<Row, kMostUnknowns> rows;
+  for (const RationalVec3& each : directions) {
+    Row row;
+    for (const RationalVec3& direction : directions) row.push_back(dot(each, direction));
+    row.push_back(dot(each, to_second));
+    rows.push_back(std::move(row));
   }
-  const std::optional<std::vector<Rational>> weights = solved(std::move(rows));
+  const std::optional<Row> weights = solved(std::move(rows));
   if (!weights) return std::nullopt;
-  std::optional<RationalVec3> first = weighted(a, weights->data()),
-                              second = weighted(b, weights->data() + (a.size() - 1));
+  std::optional<RationalVec3> first = weighted(a, weights->begin()),
+                              second = weighted(b, weights->begin() + (a.size() - 1));
   if (!first || !second) return std::nullopt;
   const RationalVec3 between = *second - *first;
   return ExactClosest{*std::move(first), *std::move(second), dot(between, between)};
