@@ -21,6 +21,7 @@
 #include <utils/tuplestore.h>
 
 #include "settings.h"
+#include "statistics.h"
 #include "strategies.h"
 
 /* ---- Which joins ---- */
@@ -39,37 +40,30 @@ static bool is_function(Oid function, PGFunction address) {
   return found.fn_addr == address;
 }
 
-/* What the condition says of boxes; `first` is set to the expression whose box is meant. */
-static bool is_of_boxes(Expr* clause, Expr** first, bool* is_whole) {
-  List* arguments;
-  Oid function, support;
-  *is_whole = false;
-  if (is_opclause(clause)) {
-    const OpExpr* symbol = (const OpExpr*)clause;
-    arguments = symbol->args;
-    function = get_opcode(symbol->opno);
-    *is_whole =
-        is_function(get_oprjoin(symbol->opno), algebra3d_box_join) && strcmp(get_opname(symbol->opno), "&&") == 0;
-  } else if (is_funcclause(clause)) {
-    arguments = ((const FuncExpr*)clause)->args;
-    function = ((const FuncExpr*)clause)->funcid;
-  } else {
-    return false;
-  }
-  if (list_length(arguments) < 2) return false;
-  *first = linitial(arguments);
-  if (*is_whole) return true;
-  support = get_func_support(function);
-  if (is_function(support, algebra3d_support_meet)) return true;
-  if (!is_function(support, algebra3d_support_near) || list_length(arguments) != 3 ||
-      contain_var_clause(lthird(arguments)))
-    return false;
-  *first = call_of_box_around(function, linitial(arguments), lthird(arguments));
-  return *first != NULL;
+static List* arguments_of(Expr* clause) {
+  return is_opclause(clause) ? ((OpExpr*)clause)->args : is_funcclause(clause) ? ((FuncExpr*)clause)->args : NIL;
 }
 
-static List* arguments_of(Expr* clause) {
-  return is_opclause(clause) ? ((OpExpr*)clause)->args : ((FuncExpr*)clause)->args;
+static bool is_symbol_of_boxes(Expr* clause) {
+  const Oid symbol = is_opclause(clause) ? ((const OpExpr*)clause)->opno : InvalidOid;
+  return is_function(get_oprjoin(symbol), algebra3d_box_join) && strategy_of(symbol) == STRATEGY_MEETS;
+}
+
+/* Whether the condition holds only where the boxes of its first two arguments meet; `first` is set to the first one, or
+ * to a box around it. */
+static bool is_of_boxes(Expr* clause, Expr** first, bool* is_whole) {
+  List* arguments = arguments_of(clause);
+  Oid function, support;
+  if (list_length(arguments) < 2) return false;
+  *first = linitial(arguments);
+  *is_whole = is_symbol_of_boxes(clause);
+  if (*is_whole) return true;
+  function = is_opclause(clause) ? get_opcode(((OpExpr*)clause)->opno) : ((FuncExpr*)clause)->funcid;
+  support = get_func_support(function);
+  if (is_function(support, algebra3d_support_meet)) return true;
+  if (!is_function(support, algebra3d_support_near) || contain_var_clause(lthird(arguments))) return false;
+  *first = call_of_box_around(function, linitial(arguments), lthird(arguments));
+  return *first != NULL;
 }
 
 static bool is_simple(Expr* expression) {

@@ -460,7 +460,7 @@ double join_share(PlannerInfo* root, StrategyNumber strategy, List* arguments, N
   return probability(share);
 }
 
-static StrategyNumber strategy_of(Oid symbol) {
+StrategyNumber strategy_of(Oid symbol) {
   const char* name = get_opname(symbol);
   if (name != NULL && strcmp(name, "@>") == 0) return STRATEGY_ENCLOSES;
   if (name != NULL && strcmp(name, "<@") == 0) return STRATEGY_IS_INSIDE;

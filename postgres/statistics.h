@@ -14,3 +14,5 @@ double restriction_share(PlannerInfo* root, StrategyNumber strategy, List* argum
                          Oid function);
 double join_share(PlannerInfo* root, StrategyNumber strategy, List* arguments, Node* limit, SpecialJoinInfo* join,
                   Oid function);
+/* The strategy of a symbol of the index, `&&` for others. */
+StrategyNumber strategy_of(Oid symbol);

@@ -88,7 +88,7 @@ Datum algebra3d_support_encloses(PG_FUNCTION_ARGS) {
   return support(fcinfo, STRATEGY_ENCLOSES, STRATEGY_IS_INSIDE);
 }
 
-Expr* call_of_box_around(Oid predicate, void* value, void* length) {
+Expr* call_of_box_around(Oid predicate, Node* value, Node* length) {
   const Oid types[2] = {exprType(value), FLOAT8OID};
   List* name = list_make2(makeString(get_namespace_name(get_func_namespace(predicate))), makeString("box_around"));
   const Oid box_around = LookupFuncName(name, 2, types, true);
