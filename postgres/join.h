@@ -16,6 +16,5 @@ Datum algebra3d_support_meet(PG_FUNCTION_ARGS);
 Datum algebra3d_support_near(PG_FUNCTION_ARGS);
 Datum algebra3d_box_join(PG_FUNCTION_ARGS);
 
-/* box_around(value, length), for the condition within_distance(value, other, length) of that function; null if it
- * cannot be called. */
-Expr* call_of_box_around(Oid predicate, void* value, void* length);
+/* box_around(value, length), in the schema of the function `predicate`; null if there is none for that type. */
+Expr* call_of_box_around(Oid predicate, Node* value, Node* length);
