@@ -1,18 +1,36 @@
 #include "queries/shell/detail/interruption.h"
 
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <ctime>
 
 namespace queries {
 namespace {
 
 std::atomic<bool> is_interrupted{false};
 std::atomic<bool> has_terminated{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+std::atomic<std::int64_t> first_signal{0};  // in milliseconds
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free,
+              "a signal handler may only touch lock-free atomics");
+
+/// A terminal and a program between it and this one may both send the signal of one key.
+constexpr std::int64_t kMillisecondsOfOneKey = 100;
+
+std::int64_t milliseconds() {
+  timespec now = {};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
+}
 
 extern "C" void on_signal(int signal) {
   if (signal == SIGTERM) has_terminated = true;
-  if (is_interrupted.exchange(true)) std::_Exit(130);
+  const std::int64_t now = milliseconds();
+  if (!is_interrupted.exchange(true)) {
+    first_signal = now;
+  } else if (now - first_signal > kMillisecondsOfOneKey) {
+    std::_Exit(130);
+  }
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 namespace queries {
 
 /// Converts Ctrl-C (SIGINT) and SIGTERM to a flag that running statements check. One per process, created by `main`. A
-/// second Ctrl-C while the first is pending ends the process immediately; the database stays intact.
+/// second Ctrl-C while the first is pending, a tenth of a second later or more, ends the process immediately; the
+/// database stays intact.
 class Interruption {
  public:
   Interruption();
