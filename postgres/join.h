@@ -18,3 +18,17 @@ Datum algebra3d_box_join(PG_FUNCTION_ARGS);
 
 /* box_around(value, length), in the schema of the function `predicate`; null if there is none for that type. */
 Expr* call_of_box_around(Oid predicate, Node* value, Node* length);
+
+/* The name of the node, as EXPLAIN shows it. */
+#define BOX_JOIN "Algebra3dBoxJoin"
+/* For each row: box, copy and tree. */
+#define BYTES_OF_BOX 160
+/* Bytes that the rows of a side, their boxes and their tree may take. */
+size_t memory_of_side(void);
+
+struct CustomScan;
+
+/* The state of a plan of this node (join_rows.c). Its custom_exprs are the values of the outer and of the inner side
+ * whose boxes are to meet, and the condition that says so; its custom_private the names of the types of these values;
+ * its custom_scan_tlist the columns of the outer plan, then those of the inner one. */
+Node* make_box_join(struct CustomScan* plan);

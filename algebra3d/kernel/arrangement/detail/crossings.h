@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "algebra3d/kernel/arrangement/detail/id_map.h"
 #include "algebra3d/kernel/arrangement/detail/segment_complex.h"
 #include "algebra3d/kernel/exact/intersection_point.h"
+#include "base/id_map.h"
 
 namespace algebra3d::arrangement {
 

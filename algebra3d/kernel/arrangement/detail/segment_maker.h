@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "algebra3d/kernel/arrangement/detail/id_map.h"
 #include "algebra3d/kernel/arrangement/detail/segment_complex.h"
+#include "base/id_map.h"
 
 namespace algebra3d::arrangement {
 

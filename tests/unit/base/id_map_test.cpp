@@ -1,27 +1,26 @@
-#include "algebra3d/kernel/arrangement/detail/id_map.h"
+#include "base/id_map.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <unordered_map>
 
-#include "algebra3d/kernel/arrangement/detail/ids.h"
+#include "algebra3d/base/strong_id.h"
 
-namespace algebra3d::arrangement_tests {
+namespace algebra3d {
 namespace {
 
-using arrangement::IdMap;
-using arrangement::NodeId;
+using NumberOfKey = StrongId<struct NumberOfKeyTag>;
 
 /// Enters 40,000 keys into a map that is empty, but may have room.
-void expect_standard_map(std::uint64_t range, IdMap<NodeId> map) {
+void expect_standard_map(std::uint64_t range, IdMap<NumberOfKey> map) {
   std::mt19937_64 random(1);  // NOLINT(cert-msc51-cpp): the same in every run
-  std::unordered_map<std::uint64_t, NodeId> expected;
+  std::unordered_map<std::uint64_t, NumberOfKey> expected;
   for (int i = 0; i < 40000; ++i) {
     // Also keys that differ in the upper half only, as two ids in one number do.
     const std::uint64_t key = i % 2 == 0 ? random() % range : (random() % range) << 32U;
-    NodeId& id = map[key];
-    const auto [entry, is_new] = expected.try_emplace(key, NodeId(expected.size()));
+    NumberOfKey& id = map[key];
+    const auto [entry, is_new] = expected.try_emplace(key, NumberOfKey(expected.size()));
     ASSERT_EQ(id.is_none(), is_new);
     if (is_new) id = entry->second;
     ASSERT_EQ(id, entry->second);
@@ -34,7 +33,7 @@ TEST(IdMap, gives_what_a_standard_map_gives) {
     expect_standard_map(range, {});
     // Room for fewer keys than come, for as many, and for more.
     for (const std::size_t room : {1U, 100U, 40000U, 100000U}) {
-      IdMap<NodeId> map;
+      IdMap<NumberOfKey> map;
       map.reserve(room);
       expect_standard_map(range, map);
     }
@@ -42,4 +41,4 @@ TEST(IdMap, gives_what_a_standard_map_gives) {
 }
 
 }  // namespace
-}  // namespace algebra3d::arrangement_tests
+}  // namespace algebra3d

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-namespace algebra3d::arrangement {
+namespace algebra3d {
 
-/// A map from integers to ids that only grows: open addressing with linear probing, in one array. The maps of a segment
-/// complex are asked for each end of each contact, so that they take longer than all other parts of it.
+/// A map from integers to ids (StrongId) that only grows: open addressing with linear probing, in one array. Source:
+/// [knuth1998], section 6.4.
 template <typename Id>
 class IdMap {
  public:
@@ -70,4 +70,4 @@ class IdMap {
   std::size_t size_ = 0, capacity_ = 0;
 };
 
-}  // namespace algebra3d::arrangement
+}  // namespace algebra3d
