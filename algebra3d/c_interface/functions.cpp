@@ -149,7 +149,7 @@ std::string in_host_names(std::string_view message) {
     }
   }
   while (!message.empty()) {
-    const auto end = std::ranges::find_if_not(message, is_of_name);
+    const auto* const end = std::ranges::find_if_not(message, is_of_name);
     const std::string_view word(message.begin(), end);
     message.remove_prefix(word.size());
     const Operator* const op = std::ranges::any_of(word, is_capital) ? operators().find_operator(word) : nullptr;

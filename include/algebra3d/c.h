@@ -15,6 +15,7 @@
  * Functions and fields are only added, fields at the end of a struct, as long as A3D_INTERFACE is the same.
  */
 
+/* NOLINTBEGIN(modernize-deprecated-headers,modernize-use-using,readability-identifier-naming): this is C. */
 #include <stddef.h>
 #include <stdint.h>
 
@@ -325,3 +326,4 @@ void a3d_close_box_join(a3d_box_join* join); /* may be null */
 #ifdef __cplusplus
 }
 #endif
+/* NOLINTEND(modernize-deprecated-headers,modernize-use-using,readability-identifier-naming) */

@@ -102,6 +102,7 @@ a3d_status done(a3d_session* session, const Work& work) noexcept {
 /// For work that returns a Value.
 template <typename Work>
 a3d_status made(a3d_session* session, a3d_value** result, const Work& work) noexcept {
+  // NOLINTNEXTLINE(bugprone-unhandled-exception-at-new): `done` handles it.
   return done(session, work, [&](Value value) { *result = new a3d_value(*session, std::move(value)); });
 }
 
