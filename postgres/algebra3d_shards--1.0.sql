@@ -79,6 +79,8 @@ SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_relations', '');
 SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_tiles', '');
 SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_generations', '');
 GRANT SELECT ON algebra3d_shard_relations, algebra3d_shard_tiles, algebra3d_shard_generations TO PUBLIC;
+-- The extension is trusted: who creates it need not be a superuser, and keeps its tables.
+GRANT ALL ON algebra3d_shard_relations, algebra3d_shard_tiles, algebra3d_shard_generations, algebra3d_shard_statements TO @extowner@;
 
 -- The row of a relation, or an error.
 CREATE FUNCTION algebra3d_shard_relation(relation text) RETURNS algebra3d_shard_relations LANGUAGE plpgsql STABLE
