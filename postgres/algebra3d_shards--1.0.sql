@@ -101,6 +101,13 @@ CREATE VIEW algebra3d_shard_tables AS
   FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace
   WHERE c.relkind = 'r' AND (SELECT count(*) FROM pg_attribute a WHERE a.attrelid = c.oid AND a.attname IN ('row_id', 'tile', 'home', 'born', 'died', 'stamp')) = 6;
 GRANT SELECT ON algebra3d_shard_tables TO PUBLIC;
+-- Removes a tile that was left behind; a table that is none stays.
+CREATE FUNCTION algebra3d_shard_drop_tile(schema_name name, table_name name) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+BEGIN
+  IF EXISTS (SELECT FROM @extschema@.algebra3d_shard_tables t WHERE (t.schema_name, t.table_name) = ($1, $2)) THEN
+    EXECUTE format('DROP TABLE %I.%I', schema_name, table_name);
+  END IF;
+END $$;
 SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_relations', '');
 SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_joins', '');
 SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_tiles', '');
@@ -437,7 +444,7 @@ RETURN known.name || coalesce('_v' || substring(known.relation from ' \((\d+)\)$
 
 -- What makes a tile on its server.
 CREATE FUNCTION algebra3d_shard_tile_script(known algebra3d_shard_relations, tile integer, definitions text) RETURNS text LANGUAGE SQL STABLE
-RETURN pg_catalog.format('CREATE SCHEMA IF NOT EXISTS %1$I; DROP TABLE IF EXISTS %1$I.%2$I; '
+RETURN pg_catalog.format('CREATE SCHEMA IF NOT EXISTS %1$I; SELECT @extschema@.algebra3d_shard_drop_tile(%1$L, %2$L); '
   'CREATE TABLE %1$I.%2$I (%4$s, CHECK (tile = %3$s), PRIMARY KEY (row_id, stamp)); CREATE INDEX ON %1$I.%2$I USING gist (%5$I); '
   'DELETE FROM @extschema@.algebra3d_shard_generations WHERE relation = %6$L AND tile = %3$s; '
   'INSERT INTO @extschema@.algebra3d_shard_generations VALUES (%6$L, %3$s, 0)',
@@ -1041,10 +1048,15 @@ BEGIN
   END IF;
   FOR one IN EXECUTE format('SELECT h.extname, h.extversion AS here, t.extversion AS there, '
       'string_to_array(t.extversion, ''.'') < string_to_array(h.extversion, ''.'') AS is_older FROM pg_extension h LEFT JOIN %I t USING (extname) '
-      'WHERE h.extname IN (''algebra3d'', ''algebra3d_shards'') AND h.extversion IS DISTINCT FROM t.extversion', 'algebra3d_extensions_' || server) LOOP
+      'WHERE h.extname IN (''algebra3d'', ''algebra3d_shards'') AND h.extversion IS DISTINCT FROM t.extversion ORDER BY 1', 'algebra3d_extensions_' || server) LOOP
     fault := format('extension %s is %s there, %s here', one.extname, coalesce(one.there, 'missing'), one.here);
     remedy := CASE WHEN one.is_older THEN format('SELECT algebra3d_shard_execute(%L, %L)', server, format('ALTER EXTENSION %I UPDATE', one.extname))
       ELSE format('ALTER EXTENSION %I UPDATE', one.extname) END;
+    IF one.there IS NULL THEN
+      remedy := format('on it: CREATE EXTENSION %I SCHEMA %s CASCADE', one.extname, '@extschema@');
+      RETURN NEXT;
+      RETURN;
+    END IF;
     RETURN NEXT;
   END LOOP;
   FOR one IN EXECUTE format(
@@ -1090,7 +1102,7 @@ BEGIN
 EXCEPTION WHEN OTHERS THEN
   object := 'server ' || server;
   fault := SQLERRM;
-  remedy := CASE WHEN SQLSTATE IN ('42P01', '3F000', '42883', '42704') THEN format('on it: CREATE EXTENSION algebra3d_shards SCHEMA %s CASCADE', '@extschema@')
+  remedy := CASE WHEN SQLSTATE IN ('42P01', '3F000', '42883') THEN format('on it: CREATE EXTENSION algebra3d_shards SCHEMA %s CASCADE', '@extschema@')
     WHEN SQLSTATE = '42501' THEN 'on it: GRANT what is missing to the role of the user mapping'
     ELSE 'start it, and see its options and user mapping' END;
   RETURN NEXT;
