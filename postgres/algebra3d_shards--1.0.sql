@@ -151,65 +151,110 @@ END $$;
 
 ---- Reading ----
 
-CREATE FUNCTION algebra3d_first_in_transaction(n bigint) RETURNS bigint AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE STRICT PARALLEL RESTRICTED;
-COMMENT ON FUNCTION algebra3d_first_in_transaction(bigint) IS 'The argument of the first call in this transaction.';
+CREATE FUNCTION algebra3d_kept_in_transaction(text) RETURNS text AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE PARALLEL RESTRICTED;
+COMMENT ON FUNCTION algebra3d_kept_in_transaction(text) IS 'The text, not NULL, of the last call in this transaction; NULL if there was none.';
+-- Commits over several servers, and the beginnings of reading transactions, exclude each other: these see all of a commit, or nothing.
+CREATE FUNCTION algebra3d_shard_lock_commits() RETURNS void AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE STRICT;
+CREATE FUNCTION algebra3d_shard_share_commits() RETURNS boolean AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE STRICT;
+CREATE FUNCTION algebra3d_shard_release_commits() RETURNS void AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE STRICT;
+-- At the end of a transaction that writes, before any server commits.
+CREATE FUNCTION algebra3d_shard_before_commit() RETURNS trigger LANGUAGE plpgsql AS $$
+BEGIN
+  PERFORM @extschema@.algebra3d_shard_lock_commits();
+  RETURN NULL;
+END $$;
+CREATE CONSTRAINT TRIGGER before_commit AFTER INSERT OR UPDATE OR DELETE ON algebra3d_shard_tiles DEFERRABLE INITIALLY DEFERRED
+  FOR EACH ROW EXECUTE FUNCTION algebra3d_shard_before_commit();
+-- What a transaction has read: generations of tiles on servers, which are those of one snapshot here.
+CREATE TYPE algebra3d_shard_state AS (snapshot pg_snapshot, relations text[], tiles integer[], generations bigint[]);
 
 -- The foreign table of generations on a server.
 CREATE FUNCTION algebra3d_shard_generations_of(server name) RETURNS text LANGUAGE SQL IMMUTABLE STRICT
 RETURN format('%I.%I', '@extschema@', 'algebra3d_generations_' || server);
 
--- Tiles whose generation here and on its server differ, with both.
-CREATE FUNCTION algebra3d_shard_differences(relation text, tiles integer[]) RETURNS TABLE (tile integer, here bigint, there bigint)
-LANGUAGE plpgsql VOLATILE AS $$
+-- The generations of some tiles (NULL: all) on their servers.
+CREATE FUNCTION algebra3d_shard_generations_there(relation text, tiles integer[]) RETURNS TABLE (tile integer, generation bigint) LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
   shard name;
   its_tiles integer[];
 BEGIN
   FOR shard, its_tiles IN SELECT t.server, array_agg(t.tile) FROM @extschema@.algebra3d_shard_tiles t
                WHERE t.relation = $1 AND ($2 IS NULL OR t.tile = ANY ($2)) GROUP BY 1 ORDER BY 1 LOOP
-    RETURN QUERY EXECUTE format(
-      'SELECT t.tile, t.generation, g.generation FROM @extschema@.algebra3d_shard_tiles t LEFT JOIN '
-      '(SELECT g.tile, g.generation FROM %s g WHERE g.relation = $1 AND g.tile = ANY ($2)) g ON g.tile = t.tile '
-      'WHERE t.relation = $1 AND t.tile = ANY ($2) AND g.generation IS DISTINCT FROM t.generation',
+    RETURN QUERY EXECUTE format('SELECT g.tile, g.generation FROM %s g WHERE g.relation = $1 AND g.tile = ANY ($2)',
       @extschema@.algebra3d_shard_generations_of(shard)) USING $1, its_tiles;
   END LOOP;
 END $$;
 
--- -1 if what the servers have of some tiles (NULL: all) is what was committed here, else an error. What a remote statement of
--- this transaction sees does not change any more; a commit that was under way when it began ends here a moment later, and what is
--- committed later is not seen. `planned_tiles` are those of the grid for which the statement was planned.
-CREATE FUNCTION algebra3d_shard_ready(relation text, tiles integer[] DEFAULT NULL, planned_tiles integer DEFAULT NULL) RETURNS integer LANGUAGE plpgsql VOLATILE AS $$
+-- Tiles whose generation here and on its server differ, with both.
+CREATE FUNCTION algebra3d_shard_differences(relation text) RETURNS TABLE (tile integer, here bigint, there bigint) LANGUAGE SQL VOLATILE
+BEGIN ATOMIC
+  SELECT t.tile, t.generation, g.generation FROM algebra3d_shard_generations_there(relation, NULL) g RIGHT JOIN algebra3d_shard_tiles t ON t.tile = g.tile
+    WHERE t.relation = $1 AND g.generation IS DISTINCT FROM t.generation ORDER BY t.tile;
+END;
+
+-- -1 if what the servers have of some tiles (NULL: all), and of all that this transaction has read before, is what one snapshot has
+-- here, else an error. Remote statements see what was committed on each server when the first one of their transaction came there.
+-- `planned_tiles` are those of the grid for which the statement was planned.
+CREATE FUNCTION algebra3d_shard_ready(relation text, tiles integer[] DEFAULT NULL, planned_tiles integer DEFAULT NULL) RETURNS integer LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
 DECLARE
+  fewest integer := (SELECT r.fewest_tiles FROM algebra3d_shard_relations r WHERE r.relation = $1);
+  own xid8 := pg_current_xact_id_if_assigned();
+  seen algebra3d_shard_state := algebra3d_kept_in_transaction(NULL)::algebra3d_shard_state;
+  first pg_snapshot;
+  is_shared boolean;
   other record;
-  now bigint;
-  began bigint := @extschema@.algebra3d_first_in_transaction(pg_catalog.pg_snapshot_xmin(pg_catalog.pg_current_snapshot())::text::bigint);
 BEGIN
-  SELECT r.fewest_tiles INTO now FROM @extschema@.algebra3d_shard_relations r WHERE r.relation = $1;
-  IF NOT FOUND OR planned_tiles < now THEN
+  IF fewest IS NULL OR planned_tiles < fewest THEN
     RAISE '% was divided while the statement was planned', relation USING ERRCODE = 'serialization_failure', HINT = 'Run it again.';
   END IF;
-  FOR other IN SELECT * FROM @extschema@.algebra3d_shard_differences(relation, tiles) LOOP
-    now := other.here;
-    FOR attempt IN 1 .. 100 LOOP
-      EXIT WHEN other.there IS NULL OR other.there < other.here OR other.there <= now;
-      PERFORM pg_catalog.pg_sleep(0.02);
-      SELECT t.generation INTO now FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = other.tile;
-    END LOOP;
-    CONTINUE WHEN other.there BETWEEN other.here AND now;
-    IF other.there < other.here AND (SELECT coalesce(CASE WHEN t.writer = pg_catalog.pg_current_xact_id_if_assigned() THEN t.writer_before ELSE t.writer END, '0')::text::bigint >= began
-                                     FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = other.tile) THEN
-      RAISE 'others have written into tile % of % since this transaction began to read', other.tile, relation
-        USING ERRCODE = 'serialization_failure', HINT = 'Begin the transaction again. It sees each server as it was at its first statement there.';
+  -- A commit that has stopped is said below.
+  FOR attempt IN 1 .. 200 LOOP
+    is_shared := algebra3d_shard_share_commits();
+    EXIT WHEN is_shared;
+    PERFORM pg_sleep(0.01);
+  END LOOP;
+  first := coalesce(seen.snapshot, pg_current_snapshot());
+  SELECT first, array_agg(q.relation), array_agg(q.tile), array_agg(q.generation) INTO seen.snapshot, seen.relations, seen.tiles, seen.generations FROM (
+    SELECT s.relation, s.tile, s.generation FROM unnest(seen.relations, seen.tiles, seen.generations) s(relation, tile, generation)
+      WHERE NOT (s.relation = $1 AND ($2 IS NULL OR s.tile = ANY ($2)))
+    UNION ALL
+    SELECT $1, t.tile, g.generation FROM algebra3d_shard_tiles t LEFT JOIN algebra3d_shard_generations_there($1, $2) g ON g.tile = t.tile
+      WHERE t.relation = $1 AND ($2 IS NULL OR t.tile = ANY ($2))) q;
+  IF is_shared THEN
+    PERFORM algebra3d_shard_release_commits();
+  END IF;
+  FOR attempt IN 1 .. 100 LOOP
+    SELECT * INTO other FROM (
+      SELECT t.relation, t.tile, t.generation, t.writer, t.writer_before, s.generation AS there, s.relation = $1 AND ($2 IS NULL OR s.tile = ANY ($2)) AS is_new,
+        CASE WHEN t.writer IS NULL OR t.writer = own OR pg_visible_in_snapshot(t.writer, seen.snapshot) THEN t.generation
+          WHEN t.writer_before IS NULL OR pg_visible_in_snapshot(t.writer_before, seen.snapshot) THEN t.generation - 1 END AS expected
+      FROM unnest(seen.relations, seen.tiles, seen.generations) s(relation, tile, generation) JOIN algebra3d_shard_tiles t USING (relation, tile)) q
+      -- What was read before this transaction wrote it is not read again.
+      WHERE q.there IS DISTINCT FROM q.expected AND (q.is_new OR q.writer IS DISTINCT FROM own) ORDER BY q.there - q.generation NULLS FIRST LIMIT 1;
+    IF NOT FOUND THEN
+      PERFORM algebra3d_kept_in_transaction(seen::text);
+      RETURN -1;
     END IF;
-    IF other.there IS NULL OR other.there < other.here THEN
-      RAISE 'tile % of % is at generation % on its server, expected %: an older copy', other.tile, relation,
-        coalesce(other.there, 0), other.here USING ERRCODE = 'data_corrupted',
+    -- Later snapshots have no earlier generations.
+    EXIT WHEN other.there IS NULL OR other.there < other.generation;
+    IF attempt > 1 THEN
+      PERFORM pg_sleep(0.02);
+    END IF;
+    seen.snapshot := pg_current_snapshot();
+  END LOOP;
+  IF coalesce(other.there, 0) < other.generation THEN
+    IF coalesce(pg_visible_in_snapshot(CASE WHEN other.writer = own THEN other.writer_before ELSE other.writer END, first), true) THEN
+      RAISE 'tile % of % is at generation % on its server, expected %: an older copy', other.tile, other.relation,
+        coalesce(other.there, 0), other.generation USING ERRCODE = 'data_corrupted',
         HINT = 'The server may have been restored from a backup; see SELECT * FROM algebra3d_shard_check().';
     END IF;
-    RAISE 'a transaction over several servers was not completed on the one of tile % of %', other.tile, relation
+  ELSIF current_setting('transaction_isolation') = 'read committed' THEN
+    RAISE 'a transaction over several servers was not completed on the one of tile % of %', other.tile, other.relation
       USING ERRCODE = 'object_not_in_prerequisite_state', HINT = 'SELECT * FROM algebra3d_shard_repair() takes back what was not committed.';
-  END LOOP;
-  RETURN -1;
+  END IF;
+  RAISE 'others have written into tile % of % since this transaction began to read', other.tile, other.relation USING ERRCODE = 'serialization_failure',
+    HINT = 'Begin the transaction again. It sees each server as it was at its first statement there.';
 END $$;
 COMMENT ON FUNCTION algebra3d_shard_ready(text, integer[], integer) IS 'An error unless the servers of these tiles, NULL: of all, have what was committed here.';
 
@@ -744,7 +789,7 @@ BEGIN
     -- Transactions that write end first.
     PERFORM FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation ORDER BY t.tile FOR UPDATE;
     parent := format('%I.%I', known.schema_name, known.name || '_tiles');
-    FOR other IN SELECT d.* FROM @extschema@.algebra3d_shard_differences(known.relation, NULL) d LOOP
+    FOR other IN SELECT d.* FROM @extschema@.algebra3d_shard_differences(known.relation) d LOOP
       relation := known.relation;
       tile := other.tile;
       IF other.there IS NULL OR other.there < other.here THEN
@@ -770,16 +815,20 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION algebra3d_shard_repair() IS 'Takes back on each server what a transaction wrote that was not committed here, and says of which tiles.';
 
--- Locks tables and views against all others, who wait for the lock as long as those do who read now: so not for long, and all or none.
-CREATE FUNCTION algebra3d_shard_lock(names text[]) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+-- Locks tables, and views, against all others, who wait for the locks as long as those do who read now: so for half a second at most, and all or none.
+CREATE FUNCTION algebra3d_shard_lock(tables text[], views text[]) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
-  one text;
+  statement text;
+  ends timestamptz;
 BEGIN
   FOR attempt IN 1 .. 100 LOOP
     BEGIN
-      PERFORM pg_catalog.set_config('lock_timeout', '200ms', true);
-      FOREACH one IN ARRAY names LOOP
-        EXECUTE format('LOCK TABLE %s IN ACCESS EXCLUSIVE MODE', one);
+      ends := pg_catalog.clock_timestamp() + interval '0.5 s';
+      -- Views first, as readers do. LOCK would lock what they read, too, and wait for each.
+      FOREACH statement IN ARRAY ARRAY(SELECT format('ALTER VIEW %s SET (security_invoker = true)', v) FROM unnest(views) v) ||
+                                 ARRAY(SELECT format('LOCK TABLE ONLY %s IN ACCESS EXCLUSIVE MODE', t) FROM unnest(tables) t) LOOP
+        PERFORM pg_catalog.set_config('lock_timeout', greatest(1000 * extract(epoch FROM ends - pg_catalog.clock_timestamp()), 1)::integer || 'ms', true);
+        EXECUTE statement;
       END LOOP;
       PERFORM pg_catalog.set_config('lock_timeout', '0', true);
       RETURN;
@@ -787,7 +836,7 @@ BEGIN
       PERFORM pg_catalog.pg_sleep(0.5);
     END;
   END LOOP;
-  RAISE '% was not locked: others read all the time', pg_catalog.array_to_string(names, ', ') USING ERRCODE = 'lock_not_available',
+  RAISE '% was not locked: others read all the time', pg_catalog.array_to_string(views || tables, ', ') USING ERRCODE = 'lock_not_available',
     HINT = 'What was begun is undone. See pg_stat_activity for transactions that stay open.';
 END $$;
 
@@ -820,8 +869,8 @@ BEGIN
   EXECUTE format('INSERT INTO %1$I.%2$I (%4$s) SELECT %4$s FROM %1$I.%3$I', known.schema_name, foreign_name || '_moving', foreign_name, columns);
   EXECUTE format('UPDATE %s SET generation = (SELECT t.generation FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = $2) '
                  'WHERE relation = $1 AND tile = $2', @extschema@.algebra3d_shard_generations_of(server)) USING known.relation, tile;
-  UPDATE @extschema@.algebra3d_shard_tiles t SET server = $3 WHERE t.relation = known.relation AND t.tile = $2;
-  PERFORM @extschema@.algebra3d_shard_lock(ARRAY[parent]);
+  UPDATE @extschema@.algebra3d_shard_tiles t SET server = $3, writer = pg_catalog.pg_current_xact_id(), writer_before = t.writer WHERE t.relation = known.relation AND t.tile = $2;
+  PERFORM @extschema@.algebra3d_shard_lock(ARRAY[parent], '{}');
   EXECUTE format('DROP FOREIGN TABLE %I.%I', known.schema_name, foreign_name);
   EXECUTE format('ALTER FOREIGN TABLE %I.%I RENAME TO %I', known.schema_name, foreign_name || '_moving', foreign_name);
   EXECUTE format('ALTER TABLE %s ATTACH PARTITION %I.%I FOR VALUES IN (%s)', parent, known.schema_name, foreign_name, tile);
@@ -870,6 +919,7 @@ DECLARE
   new_grid @extschema@.grid;
   names text[];
   locked text[];
+  views text[];
   place record;
   target name;
   foreign_name text;
@@ -886,7 +936,7 @@ BEGIN
   IF array_position(names, named.relation) IS NULL THEN
     RAISE 'the grid of % was changed meanwhile', named.relation USING ERRCODE = 'serialization_failure';
   END IF;
-  locked := locked || ARRAY(SELECT format('%I.%I', a.schema_name, a.name || '_' || b.name || suffix) FROM @extschema@.algebra3d_shard_joins j
+  views := ARRAY(SELECT format('%I.%I', a.schema_name, a.name || '_' || b.name || suffix) FROM @extschema@.algebra3d_shard_joins j
     JOIN @extschema@.algebra3d_shard_relations a ON a.relation = j.a JOIN @extschema@.algebra3d_shard_relations b ON b.relation = j.b, unnest('{_pairs,_count}'::text[]) suffix
     WHERE j.a = ANY (names) ORDER BY 1);
   -- Who writes is told so, as by algebra3d_shard_move.
@@ -906,7 +956,7 @@ BEGIN
     PERFORM @extschema@.algebra3d_shard_server(target);
     PERFORM @extschema@.algebra3d_shard_execute(target, @extschema@.algebra3d_shard_tile_script(known, added, definitions));
     EXECUTE format('CREATE FOREIGN TABLE %I.%I (%s) SERVER %I OPTIONS (%s)', known.schema_name, foreign_name, definitions, target, options);
-    INSERT INTO @extschema@.algebra3d_shard_tiles (relation, tile, server) VALUES (known.relation, added, target);
+    INSERT INTO @extschema@.algebra3d_shard_tiles (relation, tile, server, writer) VALUES (known.relation, added, target, pg_catalog.pg_current_xact_id());
     columns := (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c);
     copy := format('INSERT INTO %1$I.%%I (%2$s, row_id, tile, home, born, stamp) SELECT %2$s, row_id, %3$s, home AND @extschema@.tile_of(box, %4$L::@extschema@.grid) = %3$s, 0, stamp '
       'FROM %1$I.%%I WHERE died IS NULL AND %3$s = ANY (@extschema@.tiles_of(box, %4$L::@extschema@.grid, %5$L::float8))',
@@ -924,7 +974,7 @@ BEGIN
     PERFORM @extschema@.algebra3d_shard_execute(target, format('ANALYZE %I.%I', known.schema_name, @extschema@.algebra3d_shard_tile_name(known, added)));
   END LOOP;
 
-  PERFORM @extschema@.algebra3d_shard_lock(locked);
+  PERFORM @extschema@.algebra3d_shard_lock(locked, views);
   FOR known IN UPDATE @extschema@.algebra3d_shard_relations r SET grid = new_grid, split_tiles = r.split_tiles || $2 WHERE r.relation = ANY (names) RETURNING r.* LOOP
     EXECUTE format('ALTER TABLE %1$I.%2$I ATTACH PARTITION %1$I.%3$I FOR VALUES IN (%4$s)', known.schema_name, known.name || '_tiles', known.name || '_' || added, added);
     PERFORM @extschema@.algebra3d_shard_run_all(@extschema@.algebra3d_shard_functions_script(known));
@@ -947,7 +997,7 @@ DECLARE
 BEGIN
   SELECT array_agg(r.relation), array_agg(format('%I.%I', r.schema_name, r.name || '_tiles') ORDER BY r.relation) INTO names, locked
     FROM @extschema@.algebra3d_shard_relations r WHERE r.grid::text = known.grid::text;
-  PERFORM @extschema@.algebra3d_shard_lock(locked);
+  PERFORM @extschema@.algebra3d_shard_lock(locked, '{}');
   UPDATE @extschema@.algebra3d_shard_relations r SET fewest_tiles = @extschema@.tile_count(r.grid) WHERE r.relation = ANY (names);
   COMMIT;
   FOR known IN UPDATE @extschema@.algebra3d_shard_relations r SET split_tiles = '{}' FROM
@@ -997,7 +1047,7 @@ BEGIN
   PERFORM @extschema@.algebra3d_shard_execute(t.server, format('ANALYZE %I.%I', new_one.schema_name, @extschema@.algebra3d_shard_tile_name(new_one, t.tile)))
     FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = new_one.relation ORDER BY t.tile;
 
-  PERFORM @extschema@.algebra3d_shard_lock(ARRAY[view_name, parent]);
+  PERFORM @extschema@.algebra3d_shard_lock(ARRAY[parent], ARRAY[view_name]);
   SELECT array_agg(t.server ORDER BY t.tile), array_agg(t.tile ORDER BY t.tile) INTO old_servers, old_tiles
     FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation;
   EXECUTE format('ALTER TABLE %s RENAME TO %I', parent, known.name || '_tiles_before');
@@ -1102,7 +1152,7 @@ BEGIN
 EXCEPTION WHEN OTHERS THEN
   object := 'server ' || server;
   fault := SQLERRM;
-  remedy := CASE WHEN SQLSTATE IN ('42P01', '3F000', '42883') THEN format('on it: CREATE EXTENSION algebra3d_shards SCHEMA %s CASCADE', '@extschema@')
+  remedy := CASE WHEN SQLSTATE IN ('42P01', '3F000', '42883') THEN format('on it: CREATE EXTENSION algebra3d_shards SCHEMA %s CASCADE, after DROP EXTENSION if it is in another schema', '@extschema@')
     WHEN SQLSTATE = '42501' THEN 'on it: GRANT what is missing to the role of the user mapping'
     ELSE 'start it, and see its options and user mapping' END;
   RETURN NEXT;
@@ -1171,7 +1221,7 @@ BEGIN
     BEGIN
       RETURN QUERY SELECT format('relation %s, tile %s', one.relation, d.tile), format('generation %s on its server, %s here', coalesce(d.there::text, 'none'), d.here),
         CASE WHEN d.there = d.here + 1 THEN 'SELECT * FROM algebra3d_shard_repair()' WHEN d.there > d.here THEN 'restore the coordinator from a newer backup' ELSE 'restore its server from a newer backup' END
-        FROM @extschema@.algebra3d_shard_differences(one.relation, NULL) d;
+        FROM @extschema@.algebra3d_shard_differences(one.relation) d;
     EXCEPTION WHEN OTHERS THEN
       NULL;  -- what is wrong with a server was said above
     END;
