@@ -71,6 +71,16 @@ CREATE TABLE algebra3d_shard_tiles (
   writer_before xid8,
   PRIMARY KEY (relation, tile)
 );
+-- Numbers of transactions that come from a dump mean nothing here.
+CREATE FUNCTION algebra3d_shard_restored() RETURNS trigger LANGUAGE plpgsql AS $$
+BEGIN
+  IF NEW.writer IS DISTINCT FROM pg_catalog.pg_current_xact_id() THEN
+    NEW.writer := NULL;
+  END IF;
+  NEW.writer_before := NULL;
+  RETURN NEW;
+END $$;
+CREATE TRIGGER restored BEFORE INSERT ON algebra3d_shard_tiles FOR EACH ROW EXECUTE FUNCTION algebra3d_shard_restored();
 -- On a shard: the generations of its tiles. On the coordinator it is empty.
 CREATE TABLE algebra3d_shard_generations (
   relation text NOT NULL,
@@ -422,7 +432,7 @@ COMMENT ON FUNCTION algebra3d_shard_load(text, regclass) IS 'Copies the rows of 
 
 -- The foreign tables for what the coordinator asks a server itself.
 CREATE FUNCTION algebra3d_shard_server(server name) RETURNS void LANGUAGE plpgsql VOLATILE
-SET search_path = @extschema@, pg_temp AS $$
+SET search_path = @extschema@, pg_temp SET client_min_messages = warning AS $$
 DECLARE
   options text[] := (SELECT srvoptions FROM pg_foreign_server WHERE srvname = server);
   extensions text := coalesce((SELECT option_value FROM pg_options_to_table(options) WHERE option_name = 'extensions'), '');
@@ -1151,7 +1161,8 @@ BEGIN
   END LOOP;
 EXCEPTION WHEN OTHERS THEN
   object := 'server ' || server;
-  fault := SQLERRM;
+  GET STACKED DIAGNOSTICS fault = PG_EXCEPTION_DETAIL;
+  fault := concat_ws(': ', SQLERRM, nullif(fault, ''));
   remedy := CASE WHEN SQLSTATE IN ('42P01', '3F000', '42883') THEN format('on it: CREATE EXTENSION algebra3d_shards SCHEMA %s CASCADE, after DROP EXTENSION if it is in another schema', '@extschema@')
     WHEN SQLSTATE = '42501' THEN 'on it: GRANT what is missing to the role of the user mapping'
     ELSE 'start it, and see its options and user mapping' END;
