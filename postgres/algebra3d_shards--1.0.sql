@@ -112,7 +112,7 @@ CREATE VIEW algebra3d_shard_tables AS
   WHERE c.relkind = 'r' AND (SELECT count(*) FROM pg_attribute a WHERE a.attrelid = c.oid AND a.attname IN ('row_id', 'tile', 'home', 'born', 'died', 'stamp')) = 6;
 GRANT SELECT ON algebra3d_shard_tables TO PUBLIC;
 -- Removes a tile that was left behind; a table that is none stays.
-CREATE FUNCTION algebra3d_shard_drop_tile(schema_name name, table_name name) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+CREATE FUNCTION algebra3d_shard_drop_tile(schema_name name, table_name name) RETURNS void LANGUAGE plpgsql VOLATILE SET lock_timeout = '5s' AS $$
 BEGIN
   IF EXISTS (SELECT FROM @extschema@.algebra3d_shard_tables t WHERE (t.schema_name, t.table_name) = ($1, $2)) THEN
     EXECUTE format('DROP TABLE %I.%I', schema_name, table_name);
@@ -429,6 +429,10 @@ END $$;
 COMMENT ON FUNCTION algebra3d_shard_load(text, regclass) IS 'Copies the rows of a table with the same columns into the tiles, in this transaction; the number of rows.';
 
 ---- Set-up ----
+
+-- The options of a server or of a foreign table that say where it is.
+CREATE FUNCTION algebra3d_shard_address(options text[]) RETURNS text LANGUAGE SQL IMMUTABLE
+RETURN (SELECT string_agg(o, ',' ORDER BY o) FROM unnest(options) o WHERE o ~ '^(host|hostaddr|port|dbname|schema_name|table_name)=');
 
 -- The foreign tables for what the coordinator asks a server itself.
 CREATE FUNCTION algebra3d_shard_server(server name) RETURNS void LANGUAGE plpgsql VOLATILE
@@ -860,6 +864,7 @@ DECLARE
   definitions text;
   columns text := (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns || '{row_id,tile,home,born,died,stamp}'::name[]) c);
   options text;
+  is_elsewhere boolean;
 BEGIN
   IF before IS NULL THEN
     RAISE '% has no tile %', known.relation, tile USING ERRCODE = 'invalid_parameter_value';
@@ -874,11 +879,17 @@ BEGIN
   PERFORM @extschema@.algebra3d_shard_server(server);
   SELECT string_agg(c.definition, ', ') || ', ' || @extschema@.algebra3d_shard_added_columns(known.geometry, known.geometry_type) INTO definitions
     FROM @extschema@.algebra3d_shard_columns(parent::regclass) c WHERE c.name = ANY (known.columns);
-  PERFORM @extschema@.algebra3d_shard_execute(server, @extschema@.algebra3d_shard_tile_script(known, tile, definitions));
   EXECUTE format('CREATE FOREIGN TABLE %I.%I (%s) SERVER %I OPTIONS (%s)', known.schema_name, foreign_name || '_moving', definitions, server, options);
-  EXECUTE format('INSERT INTO %1$I.%2$I (%4$s) SELECT %4$s FROM %1$I.%3$I', known.schema_name, foreign_name || '_moving', foreign_name, columns);
-  EXECUTE format('UPDATE %s SET generation = (SELECT t.generation FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = $2) '
-                 'WHERE relation = $1 AND tile = $2', @extschema@.algebra3d_shard_generations_of(server)) USING known.relation, tile;
+  -- Foreign servers may name one database, where the table stays.
+  is_elsewhere := (SELECT count(DISTINCT @extschema@.algebra3d_shard_address(s.srvoptions)) > 1 FROM pg_catalog.pg_foreign_server s WHERE s.srvname IN (before, server));
+  IF is_elsewhere THEN
+    -- Begins to read there: the tile that is read is not taken for one that was left behind, if its server has two names.
+    EXECUTE format('SELECT FROM %I.%I LIMIT 1', known.schema_name, foreign_name);
+    PERFORM @extschema@.algebra3d_shard_execute(server, @extschema@.algebra3d_shard_tile_script(known, tile, definitions));
+    EXECUTE format('INSERT INTO %1$I.%2$I (%4$s) SELECT %4$s FROM %1$I.%3$I', known.schema_name, foreign_name || '_moving', foreign_name, columns);
+    EXECUTE format('UPDATE %s SET generation = (SELECT t.generation FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = $2) '
+                   'WHERE relation = $1 AND tile = $2', @extschema@.algebra3d_shard_generations_of(server)) USING known.relation, tile;
+  END IF;
   UPDATE @extschema@.algebra3d_shard_tiles t SET server = $3, writer = pg_catalog.pg_current_xact_id(), writer_before = t.writer WHERE t.relation = known.relation AND t.tile = $2;
   PERFORM @extschema@.algebra3d_shard_lock(ARRAY[parent], '{}');
   EXECUTE format('DROP FOREIGN TABLE %I.%I', known.schema_name, foreign_name);
@@ -886,6 +897,9 @@ BEGIN
   EXECUTE format('ALTER TABLE %s ATTACH PARTITION %I.%I FOR VALUES IN (%s)', parent, known.schema_name, foreign_name, tile);
   PERFORM @extschema@.algebra3d_shard_grant_again(known.relation);
   COMMIT;
+  IF NOT is_elsewhere THEN
+    RETURN;
+  END IF;
   -- Not before: until then the old tile is the one that counts.
   PERFORM @extschema@.algebra3d_shard_execute(before, format('DROP TABLE %I.%I', known.schema_name, @extschema@.algebra3d_shard_tile_name(known, tile)));
   PERFORM @extschema@.algebra3d_shard_execute(before, format(
@@ -1079,10 +1093,6 @@ BEGIN
   END LOOP;
 END $$;
 COMMENT ON PROCEDURE algebra3d_shard_divide(text, @extschema@.grid, text[]) IS 'Divides a relation anew: who writes into it meanwhile gets an error, who reads waits a moment at most. Its joins are to be made anew.';
-
--- The options of a server or of a foreign table that say where it is.
-CREATE FUNCTION algebra3d_shard_address(options text[]) RETURNS text LANGUAGE SQL IMMUTABLE
-RETURN (SELECT string_agg(o, ',' ORDER BY o) FROM unnest(options) o WHERE o ~ '^(host|hostaddr|port|dbname|schema_name|table_name)=');
 
 -- What is wrong with a server.
 CREATE FUNCTION algebra3d_shard_check_server(server name) RETURNS TABLE (object text, fault text, remedy text) LANGUAGE plpgsql VOLATILE
