@@ -535,7 +535,7 @@ BEGIN
   END IF;
   PERFORM algebra3d_shard_ready(known.relation, tiles);
   RETURN QUERY EXECUTE format('SELECT * FROM (%s) q ORDER BY %I <-> $1, row_id LIMIT %s', (SELECT string_agg(format('(SELECT %1$s FROM %2$I.%3$I WHERE died IS NULL AND box IS NOT NULL AND '
-      'CASE WHEN $2 IS NULL THEN home ELSE is_pair_tile(tile, box, $2, %4$L::grid) END ORDER BY %5$I <-> $1 LIMIT %6$s)',
+      'CASE WHEN $2 IS NULL THEN home ELSE is_pair_tile(tile, box, $2, %4$L::grid) END ORDER BY %5$I <-> $1, row_id LIMIT %6$s)',
       columns, known.schema_name, known.name || '_' || tile, known.grid, known.geometry, k), ' UNION ALL ') FROM unnest(tiles) tile), known.geometry, k) USING place, box;
 END $$;
 
