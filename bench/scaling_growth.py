@@ -9,15 +9,16 @@ the time of the coordinator, by the constants.
 """
 import random
 
-# Measured on 2026-11-30 with scripts/cluster (a coordinator and two servers, four foreign servers, all on two busy cores), each
-# statement for the second time in its session: bytes that servers sent for a count over 8 and over 64 tiles, and what a join had
-# more; planning and execution of a count over 64 and 512 tiles by EXPLAIN ANALYZE. The time of a tile is that of the coordinator and
-# the servers together, which share the cores, so the coordinator's own is less.
+# Measured on 2026-11-30, each statement for the second time in its session. Bytes: by scripts/cluster with two servers (four foreign
+# servers), of a count over 8 and over 64 tiles, and what a join had more. Time: processor time of the coordinator's process alone, of
+# a count over 512 tiles (94 ms) and over 2,048 (858 ms) on three servers; waiting for many asynchronous scans grows with the square
+# of their number. Tables with more tiles than that are extrapolated by the same parabola.
 BYTES_OF_A_TILE = 370
 BYTES_OF_A_SERVER = 560
 MORE_BYTES_OF_A_JOIN = 200
-PLANNING_MS = 0.06
-EXECUTION_MS = 0.8
+TILE_MS = 0.105
+SQUARED_TILE_MS = 1.53e-4
+MOST_TILES_MEASURED = 2048
 TILES_OF_A_SERVER = 4
 SAMPLE = 20000
 
@@ -49,9 +50,10 @@ def main():
             edge_of_tile = (solids / tiles) ** (1 / 3)
             found = [copies(edge, edge_of_tile, dice) for edge in (0.5, 2, 10)]
             total_bytes = tiles * (BYTES_OF_A_TILE + MORE_BYTES_OF_A_JOIN) + servers * BYTES_OF_A_SERVER
-            seconds = tiles * (PLANNING_MS + EXECUTION_MS) / 1e3
+            seconds = (tiles * TILE_MS + tiles**2 * SQUARED_TILE_MS) / 1e3
+            is_measured = tiles <= MOST_TILES_MEASURED
             print(f"| {amount(solids)} | {servers} | {tiles} | {amount(solids / tiles * found[0])} | {' / '.join(f'{each:.3f}' for each in found)} | "
-                  f"{amount(total_bytes)}B | {seconds:.2g} s |")
+                  f"{amount(total_bytes)}B | {seconds:.2g} s{'' if is_measured else ' (extrapolated)'} |")
 
 
 if __name__ == "__main__":

@@ -21,12 +21,14 @@ CREATE TYPE grid;
 CREATE FUNCTION grid_in(cstring) RETURNS grid AS 'MODULE_PATHNAME', 'algebra3d_grid_in' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION grid_out(grid) RETURNS cstring AS 'MODULE_PATHNAME', 'algebra3d_grid_out' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 CREATE TYPE grid (INPUT = grid_in, OUTPUT = grid_out, INTERNALLENGTH = VARIABLE, ALIGNMENT = double, STORAGE = PLAIN);
-COMMENT ON TYPE grid IS 'Tiles that divide space: (cells CORNER SIZE COUNTS), or (ranges CORNER SIZE ENDS) of Hilbert''s curve.';
+COMMENT ON TYPE grid IS 'Tiles that divide space: (cells CORNER SIZE COUNTS), or (ranges CORNER SIZE ENDS) of Hilbert''s curve; then (TILE AXIS PLACE) for each that was divided.';
 
 CREATE FUNCTION grid(extent rect3, counts integer[]) RETURNS grid AS 'MODULE_PATHNAME', 'algebra3d_grid_of_cells' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION grid(rect3, integer[]) IS 'Tiles that are cells: a box divided evenly into so many along x, y and z.';
 CREATE FUNCTION grid(sample rect3[], tiles integer) RETURNS grid AS 'MODULE_PATHNAME', 'algebra3d_grid_of_sample' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION grid(rect3[], integer) IS 'Tiles with equal shares of a sample of boxes: ranges of Hilbert''s curve.';
+CREATE FUNCTION grid(grid, tile integer, axis text, place float8) RETURNS grid AS 'MODULE_PATHNAME', 'algebra3d_grid_divided' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION grid(grid, integer, text, float8) IS 'A grid with one tile divided: what lies at a place or above on the axis x, y or z gets the next number.';
 CREATE FUNCTION tile_count(grid) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_grid_tile_count' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION tile_count(grid) IS 'The number of tiles; they are numbered from 0.';
 CREATE FUNCTION tile_of(place point3d, grid) RETURNS integer AS 'MODULE_PATHNAME', 'algebra3d_tile_of_point' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
@@ -50,16 +52,35 @@ CREATE TABLE algebra3d_shard_relations (
   geometry_type text NOT NULL,
   columns name[] NOT NULL,
   grid grid NOT NULL,
-  reach float8 NOT NULL           -- the greatest distance of a distance join
+  reach float8 NOT NULL,          -- the greatest distance of a distance join
+  fewest_tiles integer NOT NULL DEFAULT 0,     -- of a grid for which a statement may have been planned
+  split_tiles integer[] NOT NULL DEFAULT '{}'  -- those that still have copies which no statement needs any more
+);
+-- Of which relations algebra3d_shard_join made views.
+CREATE TABLE algebra3d_shard_joins (
+  a text NOT NULL REFERENCES algebra3d_shard_relations ON DELETE CASCADE,
+  b text NOT NULL REFERENCES algebra3d_shard_relations ON DELETE CASCADE,
+  PRIMARY KEY (a, b)
 );
 CREATE TABLE algebra3d_shard_tiles (
   relation text NOT NULL REFERENCES algebra3d_shard_relations ON DELETE CASCADE,
   tile integer NOT NULL,
   server name NOT NULL,
   generation bigint NOT NULL DEFAULT 0,
-  writer xid8,                    -- the last transaction that wrote
+  writer xid8,                    -- the last transaction that wrote, and the one before
+  writer_before xid8,
   PRIMARY KEY (relation, tile)
 );
+-- Numbers of transactions that come from a dump mean nothing here.
+CREATE FUNCTION algebra3d_shard_restored() RETURNS trigger LANGUAGE plpgsql AS $$
+BEGIN
+  IF NEW.writer IS DISTINCT FROM pg_catalog.pg_current_xact_id() THEN
+    NEW.writer := NULL;
+  END IF;
+  NEW.writer_before := NULL;
+  RETURN NEW;
+END $$;
+CREATE TRIGGER restored BEFORE INSERT ON algebra3d_shard_tiles FOR EACH ROW EXECUTE FUNCTION algebra3d_shard_restored();
 -- On a shard: the generations of its tiles. On the coordinator it is empty.
 CREATE TABLE algebra3d_shard_generations (
   relation text NOT NULL,
@@ -75,10 +96,35 @@ BEGIN
   RETURN NULL;
 END $$;
 CREATE TRIGGER run BEFORE INSERT ON algebra3d_shard_statements FOR EACH ROW EXECUTE FUNCTION algebra3d_shard_run();
+-- The generated columns of a table, as definitions.
+CREATE FUNCTION algebra3d_shard_generated(source regclass) RETURNS text[] LANGUAGE SQL STABLE
+SET search_path = pg_catalog, pg_temp AS $$
+  SELECT array_agg(format('%I %s GENERATED ALWAYS AS (%s) STORED', a.attname, format_type(a.atttypid, a.atttypmod), pg_get_expr(d.adbin, d.adrelid)) ORDER BY a.attname)
+  FROM pg_attribute a JOIN pg_attrdef d ON d.adrelid = a.attrelid AND d.adnum = a.attnum WHERE a.attrelid = source AND a.attgenerated = 's'
+$$;
+-- On a shard: its tables that are tiles, for algebra3d_shard_check.
+CREATE VIEW algebra3d_shard_tables AS
+  SELECT n.nspname AS schema_name, c.relname AS table_name,
+    (SELECT array_agg(pg_get_constraintdef(k.oid)) FROM pg_constraint k WHERE k.conrelid = c.oid AND k.contype = 'c' AND k.convalidated) AS checks,
+    EXISTS (SELECT FROM pg_index i JOIN pg_class x ON x.oid = i.indexrelid JOIN pg_am m ON m.oid = x.relam WHERE i.indrelid = c.oid AND m.amname = 'gist' AND i.indisvalid) AS is_indexed,
+    algebra3d_shard_generated(c.oid) AS generated
+  FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace
+  WHERE c.relkind = 'r' AND (SELECT count(*) FROM pg_attribute a WHERE a.attrelid = c.oid AND a.attname IN ('row_id', 'tile', 'home', 'born', 'died', 'stamp')) = 6;
+GRANT SELECT ON algebra3d_shard_tables TO PUBLIC;
+-- Removes a tile that was left behind; a table that is none stays.
+CREATE FUNCTION algebra3d_shard_drop_tile(schema_name name, table_name name) RETURNS void LANGUAGE plpgsql VOLATILE SET lock_timeout = '5s' AS $$
+BEGIN
+  IF EXISTS (SELECT FROM @extschema@.algebra3d_shard_tables t WHERE (t.schema_name, t.table_name) = ($1, $2)) THEN
+    EXECUTE format('DROP TABLE %I.%I', schema_name, table_name);
+  END IF;
+END $$;
 SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_relations', '');
+SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_joins', '');
 SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_tiles', '');
 SELECT pg_catalog.pg_extension_config_dump('algebra3d_shard_generations', '');
-GRANT SELECT ON algebra3d_shard_relations, algebra3d_shard_tiles, algebra3d_shard_generations TO PUBLIC;
+GRANT SELECT ON algebra3d_shard_relations, algebra3d_shard_joins, algebra3d_shard_tiles, algebra3d_shard_generations TO PUBLIC;
+-- The extension is trusted: who creates it need not be a superuser, and keeps its tables.
+GRANT ALL ON algebra3d_shard_relations, algebra3d_shard_joins, algebra3d_shard_tiles, algebra3d_shard_generations, algebra3d_shard_statements TO @extowner@;
 
 -- The row of a relation, or an error.
 CREATE FUNCTION algebra3d_shard_relation(relation text) RETURNS algebra3d_shard_relations LANGUAGE plpgsql STABLE
@@ -101,55 +147,126 @@ BEGIN
   RETURN known;
 END $$;
 
+-- The row of a relation as it stays until the end of the transaction: tiles are divided, moved and exchanged under a lock that waits
+-- for this one. Who computes tiles himself begins here.
+CREATE FUNCTION algebra3d_shard_known(relation text) RETURNS algebra3d_shard_relations LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+BEGIN
+  EXECUTE format('LOCK TABLE ONLY %I.%I IN ACCESS SHARE MODE', known.schema_name, known.name || '_tiles');
+  SELECT r.* INTO known FROM algebra3d_shard_relations r WHERE (r.schema_name, r.name) = (known.schema_name, known.name);
+  RETURN known;
+END $$;
+
 ---- Reading ----
+
+CREATE FUNCTION algebra3d_kept_in_transaction(text) RETURNS text AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE PARALLEL RESTRICTED;
+COMMENT ON FUNCTION algebra3d_kept_in_transaction(text) IS 'The text, not NULL, of the last call in this transaction; NULL if there was none.';
+-- Commits over several servers, and the beginnings of reading transactions, exclude each other: these see all of a commit, or nothing.
+CREATE FUNCTION algebra3d_shard_lock_commits() RETURNS void AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE STRICT;
+CREATE FUNCTION algebra3d_shard_share_commits() RETURNS boolean AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE STRICT;
+CREATE FUNCTION algebra3d_shard_release_commits() RETURNS void AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE STRICT;
+-- At the end of a transaction that writes, before any server commits.
+CREATE FUNCTION algebra3d_shard_before_commit() RETURNS trigger LANGUAGE plpgsql AS $$
+BEGIN
+  PERFORM @extschema@.algebra3d_shard_lock_commits();
+  RETURN NULL;
+END $$;
+CREATE CONSTRAINT TRIGGER before_commit AFTER INSERT OR UPDATE OR DELETE ON algebra3d_shard_tiles DEFERRABLE INITIALLY DEFERRED
+  FOR EACH ROW EXECUTE FUNCTION algebra3d_shard_before_commit();
+-- What a transaction has read: generations of tiles on servers, which are those of one snapshot here.
+CREATE TYPE algebra3d_shard_state AS (snapshot pg_snapshot, relations text[], tiles integer[], generations bigint[]);
 
 -- The foreign table of generations on a server.
 CREATE FUNCTION algebra3d_shard_generations_of(server name) RETURNS text LANGUAGE SQL IMMUTABLE STRICT
 RETURN format('%I.%I', '@extschema@', 'algebra3d_generations_' || server);
 
--- Tiles whose generation here and on its server differ, with both.
-CREATE FUNCTION algebra3d_shard_differences(relation text, tiles integer[]) RETURNS TABLE (tile integer, here bigint, there bigint)
-LANGUAGE plpgsql VOLATILE AS $$
+-- The generations of some tiles (NULL: all) on their servers.
+CREATE FUNCTION algebra3d_shard_generations_there(relation text, tiles integer[]) RETURNS TABLE (tile integer, generation bigint) LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
   shard name;
   its_tiles integer[];
 BEGIN
   FOR shard, its_tiles IN SELECT t.server, array_agg(t.tile) FROM @extschema@.algebra3d_shard_tiles t
                WHERE t.relation = $1 AND ($2 IS NULL OR t.tile = ANY ($2)) GROUP BY 1 ORDER BY 1 LOOP
-    RETURN QUERY EXECUTE format(
-      'SELECT t.tile, t.generation, g.generation FROM @extschema@.algebra3d_shard_tiles t LEFT JOIN '
-      '(SELECT g.tile, g.generation FROM %s g WHERE g.relation = $1 AND g.tile = ANY ($2)) g ON g.tile = t.tile '
-      'WHERE t.relation = $1 AND t.tile = ANY ($2) AND g.generation IS DISTINCT FROM t.generation',
+    RETURN QUERY EXECUTE format('SELECT g.tile, g.generation FROM %s g WHERE g.relation = $1 AND g.tile = ANY ($2)',
       @extschema@.algebra3d_shard_generations_of(shard)) USING $1, its_tiles;
   END LOOP;
 END $$;
 
--- -1 if what the servers have of some tiles (NULL: all) is what was committed here, else an error. What a remote statement of
--- this transaction sees does not change any more; a commit that was under way when it began ends here a moment later.
-CREATE FUNCTION algebra3d_shard_ready(relation text, tiles integer[] DEFAULT NULL) RETURNS integer LANGUAGE plpgsql VOLATILE AS $$
+-- Tiles whose generation here and on its server differ, with both.
+CREATE FUNCTION algebra3d_shard_differences(relation text) RETURNS TABLE (tile integer, here bigint, there bigint) LANGUAGE SQL VOLATILE
+BEGIN ATOMIC
+  SELECT t.tile, t.generation, g.generation FROM algebra3d_shard_generations_there(relation, NULL) g RIGHT JOIN algebra3d_shard_tiles t ON t.tile = g.tile
+    WHERE t.relation = $1 AND g.generation IS DISTINCT FROM t.generation ORDER BY t.tile;
+END;
+
+-- -1 if what the servers have of some tiles (NULL: all), and of all that this transaction has read before, is what one snapshot has
+-- here, else an error. Remote statements see what was committed on each server when the first one of their transaction came there.
+-- `planned_tiles` are those of the grid for which the statement was planned.
+CREATE FUNCTION algebra3d_shard_ready(relation text, tiles integer[] DEFAULT NULL, planned_tiles integer DEFAULT NULL) RETURNS integer LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
 DECLARE
+  fewest integer := (SELECT r.fewest_tiles FROM algebra3d_shard_relations r WHERE r.relation = $1);
+  own xid8 := pg_current_xact_id_if_assigned();
+  seen algebra3d_shard_state := algebra3d_kept_in_transaction(NULL)::algebra3d_shard_state;
+  first pg_snapshot;
+  is_shared boolean;
   other record;
-  now bigint;
 BEGIN
-  FOR other IN SELECT * FROM @extschema@.algebra3d_shard_differences(relation, tiles) LOOP
-    now := other.here;
-    FOR attempt IN 1 .. 100 LOOP
-      EXIT WHEN other.there IS NULL OR other.there < other.here OR other.there <= now;
-      PERFORM pg_catalog.pg_sleep(0.02);
-      SELECT t.generation INTO now FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = other.tile;
-    END LOOP;
-    CONTINUE WHEN other.there BETWEEN other.here AND now;
-    IF other.there IS NULL OR other.there < other.here THEN
-      RAISE 'tile % of % is at generation % on its server, expected %: an older copy', other.tile, relation,
-        coalesce(other.there, 0), other.here USING ERRCODE = 'data_corrupted',
+  IF fewest IS NULL OR planned_tiles < fewest THEN
+    RAISE '% was divided while the statement was planned', relation USING ERRCODE = 'serialization_failure', HINT = 'Run it again.';
+  END IF;
+  -- A commit that has stopped is said below.
+  FOR attempt IN 1 .. 200 LOOP
+    is_shared := algebra3d_shard_share_commits();
+    EXIT WHEN is_shared;
+    PERFORM pg_sleep(0.01);
+  END LOOP;
+  first := coalesce(seen.snapshot, pg_current_snapshot());
+  SELECT first, array_agg(q.relation), array_agg(q.tile), array_agg(q.generation) INTO seen.snapshot, seen.relations, seen.tiles, seen.generations FROM (
+    SELECT s.relation, s.tile, s.generation FROM unnest(seen.relations, seen.tiles, seen.generations) s(relation, tile, generation)
+      WHERE NOT (s.relation = $1 AND ($2 IS NULL OR s.tile = ANY ($2)))
+    UNION ALL
+    SELECT $1, t.tile, g.generation FROM algebra3d_shard_tiles t LEFT JOIN algebra3d_shard_generations_there($1, $2) g ON g.tile = t.tile
+      WHERE t.relation = $1 AND ($2 IS NULL OR t.tile = ANY ($2))) q;
+  IF is_shared THEN
+    PERFORM algebra3d_shard_release_commits();
+  END IF;
+  FOR attempt IN 1 .. 100 LOOP
+    SELECT * INTO other FROM (
+      SELECT t.relation, t.tile, t.generation, t.writer, t.writer_before, s.generation AS there, s.relation = $1 AND ($2 IS NULL OR s.tile = ANY ($2)) AS is_new,
+        CASE WHEN t.writer IS NULL OR t.writer = own OR pg_visible_in_snapshot(t.writer, seen.snapshot) THEN t.generation
+          WHEN t.writer_before IS NULL OR pg_visible_in_snapshot(t.writer_before, seen.snapshot) THEN t.generation - 1 END AS expected
+      FROM unnest(seen.relations, seen.tiles, seen.generations) s(relation, tile, generation) JOIN algebra3d_shard_tiles t USING (relation, tile)) q
+      -- What was read before this transaction wrote it is not read again.
+      WHERE q.there IS DISTINCT FROM q.expected AND (q.is_new OR q.writer IS DISTINCT FROM own) ORDER BY q.there - q.generation NULLS FIRST LIMIT 1;
+    IF NOT FOUND THEN
+      PERFORM algebra3d_kept_in_transaction(seen::text);
+      RETURN -1;
+    END IF;
+    -- Later snapshots have no earlier generations.
+    EXIT WHEN other.there IS NULL OR other.there < other.generation;
+    IF attempt > 1 THEN
+      PERFORM pg_sleep(0.02);
+    END IF;
+    seen.snapshot := pg_current_snapshot();
+  END LOOP;
+  IF coalesce(other.there, 0) < other.generation THEN
+    IF coalesce(pg_visible_in_snapshot(CASE WHEN other.writer = own THEN other.writer_before ELSE other.writer END, first), true) THEN
+      RAISE 'tile % of % is at generation % on its server, expected %: an older copy', other.tile, other.relation,
+        coalesce(other.there, 0), other.generation USING ERRCODE = 'data_corrupted',
         HINT = 'The server may have been restored from a backup; see SELECT * FROM algebra3d_shard_check().';
     END IF;
-    RAISE 'a transaction over several servers was not completed on the one of tile % of %', other.tile, relation
+  ELSIF current_setting('transaction_isolation') = 'read committed' THEN
+    RAISE 'a transaction over several servers was not completed on the one of tile % of %', other.tile, other.relation
       USING ERRCODE = 'object_not_in_prerequisite_state', HINT = 'SELECT * FROM algebra3d_shard_repair() takes back what was not committed.';
-  END LOOP;
-  RETURN -1;
+  END IF;
+  RAISE 'others have written into tile % of % since this transaction began to read', other.tile, other.relation USING ERRCODE = 'serialization_failure',
+    HINT = 'Begin the transaction again. It sees each server as it was at its first statement there.';
 END $$;
-COMMENT ON FUNCTION algebra3d_shard_ready(text, integer[]) IS 'An error unless the servers of these tiles, NULL: of all, have what was committed here.';
+COMMENT ON FUNCTION algebra3d_shard_ready(text, integer[], integer) IS 'An error unless the servers of these tiles, NULL: of all, have what was committed here.';
 
 ---- Writing ----
 
@@ -163,12 +280,12 @@ BEGIN
   FOR one IN SELECT DISTINCT t FROM unnest(tiles) t LOOP
     IF NOT pg_catalog.pg_try_advisory_xact_lock_shared(pg_catalog.hashtext('algebra3d ' || $1), one) THEN
       RAISE 'tile % of % is being moved', one, $1 USING ERRCODE = 'lock_not_available',
-        HINT = 'Try again when algebra3d_shard_move or algebra3d_shard_split has ended.';
+        HINT = 'Try again when algebra3d_shard_move, algebra3d_shard_split or algebra3d_shard_divide has ended.';
     END IF;
   END LOOP;
   -- In one order in all transactions, so that they do not wait for each other.
   PERFORM FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = ANY ($2) ORDER BY t.tile FOR UPDATE;
-  RETURN QUERY UPDATE @extschema@.algebra3d_shard_tiles t SET generation = t.generation + 1, writer = pg_catalog.pg_current_xact_id()
+  RETURN QUERY UPDATE @extschema@.algebra3d_shard_tiles t SET generation = t.generation + 1, writer = pg_catalog.pg_current_xact_id(), writer_before = t.writer
     WHERE t.relation = $1 AND t.tile = ANY ($2) AND t.writer IS DISTINCT FROM pg_catalog.pg_current_xact_id()
     RETURNING t.tile, t.server, t.generation;
 END $$;
@@ -210,7 +327,7 @@ RETURN coalesce(tile_of(box, grid), 0);
 CREATE FUNCTION algebra3d_shard_places(relation text, boxes rect3[]) RETURNS TABLE (row_id bigint, tiles integer[], home integer) LANGUAGE plpgsql VOLATILE
 SET search_path = @extschema@, pg_temp AS $$
 DECLARE
-  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+  known algebra3d_shard_relations := algebra3d_shard_known(relation);
 BEGIN
   RETURN QUERY SELECT nextval(format('%I.%I', known.schema_name, known.name || '_row_id')::regclass),
     algebra3d_shard_tiles_of(b.box, known.grid, known.reach), algebra3d_shard_home_of(b.box, known.grid)
@@ -238,11 +355,11 @@ BEGIN
   RETURN NULL;
 END $$;
 
--- INSTEAD OF INSERT, UPDATE and DELETE of a view; the argument is the relation. A scan that goes on while rows are written
+-- INSTEAD OF INSERT, UPDATE and DELETE of a view. A scan that goes on while rows are written
 -- comes upon those that went into its later tiles: their number tells them.
 CREATE FUNCTION algebra3d_shard_write() RETURNS trigger LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
-  known @extschema@.algebra3d_shard_relations := @extschema@.algebra3d_shard_relation(TG_ARGV[0]);
+  known @extschema@.algebra3d_shard_relations := @extschema@.algebra3d_shard_known(format('%I.%I', TG_TABLE_SCHEMA, TG_TABLE_NAME));
   parent text := format('%I.%I', known.schema_name, known.name || '_tiles');
   box_of text := format('CASE WHEN ($1).%1$I IS NULL THEN NULL WHEN NOT @extschema@.is_empty(($1).%1$I) THEN @extschema@.bbox(($1).%1$I) END', known.geometry);
   old_tiles integer[] := '{}';
@@ -292,7 +409,7 @@ END $$;
 CREATE FUNCTION algebra3d_shard_load(relation text, source regclass) RETURNS bigint LANGUAGE plpgsql VOLATILE
 SET search_path = @extschema@, pg_temp AS $$
 DECLARE
-  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+  known algebra3d_shard_relations := algebra3d_shard_known(relation);
   columns text := (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c);
   loaded bigint;
 BEGIN
@@ -313,9 +430,13 @@ COMMENT ON FUNCTION algebra3d_shard_load(text, regclass) IS 'Copies the rows of 
 
 ---- Set-up ----
 
+-- The options of a server or of a foreign table that say where it is.
+CREATE FUNCTION algebra3d_shard_address(options text[]) RETURNS text LANGUAGE SQL IMMUTABLE
+RETURN (SELECT string_agg(o, ',' ORDER BY o) FROM unnest(options) o WHERE o ~ '^(host|hostaddr|port|dbname|schema_name|table_name)=');
+
 -- The foreign tables for what the coordinator asks a server itself.
 CREATE FUNCTION algebra3d_shard_server(server name) RETURNS void LANGUAGE plpgsql VOLATILE
-SET search_path = @extschema@, pg_temp AS $$
+SET search_path = @extschema@, pg_temp SET client_min_messages = warning AS $$
 DECLARE
   options text[] := (SELECT srvoptions FROM pg_foreign_server WHERE srvname = server);
   extensions text := coalesce((SELECT option_value FROM pg_options_to_table(options) WHERE option_name = 'extensions'), '');
@@ -344,7 +465,7 @@ BEGIN
     ('generations', 'relation text, tile integer, generation bigint', '@extschema@', 'algebra3d_shard_generations'),
     ('statements', 'statement text', '@extschema@', 'algebra3d_shard_statements'),
     ('extensions', 'extname name, extversion text', 'pg_catalog', 'pg_extension'),
-    ('tables', 'schemaname name, tablename name', 'pg_catalog', 'pg_tables') LOOP
+    ('tables', 'schema_name name, table_name name, checks text[], is_indexed boolean, generated text[]', '@extschema@', 'algebra3d_shard_tables') LOOP
     EXECUTE format('CREATE FOREIGN TABLE IF NOT EXISTS %I (%s) SERVER %I OPTIONS (schema_name %L, table_name %L)',
       'algebra3d_' || helper.column1 || '_' || server, helper.column2, server, helper.column3, helper.column4);
   END LOOP;
@@ -382,7 +503,7 @@ RETURN known.name || coalesce('_v' || substring(known.relation from ' \((\d+)\)$
 
 -- What makes a tile on its server.
 CREATE FUNCTION algebra3d_shard_tile_script(known algebra3d_shard_relations, tile integer, definitions text) RETURNS text LANGUAGE SQL STABLE
-RETURN pg_catalog.format('CREATE SCHEMA IF NOT EXISTS %1$I; DROP TABLE IF EXISTS %1$I.%2$I; '
+RETURN pg_catalog.format('CREATE SCHEMA IF NOT EXISTS %1$I; SELECT @extschema@.algebra3d_shard_drop_tile(%1$L, %2$L); '
   'CREATE TABLE %1$I.%2$I (%4$s, CHECK (tile = %3$s), PRIMARY KEY (row_id, stamp)); CREATE INDEX ON %1$I.%2$I USING gist (%5$I); '
   'DELETE FROM @extschema@.algebra3d_shard_generations WHERE relation = %6$L AND tile = %3$s; '
   'INSERT INTO @extschema@.algebra3d_shard_generations VALUES (%6$L, %3$s, 0)',
@@ -393,7 +514,7 @@ RETURN pg_catalog.format('CREATE SCHEMA IF NOT EXISTS %1$I; DROP TABLE IF EXISTS
 CREATE FUNCTION algebra3d_shard_near(row_type anyelement, relation text, place point3d, k integer) RETURNS SETOF anyelement LANGUAGE plpgsql VOLATILE
 SET search_path = @extschema@, pg_temp AS $$
 DECLARE
-  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+  known algebra3d_shard_relations := algebra3d_shard_known(relation);
   columns text := (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c) || ', row_id';
   radius float8;
   box rect3;
@@ -402,8 +523,10 @@ BEGIN
   IF k IS NULL OR k < 1 OR place IS NULL THEN
     RETURN;
   END IF;
-  EXECUTE format('SELECT max(d) FROM (SELECT %1$I <-> $1 AS d FROM %2$I.%3$I WHERE died IS NULL AND box IS NOT NULL '
-                 'ORDER BY %1$I <-> $1 LIMIT %4$s) q HAVING count(*) = %4$s', known.geometry, known.schema_name, known.name || '_' || tile_of(place, known.grid), k) INTO radius USING place;
+  PERFORM algebra3d_shard_ready(known.relation, ARRAY[tile_of(place, known.grid)]);
+  EXECUTE format('SELECT max(d) FROM (SELECT %1$I <-> $1 AS d FROM %2$I.%3$I WHERE died IS NULL AND tile = ANY (tiles_of(box, %5$L::grid)) '
+                 'ORDER BY %1$I <-> $1 LIMIT %4$s) q HAVING count(*) = %4$s', known.geometry, known.schema_name, known.name || '_' || tile_of(place, known.grid), k, known.grid)
+    INTO radius USING place;
   IF radius IS NOT NULL THEN
     -- More than the distance was rounded by.
     radius := radius * (1 + 1e-12) + 1e-300;
@@ -412,7 +535,7 @@ BEGIN
   END IF;
   PERFORM algebra3d_shard_ready(known.relation, tiles);
   RETURN QUERY EXECUTE format('SELECT * FROM (%s) q ORDER BY %I <-> $1, row_id LIMIT %s', (SELECT string_agg(format('(SELECT %1$s FROM %2$I.%3$I WHERE died IS NULL AND box IS NOT NULL AND '
-      'CASE WHEN $2 IS NULL THEN home ELSE is_pair_tile(tile, box, $2, %4$L::grid) END ORDER BY %5$I <-> $1 LIMIT %6$s)',
+      'CASE WHEN $2 IS NULL THEN home ELSE is_pair_tile(tile, box, $2, %4$L::grid) END ORDER BY %5$I <-> $1, row_id LIMIT %6$s)',
       columns, known.schema_name, known.name || '_' || tile, known.grid, known.geometry, k), ' UNION ALL ') FROM unnest(tiles) tile), known.geometry, k) USING place, box;
 END $$;
 
@@ -421,7 +544,7 @@ END $$;
 CREATE FUNCTION algebra3d_shard_count(relation text, box rect3) RETURNS bigint LANGUAGE plpgsql VOLATILE
 SET search_path = @extschema@, pg_temp AS $$
 DECLARE
-  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+  known algebra3d_shard_relations := algebra3d_shard_known(relation);
   counted bigint;
 BEGIN
   EXECUTE format('SELECT coalesce(sum(n), 0)::bigint FROM (SELECT tile, count(*) AS n FROM %1$I.%2$I WHERE tile = ANY ($2) AND died IS NULL AND %3$I && $1 '
@@ -430,85 +553,108 @@ BEGIN
   RETURN counted;
 END $$;
 
--- The view and the functions of a relation, which know its tiles.
-CREATE FUNCTION algebra3d_shard_functions(known algebra3d_shard_relations) RETURNS void LANGUAGE plpgsql VOLATILE
-SET search_path = @extschema@, pg_temp AS $$
+-- What makes the view of a relation.
+CREATE FUNCTION algebra3d_shard_view_script(known algebra3d_shard_relations) RETURNS text[] LANGUAGE SQL STABLE
+RETURN ARRAY[
+  format('CREATE OR REPLACE VIEW %1$I.%2$I WITH (security_invoker = true) AS SELECT %4$s, row_id FROM %1$I.%3$I '
+    'WHERE home AND died IS NULL AND tile > (SELECT algebra3d_shard_ready(%5$L))', known.schema_name, known.name, known.name || '_tiles',
+    (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c), known.relation),
+  format('CREATE OR REPLACE TRIGGER stamp BEFORE INSERT OR UPDATE OR DELETE ON %1$I.%2$I FOR EACH STATEMENT EXECUTE FUNCTION algebra3d_shard_stamp(%3$L)',
+    known.schema_name, known.name, format('%I.%I', known.schema_name, known.name || '_row_id')),
+  format('CREATE OR REPLACE TRIGGER write INSTEAD OF INSERT OR UPDATE OR DELETE ON %1$I.%2$I FOR EACH ROW EXECUTE FUNCTION algebra3d_shard_write()',
+    known.schema_name, known.name)];
+
+-- What makes the functions of a relation, which know its grid; they are used by statements that are planned while it is another,
+-- so they do not ask which copy is at home.
+CREATE FUNCTION algebra3d_shard_functions_script(known algebra3d_shard_relations) RETURNS text[] LANGUAGE plpgsql STABLE AS $$
 DECLARE
   statement text;
+  made text[] := '{}';
 BEGIN
   FOREACH statement IN ARRAY ARRAY[
-    'CREATE OR REPLACE VIEW %1$I.%2$I WITH (security_invoker = true) AS SELECT %4$s, row_id FROM %1$I.%3$I '
-    'WHERE home AND died IS NULL AND tile > (SELECT algebra3d_shard_ready(%12$L))',
     'CREATE OR REPLACE FUNCTION %1$I.%7$I(box rect3) RETURNS SETOF %1$I.%2$I LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
     'SELECT %4$s, row_id FROM %1$I.%3$I WHERE tile = ANY (tiles_of($1, %5$L::grid)) AND died IS NULL AND %3$I.%6$I && $1 '
-    'AND is_pair_tile(tile, %3$I.box, $1, %5$L::grid) AND tile > (SELECT algebra3d_shard_ready(%12$L, tiles_of($1, %5$L::grid))); END',
+    'AND is_pair_tile(tile, %3$I.box, $1, %5$L::grid) AND tile > (SELECT algebra3d_shard_ready(%12$L, tiles_of($1, %5$L::grid), %14$s)); END',
     'CREATE OR REPLACE FUNCTION %1$I.%8$I() RETURNS bigint LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
     'SELECT coalesce(sum(n), 0)::bigint FROM (SELECT tile, count(*) AS n FROM %1$I.%3$I WHERE home AND died IS NULL '
     'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END',
     'CREATE OR REPLACE FUNCTION %1$I.%8$I(box rect3) RETURNS bigint LANGUAGE SQL VOLATILE BEGIN ATOMIC SELECT algebra3d_shard_count(%12$L, $1); END',
     'CREATE OR REPLACE FUNCTION %1$I.%9$I() RETURNS rect3 LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
-    'SELECT extent(b) FROM (SELECT tile, extent(%3$I.box) AS b FROM %1$I.%3$I WHERE died IS NULL '
+    'SELECT extent(b) FROM (SELECT tile, extent(%3$I.box) AS b FROM %1$I.%3$I WHERE home AND died IS NULL '
     'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END'] ||
     CASE WHEN known.geometry_type = 'volume3d' THEN ARRAY[
     'CREATE OR REPLACE FUNCTION %1$I.%10$I() RETURNS float8 LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
     'SELECT coalesce(sum(v), 0) FROM (SELECT tile, sum(volume) AS v FROM %1$I.%3$I WHERE home AND died IS NULL '
     'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END',
     'CREATE OR REPLACE FUNCTION %1$I.%11$I() RETURNS volume3d LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
-    'SELECT union_agg(u) FROM (SELECT tile, union_agg(%6$I) AS u FROM %1$I.%3$I WHERE died IS NULL '
+    'SELECT union_agg(u) FROM (SELECT tile, union_agg(%6$I) AS u FROM %1$I.%3$I WHERE home AND died IS NULL '
     'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END'] ELSE '{}' END ||
     ARRAY[
     'CREATE OR REPLACE FUNCTION %1$I.%13$I(place point3d, k integer) RETURNS SETOF %1$I.%2$I LANGUAGE SQL VOLATILE BEGIN ATOMIC '
     'SELECT n.* FROM algebra3d_shard_near(NULL::%1$I.%2$I, %12$L, $1, $2) n; END']
   LOOP
-    EXECUTE format(statement, known.schema_name, known.name, known.name || '_tiles',
+    made := made || format(statement, known.schema_name, known.name, known.name || '_tiles',
       (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c), known.grid, known.geometry,
       known.name || '_window', known.name || '_count', known.name || '_extent', known.name || '_volume', known.name || '_union',
-      known.relation, known.name || '_near');
+      known.relation, known.name || '_near', @extschema@.tile_count(known.grid));
   END LOOP;
-  EXECUTE format('CREATE OR REPLACE TRIGGER stamp BEFORE INSERT OR UPDATE OR DELETE ON %I.%I FOR EACH STATEMENT EXECUTE FUNCTION algebra3d_shard_stamp(%L)',
-    known.schema_name, known.name, format('%I.%I', known.schema_name, known.name || '_row_id'));
-  EXECUTE format('CREATE OR REPLACE TRIGGER write INSTEAD OF INSERT OR UPDATE OR DELETE ON %I.%I FOR EACH ROW EXECUTE FUNCTION algebra3d_shard_write(%L)',
-    known.schema_name, known.name, known.relation);
+  RETURN made;
 END $$;
 
--- Makes the tiles of a relation, here and on their servers: PREFIX_tiles, and PREFIX_0 ... as its partitions. `bytes`: of a value.
-CREATE FUNCTION algebra3d_shard_make(known algebra3d_shard_relations, servers text[], definitions text, bytes float8, prefix text) RETURNS void
-LANGUAGE plpgsql VOLATILE SET search_path = @extschema@, pg_temp AS $$
+-- Runs statements in turn. Names without a schema are those of the extension.
+CREATE FUNCTION algebra3d_shard_run_all(statements text[]) RETURNS void LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp SET client_min_messages = warning AS $$
 DECLARE
-  -- Some 8 MB of rows at a time.
-  rows integer := greatest(10, least(10000, 8e6 / greatest(coalesce(bytes, 4000), 100)))::integer;
-  shard text;
+  statement text;
+BEGIN
+  FOREACH statement IN ARRAY statements LOOP
+    EXECUTE statement;
+  END LOOP;
+END $$;
+
+-- What makes a tile here: a foreign table, as a partition of `parent` if there is one. `bytes`: of a value; some 8 MB of rows travel at a time.
+CREATE FUNCTION algebra3d_shard_foreign_table_script(known algebra3d_shard_relations, tile integer, server name, name text, kind text, bytes float8) RETURNS text
+LANGUAGE SQL STABLE
+RETURN format('CREATE FOREIGN TABLE %1$I.%2$I %3$s SERVER %4$I OPTIONS (schema_name %1$L, table_name %5$L, fetch_size ''%6$s'', batch_size ''%6$s'')',
+  known.schema_name, name, kind, server, @extschema@.algebra3d_shard_tile_name(known, tile),
+  greatest(10, least(10000, 8e6 / greatest(coalesce(bytes, 4000), 100)))::integer);
+
+-- What makes the tiles of a relation, here and on their servers: PREFIX_tiles, and PREFIX_0 ... as its partitions.
+CREATE FUNCTION algebra3d_shard_tiles_script(known algebra3d_shard_relations, servers text[], definitions text, bytes float8, prefix text) RETURNS text[]
+LANGUAGE plpgsql STABLE SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  made text[];
+  places text[];
 BEGIN
   IF cardinality(servers) IS NULL OR cardinality(servers) = 0 OR array_position(servers, NULL) IS NOT NULL THEN
     RAISE 'no servers, expected at least one' USING ERRCODE = 'invalid_parameter_value';
   END IF;
-  INSERT INTO algebra3d_shard_relations VALUES (known.*);
-  INSERT INTO algebra3d_shard_tiles (relation, tile, server)
-    SELECT known.relation, i, servers[i % cardinality(servers) + 1] FROM generate_series(0, tile_count(known.grid) - 1) i;
   -- Tiles of one number lie on one server in all relations of a grid: what was decided for the first one holds.
-  UPDATE algebra3d_shard_tiles t SET server = o.server FROM algebra3d_shard_tiles o JOIN algebra3d_shard_relations r ON r.relation = o.relation
-    WHERE t.relation = known.relation AND (r.schema_name, r.name) <> (known.schema_name, known.name) AND r.grid::text = known.grid::text AND o.tile = t.tile;
-  EXECUTE format('CREATE TABLE %I.%I (%s) PARTITION BY LIST (tile)', known.schema_name, prefix || '_tiles', definitions);
-  FOR shard IN SELECT DISTINCT server FROM algebra3d_shard_tiles t WHERE t.relation = known.relation ORDER BY 1 LOOP
-    PERFORM algebra3d_shard_server(shard);
-  END LOOP;
+  places := ARRAY(SELECT coalesce((SELECT t.server FROM algebra3d_shard_tiles t JOIN algebra3d_shard_relations r USING (relation)
+      WHERE (r.schema_name, r.name) <> (known.schema_name, known.name) AND r.grid::text = known.grid::text AND t.tile = i ORDER BY r.relation LIMIT 1),
+    servers[i % cardinality(servers) + 1]) FROM generate_series(0, tile_count(known.grid) - 1) i ORDER BY i);
+  made := ARRAY[
+    format('INSERT INTO algebra3d_shard_relations (relation, schema_name, name, geometry, geometry_type, columns, grid, reach) VALUES (%L, %L, %L, %L, %L, %L, %L, %L)',
+      known.relation, known.schema_name, known.name, known.geometry, known.geometry_type, known.columns, known.grid, known.reach),
+    format('INSERT INTO algebra3d_shard_tiles (relation, tile, server) VALUES %s',
+      (SELECT string_agg(format('(%L, %s, %L)', known.relation, n - 1, place), ', ' ORDER BY n) FROM unnest(places) WITH ORDINALITY p(place, n))),
+    format('CREATE TABLE %I.%I (%s) PARTITION BY LIST (tile)', known.schema_name, prefix || '_tiles', definitions)];
+  made := made || ARRAY(SELECT DISTINCT format('SELECT algebra3d_shard_server(%L)', place) FROM unnest(places) place ORDER BY 1);
   FOR i IN 0 .. tile_count(known.grid) - 1 LOOP
-    SELECT t.server INTO shard FROM algebra3d_shard_tiles t WHERE t.relation = known.relation AND t.tile = i;
-    PERFORM algebra3d_shard_execute(shard, algebra3d_shard_tile_script(known, i, definitions));
-    EXECUTE format('CREATE FOREIGN TABLE %1$I.%2$I PARTITION OF %1$I.%3$I FOR VALUES IN (%4$s) SERVER %5$I '
-                   'OPTIONS (schema_name %1$L, table_name %7$L, fetch_size ''%6$s'', batch_size ''%6$s'')',
-                   known.schema_name, prefix || '_' || i, prefix || '_tiles', i, shard, rows, algebra3d_shard_tile_name(known, i));
+    made := made || format('SELECT algebra3d_shard_execute(%L, %L)', places[i + 1], algebra3d_shard_tile_script(known, i, definitions)) ||
+      algebra3d_shard_foreign_table_script(known, i, places[i + 1], prefix || '_' || i,
+        format('PARTITION OF %I.%I FOR VALUES IN (%s)', known.schema_name, prefix || '_tiles', i), bytes);
   END LOOP;
+  RETURN made;
 END $$;
 
-CREATE FUNCTION algebra3d_shard_create(relation text, grid grid, servers text[], reach float8 DEFAULT 0) RETURNS bigint LANGUAGE plpgsql VOLATILE
-SET search_path = @extschema@, pg_temp SET client_min_messages = warning AS $$
+-- What divides a table, but for loading its rows; and its relation.
+CREATE FUNCTION algebra3d_shard_set_up(relation text, grid grid, servers text[], reach float8, OUT known algebra3d_shard_relations, OUT statements text[])
+LANGUAGE plpgsql STABLE SET search_path = @extschema@, pg_temp AS $$
 DECLARE
   source regclass;
-  known algebra3d_shard_relations;
   definitions text;
   bytes float8;
-  loaded bigint;
   taken name;
 BEGIN
   SELECT c.oid::regclass, n.nspname, c.relname INTO source, known.schema_name, known.name
@@ -537,18 +683,36 @@ BEGIN
     RAISE 'column % of % has a name that tiles need', taken, known.relation USING ERRCODE = 'duplicate_column',
       HINT = 'row_id, tile, home, born, died, stamp, box, size, volume and area are added to each tile.';
   END IF;
-  EXECUTE format('ALTER TABLE %s RENAME TO %I', source, known.name || '_local');
-  EXECUTE format('CREATE SEQUENCE %I.%I', known.schema_name, known.name || '_row_id');
   definitions := definitions || ', ' || algebra3d_shard_added_columns(known.geometry, known.geometry_type);
   EXECUTE format('SELECT avg(pg_column_size(%I)) FROM (SELECT %1$I FROM %s LIMIT 1000) q', known.geometry, source) INTO bytes;
-  PERFORM algebra3d_shard_make(known, servers, definitions, bytes, known.name);
-  PERFORM algebra3d_shard_functions(known);
-  EXECUTE format('ALTER DATABASE %I SET enable_partitionwise_join = on', current_database());
-  EXECUTE format('ALTER DATABASE %I SET enable_partitionwise_aggregate = on', current_database());
-  loaded := algebra3d_shard_load(known.relation, source);
-  RETURN loaded;
+  statements := ARRAY[
+      format('ALTER TABLE %I.%I RENAME TO %I', known.schema_name, known.name, known.name || '_local'),
+      format('CREATE SEQUENCE %I.%I', known.schema_name, known.name || '_row_id')] ||
+    algebra3d_shard_tiles_script(known, servers, definitions, bytes, known.name) ||
+    algebra3d_shard_view_script(known) || algebra3d_shard_functions_script(known) ||
+    ARRAY[format('ALTER DATABASE %I SET enable_partitionwise_join = on', current_database()),
+      format('ALTER DATABASE %I SET enable_partitionwise_aggregate = on', current_database())];
+END $$;
+
+CREATE FUNCTION algebra3d_shard_create(relation text, grid grid, servers text[], reach float8 DEFAULT 0) RETURNS bigint LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  set_up record;
+BEGIN
+  SELECT * INTO set_up FROM algebra3d_shard_set_up(relation, grid, servers, reach);
+  PERFORM algebra3d_shard_run_all(set_up.statements);
+  RETURN algebra3d_shard_load((set_up.known).relation, format('%I.%I', (set_up.known).schema_name, (set_up.known).name || '_local')::regclass);
 END $$;
 COMMENT ON FUNCTION algebra3d_shard_create(text, grid, text[], float8) IS 'Divides a table into the tiles of a grid, on servers of postgres_fdw in turns, and loads its rows; the number of rows. The table itself becomes R_local, and R a view over the tiles.';
+
+CREATE FUNCTION algebra3d_shard_script(relation text, grid grid, servers text[], reach float8 DEFAULT 0) RETURNS SETOF text LANGUAGE SQL STABLE
+BEGIN ATOMIC
+  SELECT line || ';' FROM algebra3d_shard_set_up(relation, grid, servers, reach) s, unnest(
+    '{BEGIN,SET LOCAL search_path = @extschema@,SET LOCAL client_min_messages = warning}'::text[] || s.statements ||
+    ARRAY[format('SELECT algebra3d_shard_load(%L, %L)', (s.known).relation, format('%I.%I', (s.known).schema_name, (s.known).name || '_local')), 'COMMIT'])
+    WITH ORDINALITY n(line, place) ORDER BY place;
+END;
+COMMENT ON FUNCTION algebra3d_shard_script(text, grid, text[], float8) IS 'The statements that algebra3d_shard_create runs, a line each.';
 
 -- -1, or an error for a distance for which the copies do not reach.
 CREATE FUNCTION algebra3d_shard_within_reach(distance float8, reach float8) RETURNS integer LANGUAGE plpgsql IMMUTABLE AS $$
@@ -564,8 +728,8 @@ END $$;
 CREATE FUNCTION algebra3d_shard_join(a text, b text) RETURNS void LANGUAGE plpgsql VOLATILE
 SET search_path = @extschema@, pg_temp AS $$
 DECLARE
-  first algebra3d_shard_relations := algebra3d_shard_relation(a);
-  second algebra3d_shard_relations := algebra3d_shard_relation(b);
+  first algebra3d_shard_relations := algebra3d_shard_known(a);
+  second algebra3d_shard_relations := algebra3d_shard_known(b);
   name text := first.name || '_' || second.name;
   first_name text := CASE WHEN first.relation = second.relation THEN 'first' ELSE first.name END;
   second_name text := CASE WHEN first.relation = second.relation THEN 'second' ELSE second.name END;
@@ -578,8 +742,8 @@ BEGIN
       HINT = 'Only tiles of one grid are joined on their server: divide one of them anew with the grid of the other.';
   END IF;
   joined := format('%1$I.%2$I a JOIN %3$I.%4$I b ON a.tile = b.tile AND a.died IS NULL AND b.died IS NULL '
-                 'AND a.tile > (SELECT algebra3d_shard_ready(%5$L)) AND b.tile > (SELECT algebra3d_shard_ready(%6$L))',
-                 first.schema_name, first.name || '_tiles', second.schema_name, second.name || '_tiles', first.relation, second.relation);
+                 'AND a.tile > (SELECT algebra3d_shard_ready(%5$L, NULL, %7$s)) AND b.tile > (SELECT algebra3d_shard_ready(%6$L, NULL, %7$s))',
+                 first.schema_name, first.name || '_tiles', second.schema_name, second.name || '_tiles', first.relation, second.relation, tile_count(first.grid));
   columns := (SELECT string_agg(format('a.%I AS %I', c, first_name || '_' || c), ', ') FROM unnest(first.columns || name 'row_id') c) || ', ' ||
              (SELECT string_agg(format('b.%I AS %I', c, second_name || '_' || c), ', ') FROM unnest(second.columns || name 'row_id') c);
   FOREACH statement IN ARRAY ARRAY[
@@ -593,6 +757,7 @@ BEGIN
     EXECUTE format(statement, first.schema_name, name || '_pairs', name || '_count', name || '_within', columns, joined,
                    first.geometry, second.geometry, first.grid, least(first.reach, second.reach));
   END LOOP;
+  INSERT INTO algebra3d_shard_joins VALUES (first.relation, second.relation) ON CONFLICT DO NOTHING;
 END $$;
 COMMENT ON FUNCTION algebra3d_shard_join(text, text) IS 'Makes the views A_B_pairs and A_B_count of the pairs that intersect, and the function A_B_within(distance).';
 
@@ -615,6 +780,16 @@ BEGIN
     EXECUTE format('GRANT USAGE ON SEQUENCE %I.%I TO %I', known.schema_name, known.name || '_row_id', role);
   END IF;
 END $$;
+-- What algebra3d_shard_grant gave, for tiles that are new.
+CREATE FUNCTION algebra3d_shard_grant_again(relation text) RETURNS void LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  known algebra3d_shard_relations := algebra3d_shard_relation(relation);
+BEGIN
+  PERFORM algebra3d_shard_grant(known.relation, pg_get_userbyid(g.grantee), g.writes) FROM (
+    SELECT a.grantee, bool_or(a.privilege_type = 'INSERT') AS writes FROM pg_class c, aclexplode(c.relacl) a
+    WHERE c.oid = format('%I.%I', known.schema_name, known.name)::regclass AND a.grantee NOT IN (0, c.relowner) GROUP BY 1) g;
+END $$;
 COMMENT ON FUNCTION algebra3d_shard_grant(text, name, boolean) IS 'Lets a role read a relation over several servers here, or write it, too; on the servers the rights are those of its user mapping.';
 
 CREATE FUNCTION algebra3d_shard_repair() RETURNS TABLE (relation text, tile integer, remedy text) LANGUAGE plpgsql VOLATILE AS $$
@@ -628,7 +803,7 @@ BEGIN
     -- Transactions that write end first.
     PERFORM FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation ORDER BY t.tile FOR UPDATE;
     parent := format('%I.%I', known.schema_name, known.name || '_tiles');
-    FOR other IN SELECT d.* FROM @extschema@.algebra3d_shard_differences(known.relation, NULL) d LOOP
+    FOR other IN SELECT d.* FROM @extschema@.algebra3d_shard_differences(known.relation) d LOOP
       relation := known.relation;
       tile := other.tile;
       IF other.there IS NULL OR other.there < other.here THEN
@@ -654,20 +829,29 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION algebra3d_shard_repair() IS 'Takes back on each server what a transaction wrote that was not committed here, and says of which tiles.';
 
--- Locks a table against all others, who wait for the lock as long as those do who read now: so not for long.
-CREATE FUNCTION algebra3d_shard_lock(parent text) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+-- Locks tables, and views, against all others, who wait for the locks as long as those do who read now: so for half a second at most, and all or none.
+CREATE FUNCTION algebra3d_shard_lock(tables text[], views text[]) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  statement text;
+  ends timestamptz;
 BEGIN
   FOR attempt IN 1 .. 100 LOOP
     BEGIN
-      PERFORM pg_catalog.set_config('lock_timeout', '500ms', true);
-      EXECUTE format('LOCK TABLE %s IN ACCESS EXCLUSIVE MODE', parent);
+      ends := pg_catalog.clock_timestamp() + interval '0.5 s';
+      -- Views first, as readers do. LOCK would lock what they read, too, and wait for each.
+      FOREACH statement IN ARRAY ARRAY(SELECT format('ALTER VIEW %s SET (security_invoker = true)', v) FROM unnest(views) v) ||
+                                 ARRAY(SELECT format('LOCK TABLE ONLY %s IN ACCESS EXCLUSIVE MODE', t) FROM unnest(tables) t) LOOP
+        PERFORM pg_catalog.set_config('lock_timeout', greatest(1000 * extract(epoch FROM ends - pg_catalog.clock_timestamp()), 1)::integer || 'ms', true);
+        EXECUTE statement;
+      END LOOP;
       PERFORM pg_catalog.set_config('lock_timeout', '0', true);
       RETURN;
     EXCEPTION WHEN lock_not_available THEN
       PERFORM pg_catalog.pg_sleep(0.5);
     END;
   END LOOP;
-  RAISE 'the tiles of % were not exchanged: others read all the time', parent USING ERRCODE = 'lock_not_available';
+  RAISE '% was not locked: others read all the time', pg_catalog.array_to_string(views || tables, ', ') USING ERRCODE = 'lock_not_available',
+    HINT = 'What was begun is undone. See pg_stat_activity for transactions that stay open.';
 END $$;
 
 -- Moves a tile to another server: its rows are copied while others read, then the partition is exchanged.
@@ -680,6 +864,7 @@ DECLARE
   definitions text;
   columns text := (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns || '{row_id,tile,home,born,died,stamp}'::name[]) c);
   options text;
+  is_elsewhere boolean;
 BEGIN
   IF before IS NULL THEN
     RAISE '% has no tile %', known.relation, tile USING ERRCODE = 'invalid_parameter_value';
@@ -694,17 +879,27 @@ BEGIN
   PERFORM @extschema@.algebra3d_shard_server(server);
   SELECT string_agg(c.definition, ', ') || ', ' || @extschema@.algebra3d_shard_added_columns(known.geometry, known.geometry_type) INTO definitions
     FROM @extschema@.algebra3d_shard_columns(parent::regclass) c WHERE c.name = ANY (known.columns);
-  PERFORM @extschema@.algebra3d_shard_execute(server, @extschema@.algebra3d_shard_tile_script(known, tile, definitions));
   EXECUTE format('CREATE FOREIGN TABLE %I.%I (%s) SERVER %I OPTIONS (%s)', known.schema_name, foreign_name || '_moving', definitions, server, options);
-  EXECUTE format('INSERT INTO %1$I.%2$I (%4$s) SELECT %4$s FROM %1$I.%3$I', known.schema_name, foreign_name || '_moving', foreign_name, columns);
-  EXECUTE format('UPDATE %s SET generation = (SELECT t.generation FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = $2) '
-                 'WHERE relation = $1 AND tile = $2', @extschema@.algebra3d_shard_generations_of(server)) USING known.relation, tile;
-  UPDATE @extschema@.algebra3d_shard_tiles t SET server = $3 WHERE t.relation = known.relation AND t.tile = $2;
-  PERFORM @extschema@.algebra3d_shard_lock(parent);
+  -- Foreign servers may name one database, where the table stays.
+  is_elsewhere := (SELECT count(DISTINCT @extschema@.algebra3d_shard_address(s.srvoptions)) > 1 FROM pg_catalog.pg_foreign_server s WHERE s.srvname IN (before, server));
+  IF is_elsewhere THEN
+    -- Begins to read there: the tile that is read is not taken for one that was left behind, if its server has two names.
+    EXECUTE format('SELECT FROM %I.%I LIMIT 1', known.schema_name, foreign_name);
+    PERFORM @extschema@.algebra3d_shard_execute(server, @extschema@.algebra3d_shard_tile_script(known, tile, definitions));
+    EXECUTE format('INSERT INTO %1$I.%2$I (%4$s) SELECT %4$s FROM %1$I.%3$I', known.schema_name, foreign_name || '_moving', foreign_name, columns);
+    EXECUTE format('UPDATE %s SET generation = (SELECT t.generation FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = $1 AND t.tile = $2) '
+                   'WHERE relation = $1 AND tile = $2', @extschema@.algebra3d_shard_generations_of(server)) USING known.relation, tile;
+  END IF;
+  UPDATE @extschema@.algebra3d_shard_tiles t SET server = $3, writer = pg_catalog.pg_current_xact_id(), writer_before = t.writer WHERE t.relation = known.relation AND t.tile = $2;
+  PERFORM @extschema@.algebra3d_shard_lock(ARRAY[parent], '{}');
   EXECUTE format('DROP FOREIGN TABLE %I.%I', known.schema_name, foreign_name);
   EXECUTE format('ALTER FOREIGN TABLE %I.%I RENAME TO %I', known.schema_name, foreign_name || '_moving', foreign_name);
   EXECUTE format('ALTER TABLE %s ATTACH PARTITION %I.%I FOR VALUES IN (%s)', parent, known.schema_name, foreign_name, tile);
+  PERFORM @extschema@.algebra3d_shard_grant_again(known.relation);
   COMMIT;
+  IF NOT is_elsewhere THEN
+    RETURN;
+  END IF;
   -- Not before: until then the old tile is the one that counts.
   PERFORM @extschema@.algebra3d_shard_execute(before, format('DROP TABLE %I.%I', known.schema_name, @extschema@.algebra3d_shard_tile_name(known, tile)));
   PERFORM @extschema@.algebra3d_shard_execute(before, format(
@@ -712,8 +907,139 @@ BEGIN
 END $$;
 COMMENT ON PROCEDURE algebra3d_shard_move(text, integer, name) IS 'Moves a tile to another server; who writes into it meanwhile gets an error, who reads waits a moment at most.';
 
+-- A grid with a tile divided: by the plane across the low corners of its solids that leaves the fewest in the larger part.
+CREATE FUNCTION algebra3d_shard_halves(known algebra3d_shard_relations, tile integer) RETURNS grid LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  axis text;
+  place float8;
+  counted bigint;
+  those_at_home text := format('FROM %I.%I WHERE tile = %s AND home AND died IS NULL AND box IS NOT NULL', known.schema_name, known.name || '_tiles', tile);
+BEGIN
+  EXECUTE 'SELECT coalesce(sum(n), 0) FROM (SELECT tile, count(*) AS n ' || those_at_home || ' GROUP BY tile) q' INTO counted;
+  -- Some ten thousand boxes are enough.
+  EXECUTE format(
+    'WITH sides AS MATERIALIZED (SELECT a.axis, min_d(b.box, a.n) AS low, max_d(b.box, a.n) AS high '
+      'FROM (SELECT box %s AND row_id %% %s = 0) b, (VALUES (''x'', 1), (''y'', 2), (''z'', 3)) a(axis, n)), '
+    'middles AS (SELECT axis, percentile_disc(0.5) WITHIN GROUP (ORDER BY low) AS middle, min(low) AS least FROM sides GROUP BY axis), '
+    'places AS (SELECT axis, min(low) AS place FROM sides JOIN middles USING (axis) WHERE low >= middle AND low > least GROUP BY axis) '
+    'SELECT axis, place FROM places JOIN sides USING (axis) GROUP BY axis, place '
+    'ORDER BY greatest(count(*) FILTER (WHERE low < place), count(*) FILTER (WHERE high >= place)), axis LIMIT 1', those_at_home, greatest(counted / 10000, 1))
+    INTO axis, place;
+  IF place IS NULL THEN
+    RAISE 'tile % of % cannot be divided: % solids are at home there, and all at one place', tile, known.relation, counted USING ERRCODE = 'invalid_parameter_value';
+  END IF;
+  RETURN grid(known.grid, tile, axis, place);
+END $$;
+
+-- Divides a tile of all relations of a grid. Its rows are copied into a new tile while others read. Statements that were planned for the
+-- grid of before read on: the old tile keeps its copies, of which those that are not at home there any more say so. They go when
+-- these statements have ended (algebra3d_shard_trim).
+CREATE PROCEDURE algebra3d_shard_split(relation text, tile integer, server name DEFAULT NULL) LANGUAGE plpgsql AS $$
+DECLARE
+  named @extschema@.algebra3d_shard_relations := @extschema@.algebra3d_shard_relation(relation);
+  known @extschema@.algebra3d_shard_relations;
+  added integer := @extschema@.tile_count(named.grid);
+  new_grid @extschema@.grid;
+  names text[];
+  locked text[];
+  views text[];
+  place record;
+  target name;
+  foreign_name text;
+  definitions text;
+  options text;
+  columns text;
+  copy text;
+BEGIN
+  IF NOT coalesce(tile BETWEEN 0 AND added - 1, false) THEN
+    RAISE '% has no tile %', named.relation, tile USING ERRCODE = 'invalid_parameter_value';
+  END IF;
+  SELECT array_agg(r.relation), array_agg(r.parent) INTO names, locked FROM (SELECT r.relation, format('%I.%I', r.schema_name, r.name || '_tiles') AS parent
+    FROM @extschema@.algebra3d_shard_relations r WHERE r.grid::text = named.grid::text ORDER BY r.relation FOR NO KEY UPDATE) r;
+  IF array_position(names, named.relation) IS NULL THEN
+    RAISE 'the grid of % was changed meanwhile', named.relation USING ERRCODE = 'serialization_failure';
+  END IF;
+  views := ARRAY(SELECT format('%I.%I', a.schema_name, a.name || '_' || b.name || suffix) FROM @extschema@.algebra3d_shard_joins j
+    JOIN @extschema@.algebra3d_shard_relations a ON a.relation = j.a JOIN @extschema@.algebra3d_shard_relations b ON b.relation = j.b, unnest('{_pairs,_count}'::text[]) suffix
+    WHERE j.a = ANY (names) ORDER BY 1);
+  -- Who writes is told so, as by algebra3d_shard_move.
+  PERFORM pg_catalog.pg_advisory_xact_lock(pg_catalog.hashtext('algebra3d ' || n), tile) FROM unnest(names) n;
+  PERFORM @extschema@.algebra3d_shard_ready(n, ARRAY[tile]) FROM unnest(names) n;
+  new_grid := @extschema@.algebra3d_shard_halves(named, tile);
+  FOR known IN SELECT r.* FROM @extschema@.algebra3d_shard_relations r WHERE r.relation = ANY (names) ORDER BY r.relation LOOP
+    PERFORM @extschema@.algebra3d_shard_begin(known.relation, ARRAY[tile]);
+    SELECT t.server, t.generation INTO place FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation AND t.tile = $2;
+    target := coalesce($3, place.server);
+    foreign_name := known.name || '_' || added;
+    SELECT string_agg(c.definition, ', ') || ', ' || @extschema@.algebra3d_shard_added_columns(known.geometry, known.geometry_type) INTO definitions
+      FROM @extschema@.algebra3d_shard_columns(format('%I.%I', known.schema_name, known.name || '_tiles')::regclass) c WHERE c.name = ANY (known.columns);
+    SELECT string_agg(format('%I %L', option_name, CASE option_name WHEN 'table_name' THEN @extschema@.algebra3d_shard_tile_name(known, added) ELSE option_value END), ', ')
+      INTO options FROM pg_catalog.pg_foreign_table f, pg_catalog.pg_options_to_table(f.ftoptions)
+      WHERE f.ftrelid = format('%I.%I', known.schema_name, known.name || '_' || tile)::regclass;
+    PERFORM @extschema@.algebra3d_shard_server(target);
+    PERFORM @extschema@.algebra3d_shard_execute(target, @extschema@.algebra3d_shard_tile_script(known, added, definitions));
+    EXECUTE format('CREATE FOREIGN TABLE %I.%I (%s) SERVER %I OPTIONS (%s)', known.schema_name, foreign_name, definitions, target, options);
+    INSERT INTO @extschema@.algebra3d_shard_tiles (relation, tile, server, writer) VALUES (known.relation, added, target, pg_catalog.pg_current_xact_id());
+    columns := (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c);
+    copy := format('INSERT INTO %1$I.%%I (%2$s, row_id, tile, home, born, stamp) SELECT %2$s, row_id, %3$s, home AND @extschema@.tile_of(box, %4$L::@extschema@.grid) = %3$s, 0, stamp '
+      'FROM %1$I.%%I WHERE died IS NULL AND %3$s = ANY (@extschema@.tiles_of(box, %4$L::@extschema@.grid, %5$L::float8))',
+      known.schema_name, columns, added, new_grid, known.reach);
+    IF target = place.server THEN
+      PERFORM @extschema@.algebra3d_shard_execute(target, format(copy, @extschema@.algebra3d_shard_tile_name(known, added), @extschema@.algebra3d_shard_tile_name(known, tile)));
+    ELSE
+      EXECUTE format(copy, foreign_name, known.name || '_' || tile);
+    END IF;
+    PERFORM @extschema@.algebra3d_shard_execute(place.server, s) FROM unnest(ARRAY[
+      'UPDATE %1$I.%2$I SET died = %4$s WHERE died IS NULL AND home AND @extschema@.tile_of(box, %5$L::@extschema@.grid) = %6$s',
+      'INSERT INTO %1$I.%2$I (%3$s, row_id, tile, home, born, stamp) SELECT %3$s, row_id, tile, false, %4$s, %7$s FROM %1$I.%2$I WHERE died = %4$s',
+      'ANALYZE %1$I.%2$I']) WITH ORDINALITY n(statement, i), format(statement, known.schema_name, @extschema@.algebra3d_shard_tile_name(known, tile), columns, place.generation, new_grid, added,
+        nextval(format('%I.%I', known.schema_name, known.name || '_row_id')::regclass)) s ORDER BY i;
+    PERFORM @extschema@.algebra3d_shard_execute(target, format('ANALYZE %I.%I', known.schema_name, @extschema@.algebra3d_shard_tile_name(known, added)));
+  END LOOP;
+
+  PERFORM @extschema@.algebra3d_shard_lock(locked, views);
+  FOR known IN UPDATE @extschema@.algebra3d_shard_relations r SET grid = new_grid, split_tiles = r.split_tiles || $2 WHERE r.relation = ANY (names) RETURNING r.* LOOP
+    EXECUTE format('ALTER TABLE %1$I.%2$I ATTACH PARTITION %1$I.%3$I FOR VALUES IN (%4$s)', known.schema_name, known.name || '_tiles', known.name || '_' || added, added);
+    PERFORM @extschema@.algebra3d_shard_run_all(@extschema@.algebra3d_shard_functions_script(known));
+    PERFORM @extschema@.algebra3d_shard_grant_again(known.relation);
+  END LOOP;
+  PERFORM @extschema@.algebra3d_shard_join(j.a, j.b) FROM @extschema@.algebra3d_shard_joins j WHERE j.a = ANY (names);
+  COMMIT;
+  CALL @extschema@.algebra3d_shard_trim(named.relation);
+END $$;
+COMMENT ON PROCEDURE algebra3d_shard_split(text, integer, name) IS 'Divides a tile of all relations of a grid, the new one on its server or on another; who writes into it meanwhile gets an error, who reads waits a moment at most.';
+
+-- Removes the copies that a division of tiles has left: no statement that is planned now needs them, and those that were planned
+-- before have ended, or are told so by algebra3d_shard_ready.
+CREATE PROCEDURE algebra3d_shard_trim(relation text) LANGUAGE plpgsql AS $$
+DECLARE
+  known @extschema@.algebra3d_shard_relations := @extschema@.algebra3d_shard_relation(relation);
+  names text[];
+  locked text[];
+  divided integer;
+BEGIN
+  SELECT array_agg(r.relation), array_agg(format('%I.%I', r.schema_name, r.name || '_tiles') ORDER BY r.relation) INTO names, locked
+    FROM @extschema@.algebra3d_shard_relations r WHERE r.grid::text = known.grid::text;
+  PERFORM @extschema@.algebra3d_shard_lock(locked, '{}');
+  UPDATE @extschema@.algebra3d_shard_relations r SET fewest_tiles = @extschema@.tile_count(r.grid) WHERE r.relation = ANY (names);
+  COMMIT;
+  FOR known IN UPDATE @extschema@.algebra3d_shard_relations r SET split_tiles = '{}' FROM
+      (SELECT o.relation, o.split_tiles FROM @extschema@.algebra3d_shard_relations o WHERE o.relation = ANY (names) ORDER BY o.relation FOR NO KEY UPDATE) o
+      WHERE r.relation = o.relation RETURNING r.relation, r.schema_name, r.name, r.geometry, r.geometry_type, r.columns, r.grid, r.reach, r.fewest_tiles, o.split_tiles LOOP
+    FOR divided IN SELECT DISTINCT unnest(known.split_tiles) ORDER BY 1 LOOP
+      PERFORM pg_catalog.pg_advisory_xact_lock(pg_catalog.hashtext('algebra3d ' || known.relation), divided);
+      PERFORM @extschema@.algebra3d_shard_execute(t.server, format('DELETE FROM %I.%I WHERE NOT tile = ANY (@extschema@.algebra3d_shard_tiles_of(box, %L::@extschema@.grid, %L::float8))',
+        known.schema_name, @extschema@.algebra3d_shard_tile_name(known, divided), known.grid, known.reach))
+        FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation AND t.tile = divided;
+    END LOOP;
+  END LOOP;
+  COMMIT;
+END $$;
+COMMENT ON PROCEDURE algebra3d_shard_trim(text) IS 'Removes copies that a division of a tile has left which broke off.';
+
 -- Divides a relation anew, by another grid and over other servers: rows are copied while others read, then all tiles are exchanged at once.
-CREATE PROCEDURE algebra3d_shard_split(relation text, grid @extschema@.grid, servers text[]) LANGUAGE plpgsql AS $$
+CREATE PROCEDURE algebra3d_shard_divide(relation text, grid @extschema@.grid, servers text[]) LANGUAGE plpgsql AS $$
 DECLARE
   known @extschema@.algebra3d_shard_relations := @extschema@.algebra3d_shard_relation(relation);
   new_one @extschema@.algebra3d_shard_relations := known;
@@ -724,11 +1050,11 @@ DECLARE
   definitions text;
   old_servers name[];
   old_tiles integer[];
-  roles text[];
-  writers boolean[];
   bytes float8;
 BEGIN
   new_one.grid := grid;
+  new_one.fewest_tiles := 0;
+  new_one.split_tiles := '{}';
   new_one.relation := format('%s (%s)', view_name, coalesce(substring(known.relation from ' \((\d+)\)$')::integer, 0) + 1);
   -- Who writes is told so, as by algebra3d_shard_move.
   PERFORM pg_catalog.pg_advisory_xact_lock(pg_catalog.hashtext('algebra3d ' || known.relation), t.tile)
@@ -737,7 +1063,7 @@ BEGIN
   SELECT string_agg(c.definition, ', ') || ', ' || @extschema@.algebra3d_shard_added_columns(known.geometry, known.geometry_type) INTO definitions
     FROM @extschema@.algebra3d_shard_columns(parent::regclass) c WHERE c.name = ANY (known.columns);
   EXECUTE format('SELECT avg(pg_column_size(%I)) FROM (SELECT %1$I FROM %s LIMIT 1000) q', known.geometry, parent) INTO bytes;
-  PERFORM @extschema@.algebra3d_shard_make(new_one, servers, definitions, bytes, prefix);
+  PERFORM @extschema@.algebra3d_shard_run_all(@extschema@.algebra3d_shard_tiles_script(new_one, servers, definitions, bytes, prefix));
   EXECUTE format(
     'INSERT INTO %1$I.%2$I (%3$s, row_id, tile, home, born, stamp) SELECT %3$s, row_id, n.tile, n.tile = @extschema@.algebra3d_shard_home_of(box, $1), 0, stamp '
     'FROM %4$s, unnest(@extschema@.algebra3d_shard_tiles_of(box, $1, $2)) AS n(tile) WHERE home AND died IS NULL',
@@ -745,24 +1071,18 @@ BEGIN
   PERFORM @extschema@.algebra3d_shard_execute(t.server, format('ANALYZE %I.%I', new_one.schema_name, @extschema@.algebra3d_shard_tile_name(new_one, t.tile)))
     FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = new_one.relation ORDER BY t.tile;
 
-  PERFORM @extschema@.algebra3d_shard_lock(view_name);
-  PERFORM @extschema@.algebra3d_shard_lock(parent);
+  PERFORM @extschema@.algebra3d_shard_lock(ARRAY[parent], ARRAY[view_name]);
   SELECT array_agg(t.server ORDER BY t.tile), array_agg(t.tile ORDER BY t.tile) INTO old_servers, old_tiles
     FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation;
-  SELECT array_agg(role), array_agg(writes) INTO roles, writers FROM (
-    SELECT a.grantee::regrole::text AS role, bool_or(a.privilege_type = 'INSERT') AS writes FROM pg_catalog.pg_class c, pg_catalog.aclexplode(c.relacl) a
-    WHERE c.oid = parent::regclass AND a.grantee NOT IN (0, c.relowner) GROUP BY 1) q;
   EXECUTE format('ALTER TABLE %s RENAME TO %I', parent, known.name || '_tiles_before');
   EXECUTE format('ALTER TABLE %I.%I RENAME TO %I', known.schema_name, prefix || '_tiles', known.name || '_tiles');
   DELETE FROM @extschema@.algebra3d_shard_relations r WHERE r.relation = known.relation;
-  PERFORM @extschema@.algebra3d_shard_functions(new_one);
+  PERFORM @extschema@.algebra3d_shard_run_all(@extschema@.algebra3d_shard_view_script(new_one) || @extschema@.algebra3d_shard_functions_script(new_one));
   EXECUTE format('DROP TABLE %I.%I CASCADE', known.schema_name, known.name || '_tiles_before');
   FOR i IN 0 .. @extschema@.tile_count(grid) - 1 LOOP
     EXECUTE format('ALTER FOREIGN TABLE %I.%I RENAME TO %I', known.schema_name, prefix || '_' || i, known.name || '_' || i);
   END LOOP;
-  FOR i IN 1 .. coalesce(cardinality(roles), 0) LOOP
-    PERFORM @extschema@.algebra3d_shard_grant(new_one.relation, (pg_catalog.parse_ident(roles[i]))[1], writers[i]);
-  END LOOP;
+  PERFORM @extschema@.algebra3d_shard_grant_again(new_one.relation);
   COMMIT;
   -- Not before: until then the old tiles are those that count.
   FOR i IN 1 .. cardinality(old_tiles) LOOP
@@ -772,76 +1092,159 @@ BEGIN
       'DELETE FROM @extschema@.algebra3d_shard_generations WHERE relation = %L AND tile = %s', known.relation, old_tiles[i]));
   END LOOP;
 END $$;
-COMMENT ON PROCEDURE algebra3d_shard_split(text, @extschema@.grid, text[]) IS 'Divides a relation anew: who writes into it meanwhile gets an error, who reads waits a moment at most. Its joins are to be made anew.';
+COMMENT ON PROCEDURE algebra3d_shard_divide(text, @extschema@.grid, text[]) IS 'Divides a relation anew: who writes into it meanwhile gets an error, who reads waits a moment at most. Its joins are to be made anew.';
+
+-- What is wrong with a server.
+CREATE FUNCTION algebra3d_shard_check_server(server name) RETURNS TABLE (object text, fault text, remedy text) LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  options text[] := (SELECT s.srvoptions FROM pg_foreign_server s WHERE s.srvname = server);
+  one record;
+BEGIN
+  object := 'server ' || server;
+  FOR one IN SELECT w.name, w.wanted, o.option_value AS found FROM (VALUES ('async_capable', '{true}'), ('extensions', '{algebra3d,algebra3d_shards}'), ('fdw_tuple_cost', '{10}')) w(name, wanted)
+      LEFT JOIN pg_options_to_table(options) o ON o.option_name = w.name LOOP
+    IF one.found IS NULL OR NOT one.wanted::text[] <@ regexp_split_to_array(one.found, '\s*,\s*') THEN
+      fault := format('option %s is %s', one.name, coalesce(one.found, 'missing'));
+      remedy := format('SELECT algebra3d_shard_server(%L)', server);
+      RETURN NEXT;
+    END IF;
+  END LOOP;
+  IF NOT EXISTS (SELECT FROM pg_user_mappings u WHERE u.srvname = server AND u.usename IN (current_user, 'public')) THEN
+    fault := format('%s has no user mapping', current_user);
+    remedy := format('CREATE USER MAPPING FOR %I SERVER %I OPTIONS (user ..., password ...)', current_user, server);
+    RETURN NEXT;
+    RETURN;
+  END IF;
+  FOR one IN EXECUTE format('SELECT h.extname, h.extversion AS here, t.extversion AS there, '
+      'string_to_array(t.extversion, ''.'') < string_to_array(h.extversion, ''.'') AS is_older FROM pg_extension h LEFT JOIN %I t USING (extname) '
+      'WHERE h.extname IN (''algebra3d'', ''algebra3d_shards'') AND h.extversion IS DISTINCT FROM t.extversion ORDER BY 1', 'algebra3d_extensions_' || server) LOOP
+    fault := format('extension %s is %s there, %s here', one.extname, coalesce(one.there, 'missing'), one.here);
+    remedy := CASE WHEN one.is_older THEN format('SELECT algebra3d_shard_execute(%L, %L)', server, format('ALTER EXTENSION %I UPDATE', one.extname))
+      ELSE format('ALTER EXTENSION %I UPDATE', one.extname) END;
+    IF one.there IS NULL THEN
+      remedy := format('on it: CREATE EXTENSION %I SCHEMA %s CASCADE', one.extname, '@extschema@');
+      RETURN NEXT;
+      RETURN;
+    END IF;
+    RETURN NEXT;
+  END LOOP;
+  FOR one IN EXECUTE format(
+      'SELECT t.tile, format(''%%I.%%I'', r.schema_name, algebra3d_shard_tile_name(r, t.tile)) AS name, r.geometry, f.checks, f.is_indexed, '
+      'f.generated, algebra3d_shard_generated(to_regclass(format(''%%I.%%I'', r.schema_name, r.name || ''_tiles''))) AS generated_here '
+      'FROM algebra3d_shard_tiles t JOIN algebra3d_shard_relations r USING (relation) LEFT JOIN %I f ON f.schema_name = r.schema_name '
+      'AND f.table_name = algebra3d_shard_tile_name(r, t.tile) WHERE t.server = $1 ORDER BY r.relation, t.tile', 'algebra3d_tables_' || server) USING server LOOP
+    object := format('server %s, table %s', server, one.name);
+    IF one.is_indexed IS NULL THEN
+      fault := 'the table of a tile is missing';
+      remedy := 'restore its server from a backup';
+      RETURN NEXT;
+      CONTINUE;
+    END IF;
+    IF NOT coalesce(format('CHECK ((tile = %s))', one.tile) = ANY (one.checks), false) THEN
+      fault := 'the condition is missing that all rows are of its tile';
+      remedy := format('SELECT algebra3d_shard_execute(%L, %L)', server, format('ALTER TABLE %s ADD CHECK (tile = %s)', one.name, one.tile));
+      RETURN NEXT;
+    END IF;
+    IF NOT one.is_indexed THEN
+      fault := format('the index on %I is missing', one.geometry);
+      remedy := format('SELECT algebra3d_shard_execute(%L, %L)', server, format('CREATE INDEX ON %s USING gist (%I)', one.name, one.geometry));
+      RETURN NEXT;
+    END IF;
+    FOR fault, remedy IN
+        SELECT format('column %s is not generated as here', c.name), format('SELECT algebra3d_shard_execute(%L, %L)', server,
+          format('ALTER TABLE %s DROP COLUMN IF EXISTS %s, ADD COLUMN %s', one.name, c.name, c.definition))
+        FROM (SELECT split_part(g, ' ', 1) AS name, g AS definition FROM unnest(one.generated_here) g) c WHERE NOT coalesce(c.definition = ANY (one.generated), false) LOOP
+      RETURN NEXT;
+    END LOOP;
+  END LOOP;
+  -- Servers may name one database.
+  FOR one IN EXECUTE format(
+      'SELECT f.schema_name, f.table_name FROM %I f JOIN algebra3d_shard_relations r ON r.schema_name = f.schema_name AND f.table_name ~ (''^'' || r.name || ''_(v\d+_)?\d+$'') '
+      'WHERE NOT EXISTS (SELECT FROM algebra3d_shard_tiles t JOIN pg_foreign_server s ON s.srvname = t.server WHERE t.relation = r.relation '
+      'AND f.table_name = algebra3d_shard_tile_name(r, t.tile) AND algebra3d_shard_address(s.srvoptions) IS NOT DISTINCT FROM $1) ORDER BY 1, 2', 'algebra3d_tables_' || server)
+      USING algebra3d_shard_address(options) LOOP
+    object := format('server %s, table %I.%I', server, one.schema_name, one.table_name);
+    fault := 'a tile that lies elsewhere now';
+    remedy := format('SELECT algebra3d_shard_execute(%L, %L)', server, format('DROP TABLE %I.%I', one.schema_name, one.table_name));
+    RETURN NEXT;
+  END LOOP;
+EXCEPTION WHEN OTHERS THEN
+  object := 'server ' || server;
+  GET STACKED DIAGNOSTICS fault = PG_EXCEPTION_DETAIL;
+  fault := concat_ws(': ', SQLERRM, nullif(fault, ''));
+  remedy := CASE WHEN SQLSTATE IN ('42P01', '3F000', '42883') THEN format('on it: CREATE EXTENSION algebra3d_shards SCHEMA %s CASCADE, after DROP EXTENSION if it is in another schema', '@extschema@')
+    WHEN SQLSTATE = '42501' THEN 'on it: GRANT what is missing to the role of the user mapping'
+    ELSE 'start it, and see its options and user mapping' END;
+  RETURN NEXT;
+END $$;
+
+-- What is wrong with the tiles of relations here.
+CREATE FUNCTION algebra3d_shard_check_tiles() RETURNS TABLE (object text, fault text, remedy text) LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  one record;
+  made text;
+BEGIN
+  FOR one IN SELECT r, t.relation, t.tile, t.server, s.srvname AS server_here, algebra3d_shard_address(f.ftoptions) AS place, i.inhrelid IS NOT NULL AS is_attached,
+      algebra3d_shard_address(ARRAY['schema_name=' || r.schema_name, 'table_name=' || algebra3d_shard_tile_name(r, t.tile)]) AS expected,
+      format('%I.%I', r.schema_name, r.name || '_' || t.tile) AS name, format('%I.%I', r.schema_name, r.name || '_tiles') AS parent
+      FROM algebra3d_shard_relations r JOIN algebra3d_shard_tiles t USING (relation)
+      LEFT JOIN pg_foreign_table f ON f.ftrelid = to_regclass(format('%I.%I', r.schema_name, r.name || '_' || t.tile)) LEFT JOIN pg_foreign_server s ON s.oid = f.ftserver
+      LEFT JOIN pg_inherits i ON i.inhrelid = f.ftrelid ORDER BY t.relation, t.tile LOOP
+    object := format('relation %s, tile %s', one.relation, one.tile);
+    made := algebra3d_shard_foreign_table_script(one.r, one.tile, one.server, (one.r).name || '_' || one.tile, format('PARTITION OF %s FOR VALUES IN (%s)', one.parent, one.tile), NULL);
+    IF one.server_here IS NULL THEN
+      fault := 'its foreign table is missing';
+      remedy := made;
+      RETURN NEXT;
+    ELSIF one.server_here <> one.server THEN
+      fault := format('its foreign table names server %s, and its rows are on %s', one.server_here, one.server);
+      remedy := format('DROP FOREIGN TABLE %s; %s', one.name, made);
+      RETURN NEXT;
+    ELSE
+      IF one.place IS DISTINCT FROM one.expected THEN
+        fault := format('its foreign table names %s, expected %s: rows of that one count twice', one.place, one.expected);
+        remedy := format('ALTER FOREIGN TABLE %s OPTIONS (SET schema_name %L, SET table_name %L)', one.name, (one.r).schema_name, algebra3d_shard_tile_name(one.r, one.tile));
+        RETURN NEXT;
+      END IF;
+      IF NOT one.is_attached THEN
+        fault := 'its foreign table belongs to no partitioned table';
+        remedy := format('ALTER TABLE %s ATTACH PARTITION %s FOR VALUES IN (%s)', one.parent, one.name, one.tile);
+        RETURN NEXT;
+      END IF;
+    END IF;
+  END LOOP;
+  FOR object, fault, remedy IN
+      SELECT format('relations %s and %s, tile %s', a.relation, b.relation, a.tile), format('is on %s, and on %s: their join brings its rows here', a.server, b.server),
+        format('CALL algebra3d_shard_move(%L, %s, %L)', b.relation, b.tile, a.server)
+      FROM algebra3d_shard_joins j JOIN algebra3d_shard_tiles a ON a.relation = j.a JOIN algebra3d_shard_tiles b ON b.relation = j.b AND b.tile = a.tile
+      WHERE a.server <> b.server ORDER BY 1 LOOP
+    RETURN NEXT;
+  END LOOP;
+  FOR object, fault, remedy IN
+      SELECT format('relation %s', r.relation), format('tiles %s still have copies of before they were divided', array_to_string(r.split_tiles, ', ')), format('CALL algebra3d_shard_trim(%L)', r.relation)
+      FROM algebra3d_shard_relations r WHERE r.split_tiles <> '{}' ORDER BY 1 LOOP
+    RETURN NEXT;
+  END LOOP;
+END $$;
 
 CREATE FUNCTION algebra3d_shard_check() RETURNS TABLE (object text, fault text, remedy text) LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
-  shard name;
   one record;
-  setting text;
 BEGIN
-  FOREACH setting IN ARRAY '{enable_partitionwise_join,enable_partitionwise_aggregate}'::text[] LOOP
-    IF pg_catalog.current_setting(setting) <> 'on' THEN
-      RETURN QUERY SELECT 'database ' || current_database(), setting || ' is off: joins and counts bring all rows here',
-        format('ALTER DATABASE %I SET %s = on, and a new session', current_database(), setting);
-    END IF;
-  END LOOP;
-  FOR shard IN SELECT DISTINCT t.server FROM @extschema@.algebra3d_shard_tiles t ORDER BY 1 LOOP
-    FOR one IN SELECT w.name, w.value, o.option_value AS found FROM (VALUES ('async_capable', 'true'), ('extensions', 'algebra3d')) w(name, value) LEFT JOIN (SELECT (pg_catalog.pg_options_to_table(s.srvoptions)).* FROM pg_catalog.pg_foreign_server s
-        WHERE s.srvname = shard) o ON o.option_name = w.name LOOP
-      IF one.found IS NULL OR (one.name = 'extensions' AND NOT ('{algebra3d,algebra3d_shards}' <@ regexp_split_to_array(one.found, '\s*,\s*'))) OR
-         (one.name <> 'extensions' AND one.found <> one.value) THEN
-        RETURN QUERY SELECT 'server ' || shard, format('option %s is %s', one.name, coalesce(one.found, 'missing')),
-          format('SELECT algebra3d_shard_server(%L)', shard);
-      END IF;
-    END LOOP;
-    BEGIN
-      FOR one IN EXECUTE format('SELECT h.extname, h.extversion AS here, t.extversion AS there FROM pg_catalog.pg_extension h LEFT JOIN %I.%I t USING (extname) '
-          'WHERE h.extname IN (''algebra3d'', ''algebra3d_shards'') AND h.extversion IS DISTINCT FROM t.extversion', '@extschema@', 'algebra3d_extensions_' || shard) LOOP
-        RETURN QUERY SELECT 'server ' || shard, format('extension %s is %s there, %s here', one.extname, coalesce(one.there, 'missing'), one.here),
-          'ALTER EXTENSION ... UPDATE on the older one';
-      END LOOP;
-      FOR one IN EXECUTE format('SELECT t.schemaname, t.tablename, r.relation, (pg_catalog.regexp_match(t.tablename, ''_(\d+)$''))[1]::integer AS tile '
-          'FROM %I.%I t JOIN @extschema@.algebra3d_shard_relations r ON r.schema_name = t.schemaname AND t.tablename ~ (''^'' || r.name || ''_(v\d+_)?\d+$'') '
-          'WHERE NOT EXISTS (SELECT FROM @extschema@.algebra3d_shard_tiles s WHERE s.relation = r.relation AND s.server = $1 '
-          'AND t.tablename = @extschema@.algebra3d_shard_tile_name(r, s.tile))', '@extschema@', 'algebra3d_tables_' || shard) USING shard LOOP
-        -- Servers may name one database.
-        CONTINUE WHEN EXISTS (SELECT FROM @extschema@.algebra3d_shard_relations r JOIN @extschema@.algebra3d_shard_tiles s USING (relation) JOIN pg_catalog.pg_foreign_server f ON f.srvname = s.server,
-          pg_catalog.pg_foreign_server own WHERE own.srvname = shard AND s.relation = one.relation AND @extschema@.algebra3d_shard_tile_name(r, s.tile) = one.tablename AND
-          (SELECT array_agg(o ORDER BY o) FROM unnest(f.srvoptions) o WHERE o ~ '^(host|hostaddr|port|dbname)=') IS NOT DISTINCT FROM
-          (SELECT array_agg(o ORDER BY o) FROM unnest(own.srvoptions) o WHERE o ~ '^(host|hostaddr|port|dbname)='));
-        RETURN QUERY SELECT format('server %s, table %I.%I', shard, one.schemaname, one.tablename), 'a tile that lies elsewhere now',
-          format('SELECT algebra3d_shard_execute(%L, %L)', shard, format('DROP TABLE %I.%I', one.schemaname, one.tablename));
-      END LOOP;
-    EXCEPTION WHEN OTHERS THEN
-      RETURN QUERY SELECT 'server ' || shard, SQLERRM, 'start it, and see its options and user mapping'::text;
-      CONTINUE;
-    END;
-  END LOOP;
-  FOR one IN SELECT r.relation, d.*, t.server FROM @extschema@.algebra3d_shard_relations r JOIN @extschema@.algebra3d_shard_tiles t USING (relation),
-      LATERAL (SELECT NULL::bigint AS here) d WHERE pg_catalog.to_regclass(format('%I.%I', r.schema_name, r.name || '_' || t.tile)) IS NULL LOOP
-    RETURN QUERY SELECT format('relation %s', one.relation), 'a tile has no foreign table', 'restore the catalogue of the coordinator'::text;
-  END LOOP;
-  FOR one IN SELECT s.place, count(*) AS n, min(s.name) AS name, max(s.name) AS other FROM (
-      SELECT c.relname AS name, f.ftserver::text || (SELECT string_agg(o, ',' ORDER BY o) FROM unnest(f.ftoptions) o WHERE o ~ '^(schema_name|table_name)=') AS place
-      FROM pg_catalog.pg_foreign_table f JOIN pg_catalog.pg_class c ON c.oid = f.ftrelid JOIN pg_catalog.pg_inherits i ON i.inhrelid = c.oid) s
-      GROUP BY s.place HAVING count(*) > 1 LOOP
-    RETURN QUERY SELECT format('partitions %s and %s', one.name, one.other), 'are one table on their server: its rows count twice',
-      'give each partition a table of its own'::text;
-  END LOOP;
-  FOR one IN SELECT r.relation, t.tile, t.server FROM @extschema@.algebra3d_shard_relations r JOIN @extschema@.algebra3d_shard_tiles t USING (relation)
-      JOIN pg_catalog.pg_foreign_table f ON f.ftrelid = pg_catalog.to_regclass(format('%I.%I', r.schema_name, r.name || '_' || t.tile))
-      JOIN pg_catalog.pg_foreign_server s ON s.oid = f.ftserver WHERE s.srvname <> t.server LOOP
-    RETURN QUERY SELECT format('relation %s, tile %s', one.relation, one.tile), 'its foreign table names another server than ' || one.server,
-      'ALTER the foreign table, or algebra3d_shard_tiles'::text;
-  END LOOP;
+  RETURN QUERY SELECT 'database ' || current_database(), s || ' is off: joins and counts bring all rows here',
+    format('ALTER DATABASE %I SET %2$s = on; SET %2$s = on', current_database(), s)
+    FROM unnest('{enable_partitionwise_join,enable_partitionwise_aggregate}'::text[]) s WHERE pg_catalog.current_setting(s) <> 'on';
+  RETURN QUERY SELECT c.* FROM (SELECT DISTINCT t.server FROM @extschema@.algebra3d_shard_tiles t ORDER BY 1) t, @extschema@.algebra3d_shard_check_server(t.server) c;
+  RETURN QUERY SELECT c.* FROM @extschema@.algebra3d_shard_check_tiles() c;
   FOR one IN SELECT r.relation FROM @extschema@.algebra3d_shard_relations r ORDER BY 1 LOOP
     BEGIN
       RETURN QUERY SELECT format('relation %s, tile %s', one.relation, d.tile), format('generation %s on its server, %s here', coalesce(d.there::text, 'none'), d.here),
         CASE WHEN d.there = d.here + 1 THEN 'SELECT * FROM algebra3d_shard_repair()' WHEN d.there > d.here THEN 'restore the coordinator from a newer backup' ELSE 'restore its server from a newer backup' END
-        FROM @extschema@.algebra3d_shard_differences(one.relation, NULL) d;
+        FROM @extschema@.algebra3d_shard_differences(one.relation) d;
     EXCEPTION WHEN OTHERS THEN
-      NULL;  -- a server that is down was named above
+      NULL;  -- what is wrong with a server was said above
     END;
   END LOOP;
 END $$;

@@ -11,6 +11,13 @@
 #include <utils/float.h>
 #include <utils/lsyscache.h>
 
+/* A tile that was divided later: what lies at `place` or above on an axis has a number of its own, that after all
+ * others. */
+typedef struct Split {
+  double place;
+  int32 tile, axis;
+} Split;
+
 /* Cells along the axes, from a corner on; what lies outside belongs to the outermost ones. A tile is a cell, numbered
  * first along x, then along y; or, in a grid of ranges, the cells of a range of Hilbert's curve. */
 typedef struct Grid {
@@ -18,7 +25,9 @@ typedef struct Grid {
   int32 end_count; /* -1: a tile is a cell */
   double origin[3], cell[3];
   int32 counts[3];
+  int32 split_count;
   uint32 ends[FLEXIBLE_ARRAY_MEMBER]; /* ascending codes; tile i ends before ends[i], the last one at the end */
+  /* Then the splits, in their order. */
 } Grid;
 
 #define BITS A3D_HILBERT_BITS
@@ -29,16 +38,34 @@ static const Grid* grid_of_datum(Datum datum) {
   return (const Grid*)PG_DETOAST_DATUM(datum);
 }
 
-static int tile_count(const Grid* grid) {
+/* The tiles before any was divided. */
+static int undivided_count(const Grid* grid) {
   return grid->end_count < 0 ? grid->counts[0] * grid->counts[1] * grid->counts[2] : grid->end_count + 1;
 }
 
-static Grid* new_grid(const double origin[3], const double cell[3], const int32 counts[3], int end_count) {
-  const size_t size = offsetof(Grid, ends) + (size_t)Max(end_count, 0) * sizeof(uint32);
-  Grid* grid = palloc0(size);
+static int tile_count(const Grid* grid) {
+  return undivided_count(grid) + grid->split_count;
+}
+
+static size_t splits_offset(int end_count) {
+  return MAXALIGN(offsetof(Grid, ends) + (size_t)Max(end_count, 0) * sizeof(uint32));
+}
+
+static Split* splits_of(const Grid* grid) {
+  return (Split*)((char*)grid + splits_offset(grid->end_count));
+}
+
+static void set_size(Grid* grid) {
+  SET_VARSIZE(grid, splits_offset(grid->end_count) + (size_t)grid->split_count * sizeof(Split));
+}
+
+static Grid* new_grid(const double origin[3], const double cell[3], const int32 counts[3], int end_count,
+                      int split_count) {
+  Grid* grid = palloc0(splits_offset(end_count) + (size_t)split_count * sizeof(Split));
   double tiles = 1;
-  SET_VARSIZE(grid, size);
   grid->end_count = end_count;
+  grid->split_count = split_count;
+  set_size(grid);
   for (int axis = 0; axis < 3; ++axis) {
     if (!isfinite(origin[axis]) || !isfinite(cell[axis]) || cell[axis] <= 0)
       ereport(ERROR, errcode(ERRCODE_INVALID_PARAMETER_VALUE),
@@ -53,6 +80,7 @@ static Grid* new_grid(const double origin[3], const double cell[3], const int32 
     tiles *= counts[axis];
   }
   if (end_count >= 0) tiles = end_count + 1;
+  tiles += split_count;
   if (tiles > MOST_TILES)
     ereport(ERROR, errcode(ERRCODE_PROGRAM_LIMIT_EXCEEDED),
             errmsg("grid: %.0f tiles, at most %d are possible", tiles, MOST_TILES));
@@ -69,7 +97,8 @@ static void expected(const Reader* reader, const char* what) {
   ereport(ERROR, errcode(ERRCODE_INVALID_TEXT_REPRESENTATION),
           errmsg("grid: character %d: expected %s", (int)(reader->at - reader->text) + 1, what),
           errhint("Examples are (cells (0 0 0) (10 10 10) (4 4 1)), by corner, size and number of cells, and "
-                  "(ranges (0 0 0) (0.1 0.1 0.1) (1000 5000)), by ends on Hilbert's curve."));
+                  "(ranges (0 0 0) (0.1 0.1 0.1) (1000 5000)), by ends on Hilbert's curve. Tiles that are divided "
+                  "follow, as (3 x 12.5)."));
 }
 
 static void skip_blanks(Reader* reader) {
@@ -105,14 +134,28 @@ static int32 read_integer(Reader* reader, double greatest) {
   return (int32)number;
 }
 
+/* (TILE AXIS PLACE); `number` is that of its upper part. */
+static Split read_split(Reader* reader, int number) {
+  static const char* const axes[] = {"x", "y", "z"};
+  Split split = {.axis = 0};
+  split.tile = read_integer(reader, number - 1);
+  while (split.axis < 3 && !accept(reader, axes[split.axis])) ++split.axis;
+  if (split.axis == 3) expected(reader, "an axis, x, y or z");
+  split.place = read_number(reader);
+  if (!isfinite(split.place)) expected(reader, "a finite number");
+  require(reader, ")");
+  return split;
+}
+
 PG_FUNCTION_INFO_V1(algebra3d_grid_in);
 Datum algebra3d_grid_in(PG_FUNCTION_ARGS) {
   Reader reader = {PG_GETARG_CSTRING(0), PG_GETARG_CSTRING(0)};
   double numbers[2][3];
   int32 counts[3] = {CELLS_OF_RANGES, CELLS_OF_RANGES, CELLS_OF_RANGES};
   bool has_ranges;
-  int end_count = -1;
+  int end_count = -1, split_count = 0, undivided;
   uint32* ends = NULL;
+  Split* splits = palloc(MOST_TILES * sizeof *splits);
   require(&reader, "(");
   has_ranges = accept(&reader, "ranges");
   if (!has_ranges && !accept(&reader, "cells")) expected(&reader, "cells or ranges");
@@ -133,20 +176,31 @@ Datum algebra3d_grid_in(PG_FUNCTION_ARGS) {
     for (int axis = 0; axis < 3; ++axis) counts[axis] = read_integer(&reader, MOST_TILES);
     require(&reader, ")");
   }
+  /* Numbers of tiles are bounded before splits name them. */
+  undivided = undivided_count(new_grid(numbers[0], numbers[1], counts, end_count, 0));
+  for (; accept(&reader, "("); ++split_count) {
+    if (undivided + split_count == MOST_TILES) expected(&reader, "fewer tiles");
+    splits[split_count] = read_split(&reader, undivided + split_count);
+  }
   require(&reader, ")");
   skip_blanks(&reader);
   if (*reader.at != '\0') expected(&reader, "the end of the text");
-  Grid* grid = new_grid(numbers[0], numbers[1], counts, end_count);
+  Grid* grid = new_grid(numbers[0], numbers[1], counts, end_count, split_count);
   if (end_count > 0) memcpy(grid->ends, ends, (size_t)end_count * sizeof *ends);
+  memcpy(splits_of(grid), splits, (size_t)split_count * sizeof *splits);
   PG_RETURN_POINTER(grid);
 }
 
-static void append_numbers(StringInfo text, const double numbers[3]) {
+static void append_number(StringInfo text, double number) {
   char digits[DOUBLE_SHORTEST_DECIMAL_LEN];
-  appendStringInfoString(text, " (");
+  double_to_shortest_decimal_buf(number, digits);
+  appendStringInfoString(text, digits);
+}
+
+static void append_numbers(StringInfo text, const double numbers[3]) {
   for (int axis = 0; axis < 3; ++axis) {
-    double_to_shortest_decimal_buf(numbers[axis], digits);
-    appendStringInfo(text, "%s%s", axis > 0 ? " " : "", digits);
+    appendStringInfoString(text, axis > 0 ? " " : " (");
+    append_number(text, numbers[axis]);
   }
   appendStringInfoChar(text, ')');
 }
@@ -162,7 +216,14 @@ Datum algebra3d_grid_out(PG_FUNCTION_ARGS) {
   appendStringInfoString(&text, " (");
   if (grid->end_count < 0) appendStringInfo(&text, "%d %d %d", grid->counts[0], grid->counts[1], grid->counts[2]);
   for (int i = 0; i < grid->end_count; ++i) appendStringInfo(&text, "%s%u", i > 0 ? " " : "", grid->ends[i]);
-  appendStringInfoString(&text, "))");
+  appendStringInfoChar(&text, ')');
+  for (int i = 0; i < grid->split_count; ++i) {
+    const Split* split = splits_of(grid) + i;
+    appendStringInfo(&text, " (%d %c ", split->tile, "xyz"[split->axis]);
+    append_number(&text, split->place);
+    appendStringInfoChar(&text, ')');
+  }
+  appendStringInfoChar(&text, ')');
   PG_RETURN_CSTRING(text.data);
 }
 
@@ -205,7 +266,7 @@ Datum algebra3d_grid_of_cells(PG_FUNCTION_ARGS) {
             errmsg("grid: expected three numbers of cells, as ARRAY[4, 4, 1]"));
   for (int axis = 0; axis < 3; ++axis)
     cell[axis] = size_of_cells(extent.min[axis], extent.max[axis], Max(counts[axis], 1));
-  PG_RETURN_POINTER(new_grid(extent.min, cell, counts, -1));
+  PG_RETURN_POINTER(new_grid(extent.min, cell, counts, -1, 0));
 }
 
 /* The cell of a place, the same or greater for a greater place. */
@@ -257,20 +318,42 @@ Datum algebra3d_grid_of_sample(PG_FUNCTION_ARGS) {
   }
   if (known == 0) ereport(ERROR, errcode(ERRCODE_INVALID_PARAMETER_VALUE), errmsg("grid: a sample without a box"));
   for (int axis = 0; axis < 3; ++axis) cell[axis] = size_of_cells(all.min[axis], all.max[axis], CELLS_OF_RANGES);
-  grid = new_grid(all.min, cell, counts, 0);
+  grid = new_grid(all.min, cell, counts, 0, 0);
   codes = palloc((size_t)known * sizeof *codes);
   known = 0;
   for (int i = 0; i < count; ++i)
     if (!nulls[i]) codes[known++] = code_of(grid, bounds_of_datum(elements[i]).min);
   qsort(codes, (size_t)known, sizeof *codes, compare_codes);
-  result = new_grid(all.min, cell, counts, tiles - 1);
+  result = new_grid(all.min, cell, counts, tiles - 1, 0);
   for (int tile = 1; tile < tiles; ++tile) {
     const uint32 code = codes[(int64)known * tile / tiles];
     /* Ranges are not empty: places of many objects make fewer tiles. */
     if (code > (end_count == 0 ? 0 : result->ends[end_count - 1])) result->ends[end_count++] = code;
   }
   result->end_count = end_count;
-  SET_VARSIZE(result, offsetof(Grid, ends) + (size_t)end_count * sizeof(uint32));
+  set_size(result);
+  PG_RETURN_POINTER(result);
+}
+
+/* grid(grid, tile int, axis text, place float8): with a tile divided by a plane, whose upper part is the last tile. */
+PG_FUNCTION_INFO_V1(algebra3d_grid_divided);
+Datum algebra3d_grid_divided(PG_FUNCTION_ARGS) {
+  const Grid* grid = grid_of_datum(PG_GETARG_DATUM(0));
+  const char* axis = text_to_cstring(PG_GETARG_TEXT_PP(2));
+  const Split split = {.tile = PG_GETARG_INT32(1), .axis = axis[0] - 'x', .place = PG_GETARG_FLOAT8(3)};
+  Grid* result;
+  if (split.tile < 0 || split.tile >= tile_count(grid))
+    ereport(ERROR, errcode(ERRCODE_INVALID_PARAMETER_VALUE),
+            errmsg("grid: a tile %d of %d, which are numbered from 0", split.tile, tile_count(grid)));
+  if (strlen(axis) != 1 || split.axis < 0 || split.axis > 2)
+    ereport(ERROR, errcode(ERRCODE_INVALID_PARAMETER_VALUE), errmsg("grid: an axis %s, expected x, y or z", axis));
+  if (!isfinite(split.place))
+    ereport(ERROR, errcode(ERRCODE_INVALID_PARAMETER_VALUE),
+            errmsg("grid: a tile divided at %g, expected a finite number", split.place));
+  result = new_grid(grid->origin, grid->cell, grid->counts, grid->end_count, grid->split_count + 1);
+  if (grid->end_count > 0) memcpy(result->ends, grid->ends, (size_t)grid->end_count * sizeof *result->ends);
+  memcpy(splits_of(result), splits_of(grid), (size_t)grid->split_count * sizeof(Split));
+  splits_of(result)[grid->split_count] = split;
   PG_RETURN_POINTER(result);
 }
 
@@ -294,10 +377,18 @@ static int tile_of_code(const Grid* grid, uint32 code) {
   return low;
 }
 
-static int tile_of_place(const Grid* grid, const double place[3]) {
+static int undivided_tile_of_place(const Grid* grid, const double place[3]) {
   if (grid->end_count >= 0) return tile_of_code(grid, code_of(grid, place));
   return (int)(cell_of(grid, 0, place[0]) +
                grid->counts[0] * (cell_of(grid, 1, place[1]) + grid->counts[1] * cell_of(grid, 2, place[2])));
+}
+
+static int tile_of_place(const Grid* grid, const double place[3]) {
+  const Split* splits = splits_of(grid);
+  int tile = undivided_tile_of_place(grid, place);
+  for (int i = 0; i < grid->split_count; ++i)
+    if (splits[i].tile == tile && place[splits[i].axis] >= splits[i].place) tile = undivided_count(grid) + i;
+  return tile;
 }
 
 PG_FUNCTION_INFO_V1(algebra3d_tile_of_point);
@@ -383,6 +474,12 @@ Datum algebra3d_tiles_of(PG_FUNCTION_ARGS) {
     for (uint32 z = c.low[2]; z <= c.high[2]; ++z)
       for (uint32 y = c.low[1]; y <= c.high[1]; ++y)
         for (uint32 x = c.low[0]; x <= c.high[0]; ++x) c.tiles[x + grid->counts[0] * (y + grid->counts[1] * z)] = true;
+  }
+  for (int i = 0; i < grid->split_count; ++i) {
+    const Split* split = splits_of(grid) + i;
+    if (!c.tiles[split->tile]) continue;
+    c.tiles[split->tile] = box.min[split->axis] < split->place;
+    c.tiles[undivided_count(grid) + i] = box.max[split->axis] >= split->place;
   }
   for (int tile = 0; tile < count; ++tile)
     if (c.tiles[tile]) found[length++] = Int32GetDatum(tile);

@@ -331,16 +331,17 @@ Status ShardedPush::run_lanes() {
       if (!each.second->is_idle()) waiting.push_back({&each.second->connection(), each.second->is_writing()});
     }
     if (waiting.empty()) return {};
-    const Status waited = ServerConnection::wait(waiting, host_.cancel);
+    Status waited = ServerConnection::wait(waiting, host_.cancel);
     if (waited) continue;
     for (const auto& each : waiting) each.connection->request_cancel();
     return waited;
   }
 }
 
-// The servers commit first, and the coordinator last: what it has committed holds.
+// The servers commit first, and the coordinator last: what it has committed holds. Who begins to read meanwhile waits.
 Status ShardedPush::commit(const Tiles& tiles) {
   A3D_TRY(run_lanes());
+  A3D_TRY(coordinator_->query(fmt::format("SELECT {}()", named("lock_commits"))));
   for (const auto& each : tiles) {
     StatementLane& lane = *lanes_.at(each.second.server);
     if (lane.is_idle()) A3D_TRY(lane.add({"COMMIT"}));
