@@ -84,6 +84,7 @@ test("an empty database says so and offers a sample, which is stored by a click"
   await start.getByRole("button", { name: "Store a sample" }).click();
   await page.getByTestId("objects").getByText("Sample").waitFor();
   for (const name of ["The volume of Sample", "turned by 30", "as a mesh"]) {
+    await settled(page); // what was changed in the last half second survives a reload
     await page.evaluate(() => history.replaceState(null, "", "/"));
     await page.reload();
     await ready(page);
