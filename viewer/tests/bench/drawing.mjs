@@ -144,13 +144,13 @@ async function opening({ isLast }) {
     if (options.pages) await servePages(page, resolve(options.pages));
     await waitForServer();
     // The contact sheet of the first page would be measured with what is opened.
-    const shapes = (address) => address.pathname.endsWith("/shapes");
-    await page.route(shapes, (route) => route.abort());
+    const queries = (address) => address.pathname === "/api/query";
+    await page.route(queries, (route) => route.abort());
     await page.goto(url);
     const object = page.getByTestId("objects").getByText(options.object, { exact: true });
     await object.waitFor();
     await page.waitForTimeout(1000);
-    await page.unroute(shapes);
+    await page.unroute(queries);
     const session = await context.newCDPSession(page);
     const isProfiled = isLast && options.profile;
     if (isProfiled) {
