@@ -119,6 +119,8 @@ export class Canvas {
       renderer.localClippingEnabled = true;
       renderer.autoClear = false;
       renderer.info.autoReset = false;
+      // Asking for errors of a shader waits for its compiler; one that fails draws nothing, which the tests see.
+      renderer.debug.checkShaderErrors = false;
       return renderer;
     } catch {
       this.client.problem(kNoWebgl);

@@ -87,6 +87,7 @@ export class View implements api.SceneView {
     });
     element.append(this.stage.overlay.canvas); // above the picture
     this.input = new PointerInput(this.canvas.element, this.interaction);
+    if (this.canvas.renderer) void this.stage.warmUp(this.canvas.renderer, this.state);
   }
 
   private interactionHost(): ConstructorParameters<typeof Interaction>[2] {

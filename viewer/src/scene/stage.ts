@@ -19,6 +19,7 @@ import { Overlay } from "./overlay";
 import type { Picture } from "./picture";
 import { Projector } from "./projection";
 import { outlineOf, Section } from "./section";
+import { kFull } from "./quality";
 import type { QualityStep } from "./quality";
 import { ShapeStore } from "./shape_store";
 import { kSliceLayer, Slices } from "./slices";
@@ -28,6 +29,7 @@ import { TransformHandle } from "./transform_handle";
 import type { SceneTheme } from "./theme";
 import { vertexTarget } from "./tools";
 import { isFarOrigin, toVector3 } from "./vec";
+import { usualObjects } from "./warm_up";
 
 /** Edges on faces of the usual colours. */
 const kEdgesOnFaces = "#0f151c";
@@ -92,6 +94,8 @@ export class Stage {
   /** Of objects on a contact sheet. */
   names: readonly SheetLabel[] = [];
   private styleKey = "";
+  /** Never drawn. */
+  private usual: Group | null = null;
 
   constructor(private readonly element: HTMLElement) {
     this.overlay = new Overlay(element.ownerDocument, this.projector);
@@ -150,6 +154,15 @@ export class Stage {
   addAddition(name: string, addition: Addition): void {
     this.additions.set(name, addition);
     this.world.add(addition.group);
+  }
+
+  /** Has the shaders of usual objects compiled, beside the page where the browser does that. */
+  async warmUp(renderer: WebGLRenderer, state: SceneState): Promise<void> {
+    const camera = this.prepare(state, { software: false, quality: kFull });
+    this.usual = usualObjects(this.materials, this.styleOf(state));
+    await renderer.compileAsync(this.usual, camera, this.scene);
+    // Else they are asked for at the first picture, which waits for all that is drawn meanwhile.
+    for (const program of renderer.info.programs ?? []) program.getUniforms();
   }
 
   /** Draws a frame at once. */
@@ -230,22 +243,25 @@ export class Stage {
   }
 
   private applyStyle(state: SceneState): void {
-    const clipping = this.section.clipping(state.section, toVector3(state.camera.target));
-    const stencil = state.section.on && state.section.cap === "preview";
-    const key = JSON.stringify([this.theme, state.appearance, state.display, state.section.on, stencil]);
+    const style = this.styleOf(state);
+    const { on } = state.section;
+    const key = JSON.stringify([this.theme, state.appearance, state.display, on, style.stencil]);
     if (key === this.styleKey) return;
     this.styleKey = key;
-    const style: Style = {
-      edgeColor: this.edgeColor(state.appearance),
-      appearance: state.appearance,
-      display: state.display,
-      clipping,
-      stencil,
-    };
     this.materials.apply(style);
     this.store.setStyle(style);
     this.dots.setStyle(style);
-    clip(this.boxes.material, clipping);
+    clip(this.boxes.material, style.clipping);
+  }
+
+  private styleOf(state: SceneState): Style {
+    return {
+      edgeColor: this.edgeColor(state.appearance),
+      appearance: state.appearance,
+      display: state.display,
+      clipping: this.section.clipping(state.section, toVector3(state.camera.target)),
+      stencil: state.section.on && state.section.cap === "preview",
+    };
   }
 
   /** Without faces, edges must be seen on the background. */
