@@ -14,6 +14,7 @@ import { kFull, Quality } from "./quality";
 import type { QualityStep } from "./quality";
 import type { Size } from "./projection";
 import type { Frame, FrameOptions } from "./stage";
+import { takeReserved } from "./uploads";
 
 export const kNoWebgl: SceneProblem = {
   kind: "no_webgl",
@@ -116,6 +117,7 @@ export class Canvas {
         stencil: true,
         powerPreference: "high-performance",
       });
+      takeReserved(renderer.getContext() as WebGL2RenderingContext);
       renderer.localClippingEnabled = true;
       renderer.autoClear = false;
       renderer.info.autoReset = false;

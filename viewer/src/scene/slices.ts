@@ -3,7 +3,7 @@
  * all of it. What is off the scene by the time when its turn comes is left out.
  */
 
-import { InstancedBufferGeometry, Vector3 } from "three";
+import { Frustum, InstancedBufferGeometry, Matrix4, Vector3 } from "three";
 import type {
   BufferAttribute,
   BufferGeometry,
@@ -14,6 +14,8 @@ import type {
   Scene,
   WebGLRenderer,
 } from "three";
+
+import { kLargeBytes, uploadNext } from "./uploads";
 
 /** What is drawn in the present part, and the lights on it. */
 export const kSliceLayer = 2;
@@ -34,7 +36,9 @@ interface Piece {
   readonly nearness: number;
 }
 
-/** Attributes that the renderer has copied to the graphics card. */
+/** Bytes of large arrays that are copied for one part, in 8 milliseconds on a slow processor. */
+const kUploadBytes = 8_000_000;
+/** Smaller arrays that were drawn already. */
 const uploaded = new WeakSet<object>();
 
 export class Slices {
@@ -61,7 +65,14 @@ export class Slices {
         this.advance();
         continue;
       }
-      if (this.drawn === 0) left -= uploadCost(geometry);
+      if (this.drawn === 0) {
+        const bytes = uploadNext(geometry, kUploadBytes);
+        if (bytes > 0) {
+          slice.push({ object, start: 0, count: 0 });
+          break;
+        }
+        left -= uploadCost(geometry);
+      }
       const { start, count } = rangeOf(geometry);
       const unit = unitOf(object);
       const isWhole = unit === 0;
@@ -107,10 +118,16 @@ function piecesOf(scene: Scene, camera: Camera): Piece[] {
   const pieces: Piece[] = [];
   const place = new Vector3();
   scene.updateMatrixWorld();
+  const { projectionMatrix, matrixWorldInverse } = camera;
+  const sight = new Frustum().setFromProjectionMatrix(
+    new Matrix4().multiplyMatrices(projectionMatrix, matrixWorldInverse),
+  );
   scene.traverseVisible((object) => {
     const { isMesh, isLineSegments, isPoints, material } = object as Drawable;
     const isDrawable = [isMesh, isLineSegments, isPoints].includes(true) || "isLine" in object;
     if (!isDrawable || !material.visible || !object.layers.test(camera.layers)) return;
+    // As the renderer does: of what is out of sight nothing would be copied.
+    if (object.frustumCulled && !sight.intersectsObject(object)) return;
     const sphere = (object as Drawable).geometry.boundingSphere;
     place.copy(sphere?.center ?? place.set(0, 0, 0)).applyMatrix4(object.matrixWorld);
     place.applyMatrix4(camera.matrixWorldInverse);
@@ -159,7 +176,7 @@ function uploadCost({ index, attributes }: BufferGeometry): number {
   let bytes = 0;
   const all: (BufferAttribute | InterleavedBufferAttribute)[] = Object.values(attributes);
   for (const attribute of index ? [...all, index] : all) {
-    if (uploaded.has(attribute)) continue;
+    if (uploaded.has(attribute) || attribute.array.byteLength >= kLargeBytes) continue;
     uploaded.add(attribute);
     bytes += attribute.array.byteLength;
   }

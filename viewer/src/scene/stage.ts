@@ -28,6 +28,7 @@ import { themeOf } from "./theme";
 import { TransformHandle } from "./transform_handle";
 import type { SceneTheme } from "./theme";
 import { vertexTarget } from "./tools";
+import { finishUploads } from "./uploads";
 import { isFarOrigin, toVector3 } from "./vec";
 import { usualObjects } from "./warm_up";
 
@@ -193,6 +194,7 @@ export class Stage {
     return {
       drawAll: () => {
         enter();
+        if (!options.quality.coarse) finishUploads(); // what is drawn for the first time may be large
         renderer.render(scene, camera);
       },
       drawPart: (triangles) => {
