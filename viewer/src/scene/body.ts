@@ -3,7 +3,7 @@
 import type { Quaternion, Vector3 } from "three";
 
 import type { Shape } from "../glb/shapes";
-import type { EyeFrom } from "./front_faces";
+import type { EyeFrom, PlaneBudget } from "./front_faces";
 import type { Look, Style } from "./look";
 
 /** Where a body is drawn for the moment: scaled and turned about a place, then moved. */
@@ -20,7 +20,7 @@ export interface Body {
   setLook(look: Look): void;
   setStyle(style: Style): void;
   /** Draws only what shows its front to the eye, if nothing else can be seen; null: leaves that to the renderer. */
-  chooseFronts(eyeFrom: EyeFrom | null): void;
+  chooseFronts(eyeFrom: EyeFrom | null, budget: PlaneBudget): void;
   /** The positions of the shape were changed in place, as by dragging a vertex. */
   positionsChanged(): void;
   /** Marks the vertices, so that they can be taken hold of. Of merged shapes they are not marked. */

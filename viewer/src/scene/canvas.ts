@@ -1,11 +1,20 @@
-/** The WebGL canvas: making it, losing and restoring its context, and drawing frames only when something changed. */
+/**
+ * The WebGL canvas: making it, losing and restoring its context, and drawing frames only when something changed.
+ *
+ * What takes long is drawn in parts, each of which the graphics card carries out before it gets the next one, into a
+ * picture beside the canvas. The first input ends that, so that it is never waited for.
+ */
 
 import { WebGLRenderer } from "three";
 
 import type { SceneProblem } from "./api";
+import { Parts } from "./frame_parts";
+import { Picture } from "./picture";
 import { kFull, Quality } from "./quality";
 import type { QualityStep } from "./quality";
 import type { Size } from "./projection";
+import type { Frame, FrameOptions } from "./stage";
+import { takeReserved } from "./uploads";
 
 export const kNoWebgl: SceneProblem = {
   kind: "no_webgl",
@@ -27,9 +36,17 @@ const kRest = 160;
 /** The same while a button is held: a slow machine must not draw in full between two movements of the hand. */
 const kRestHeld = 1200;
 
+/** Triangles that are drawn at once; the processor takes 10 ms for them, the graphics card of anyone less. */
+const kAtOnce = { software: 80_000, hardware: 1_500_000 } as const;
+/** More pixels than the canvas has, where each of them is drawn once only. */
+const kSoftwareScale = 1.5;
+const kMostPixels = 2;
+/** What is shown at once of a change after which the picture takes long. */
+const kQuick: QualityStep = { scale: 1, edges: true, coarse: true };
+
 export interface CanvasClient {
-  /** Draws a frame into the buffer, whose size is set already. */
-  draw(quality: QualityStep): void;
+  /** Begins a frame, of which nothing is drawn yet. */
+  begin(options: Omit<FrameOptions, "software">): Frame | null;
   /** Of what is visible, at rest and in coarse levels. */
   triangles(): { readonly fine: number; readonly coarse: number };
   problem(problem: SceneProblem | null): void;
@@ -52,6 +69,8 @@ export class Canvas {
   private requested = 0;
   /** Something changed since the last frame. */
   private stale = false;
+  /** All that changed since the last frame is what is there, by itself. */
+  private contentIsNew = false;
   /** When the last frame was drawn, if the browser has not asked for the next one since. */
   private drawnAt: number | null = null;
   private moving = false;
@@ -59,6 +78,8 @@ export class Canvas {
   private restTimer: ReturnType<typeof setTimeout> | undefined;
   private lost = false;
   private disposed = false;
+  private readonly picture: Picture;
+  private readonly parts: Parts | null;
   /** Number of frames that were drawn, for tests. */
   frames = 0;
 
@@ -76,7 +97,9 @@ export class Canvas {
     parent.append(this.element);
     this.software = isSoftware(parent.ownerDocument);
     this.quality = new Quality(this.software);
+    this.picture = new Picture(this.software ? 0 : 4);
     this.renderer = this.makeRenderer();
+    this.parts = this.renderer && new Parts(this.renderer, this.software);
     this.element.addEventListener("webglcontextlost", this.onLost);
     this.element.addEventListener("webglcontextrestored", this.onRestored);
     this.observer = new ResizeObserver(() => this.resize());
@@ -94,9 +117,12 @@ export class Canvas {
         stencil: true,
         powerPreference: "high-performance",
       });
+      takeReserved(renderer.getContext() as WebGL2RenderingContext);
       renderer.localClippingEnabled = true;
       renderer.autoClear = false;
       renderer.info.autoReset = false;
+      // Asking for errors of a shader waits for its compiler; one that fails draws nothing, which the tests see.
+      renderer.debug.checkShaderErrors = false;
       return renderer;
     } catch {
       this.client.problem(kNoWebgl);
@@ -107,6 +133,7 @@ export class Canvas {
   private readonly onLost = (event: Event): void => {
     event.preventDefault();
     this.lost = true;
+    this.parts?.giveUp();
     this.client.problem(kLost);
   };
 
@@ -123,9 +150,27 @@ export class Canvas {
     this.size = size;
     this.client.resized(size);
     this.client.viewResized();
-    if (this.frames > 0)
-      this.drawNow(); // at once, since the new buffer is empty
-    else this.request();
+    if (this.frames > 0) {
+      this.parts?.giveUp();
+      this.applySize();
+      this.drawQuickly(); // at once, since the new buffer is empty
+    }
+    this.request();
+  }
+
+  private applySize(): void {
+    const { renderer, size } = this;
+    const ratio = this.deviceRatio();
+    const applied = `${size.width} ${size.height} ${ratio}`;
+    if (!renderer || applied === this.applied) return;
+    this.applied = applied;
+    // Not setPixelRatio, which changes the size of the buffer as well.
+    renderer.setDrawingBufferSize(size.width, size.height, ratio);
+  }
+
+  /** Pixels of the canvas for one of the page. */
+  private deviceRatio(): number {
+    return Math.min(kMostPixels, globalThis.devicePixelRatio || 1);
   }
 
   /** Asks for a frame; `moving` if more will follow soon, so that it may be coarser. */
@@ -138,6 +183,7 @@ export class Canvas {
       this.moving = true;
       this.restLater();
     }
+    this.parts?.giveUp();
     this.stale = true;
     this.element.dataset["drawn"] = "changing";
     this.awaitFrame();
@@ -159,10 +205,13 @@ export class Canvas {
     if (this.moving) this.restLater();
   }
 
-  /** What is shown has changed much. */
+  /** Shapes came, or went: a picture that is being drawn is finished first, since more of them may come soon. */
   contentChanged(): void {
     this.quality.reset();
-    this.request();
+    this.contentIsNew = true;
+    this.stale = true;
+    this.element.dataset["drawn"] = "changing";
+    if (!this.parts?.isDrawing) this.awaitFrame();
   }
 
   private readonly rest = (): void => {
@@ -185,41 +234,74 @@ export class Canvas {
   private drawNow(): void {
     this.stale = false;
     if (!this.renderer || this.lost || this.disposed) return;
-    this.drawAt(this.pixelRatio(), this.moving ? this.quality.step : kFull);
-    if (!this.moving) this.element.dataset["drawn"] = "full";
+    this.applySize();
+    if (this.moving) this.drawQuickly();
+    else this.drawAtRest();
+    this.contentIsNew = false;
   }
 
-  private pixelRatio(): number {
-    const device = Math.min(2, globalThis.devicePixelRatio || 1);
-    if (this.moving) return device * this.quality.step.scale;
-    return this.software ? Math.min(2, device * 1.5) : device;
+  /** As finely as frames of a movement are drawn. */
+  private drawQuickly(): void {
+    const { step } = this.quality;
+    this.drawAtOnce(this.deviceRatio() * step.scale, step);
   }
 
-  private drawAt(ratio: number, quality: QualityStep): void {
-    const { renderer, size } = this;
-    if (!renderer) return;
-    const applied = `${size.width} ${size.height} ${ratio}`;
-    if (applied !== this.applied) {
-      this.applied = applied;
-      renderer.setPixelRatio(ratio);
-      renderer.setSize(size.width, size.height, false);
+  private drawAtRest(): void {
+    const ratio = this.software
+      ? Math.min(kMostPixels, this.deviceRatio() * kSoftwareScale)
+      : this.deviceRatio();
+    const { fine, coarse } = this.client.triangles();
+    const most = this.software ? kAtOnce.software : kAtOnce.hardware;
+    if (fine <= most || !this.parts) {
+      this.drawAtOnce(ratio, kFull);
+      this.completed();
+      return;
     }
+    // What a person changed is seen at once, if not finely.
+    if (!this.contentIsNew && coarse < fine / 2) this.drawAtOnce(this.deviceRatio(), kQuick);
+    const frame = this.client.begin({ quality: kFull, picture: this.pictureOf(ratio) });
+    if (!frame) return;
     this.frames++;
-    this.client.draw(quality);
+    this.parts.draw(frame, () => {
+      frame.finish();
+      this.completed();
+    });
+  }
+
+  private completed(): void {
+    if (this.stale) this.awaitFrame();
+    else this.element.dataset["drawn"] = "full";
+  }
+
+  private drawAtOnce(ratio: number, quality: QualityStep): void {
+    this.frames++;
+    const picture = ratio === this.deviceRatio() ? null : this.pictureOf(ratio);
+    const frame = this.client.begin({ quality, picture });
+    frame?.drawAll();
+    frame?.finish();
+  }
+
+  private pictureOf(ratio: number): NonNullable<FrameOptions["picture"]> {
+    const { width, height } = this.size;
+    this.picture.begin(Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio)));
+    return { place: this.picture, scale: ratio / this.deviceRatio() };
   }
 
   /** Draws at a size and gives the picture to `take` before the browser clears it; then draws as before. */
   capture<T>(size: Size, take: (canvas: HTMLCanvasElement) => T): T | null {
     const { renderer } = this;
     if (!renderer || this.lost) return null;
+    this.parts?.giveUp();
     const before = this.size;
-    this.size = size;
     this.client.resized(size);
-    this.drawAt(this.software ? 2 : Math.min(2, globalThis.devicePixelRatio || 1), kFull);
+    this.applied = "";
+    renderer.setDrawingBufferSize(size.width, size.height, this.software ? kMostPixels : this.deviceRatio());
+    this.drawAtOnce(this.deviceRatio(), kFull);
     const result = take(this.element);
-    this.size = before;
     this.client.resized(before);
-    this.drawNow();
+    this.applySize();
+    this.drawQuickly();
+    this.request();
     return result;
   }
 
@@ -227,6 +309,8 @@ export class Canvas {
     this.disposed = true;
     cancelAnimationFrame(this.requested);
     clearTimeout(this.restTimer);
+    this.parts?.giveUp();
+    this.picture.dispose();
     this.observer.disconnect();
     this.element.removeEventListener("webglcontextlost", this.onLost);
     this.element.removeEventListener("webglcontextrestored", this.onRestored);

@@ -23,7 +23,7 @@ import type { IndexArray, Primitive, Role, Shape } from "../glb/shapes";
 import type { Body } from "./body";
 import { featureLines } from "./features";
 import { FrontFaces, isWorthChoosing } from "./front_faces";
-import type { EyeFrom } from "./front_faces";
+import type { EyeFrom, PlaneBudget } from "./front_faces";
 import { triangleEdges } from "./geometry";
 import { isTransparent } from "./look";
 import type { Look, Style } from "./look";
@@ -35,8 +35,8 @@ import { isFarOrigin } from "./vec";
 
 /** Shapes with fewer vertices are merged if there are many. */
 export const kSmallVertices = 4_000;
-/** A chunk has at most so many vertices; beyond it a change of one shape costs too much. */
-export const kChunkVertices = 400_000;
+/** A chunk has at most so many vertices, so that making it, or changing one of its shapes, takes no longer than a frame. */
+export const kChunkVertices = 100_000;
 
 export function vertexCount(shape: Shape): number {
   return distinctPositions(shape).reduce((sum, array) => sum + array.length / 3, 0);
@@ -92,6 +92,8 @@ export class Chunk {
   private readonly origin = new Vector3();
   private style: Style | null = null;
   private indicesStale = false;
+  /** What the indices were made of. */
+  private drawn = "";
   private drawsAllEdges = false;
   private bodies = 0;
   private fronts: FrontFaces | null = null;
@@ -125,6 +127,7 @@ export class Chunk {
     };
     for (const slot of this.slots) this.writePositions(slot);
     for (const role of kRoles) this.addLayer(role);
+    this.drawn = this.seenSlots();
     this.group.position.copy(this.origin);
     parent.add(this.group);
   }
@@ -157,6 +160,12 @@ export class Chunk {
   update(): void {
     if (!this.indicesStale) return;
     this.indicesStale = false;
+    this.group.visible = this.slots.some(({ visible }) => visible);
+    if (!this.group.visible) return;
+    // What was hidden as a whole, as while coarser levels are drawn, comes back as it was.
+    const drawn = this.seenSlots();
+    if (drawn === this.drawn) return;
+    this.drawn = drawn;
     this.dropFronts();
     for (const [role, layer] of this.layers) {
       if (role === "all" || role === "vertices" || isFaceGroup(role)) continue;
@@ -165,6 +174,11 @@ export class Chunk {
     this.divideFaces();
     if (this.layers.has("all")) this.makeAllEdges();
     if (this.layers.has("vertices")) this.makeVertices();
+  }
+
+  /** What the indices depend on. */
+  private seenSlots(): string {
+    return this.slots.map(({ visible, group }) => (visible ? group : "")).join() + String(this.drawsAllEdges);
   }
 
   /** Gives each group of faces the indices of its shapes. */
@@ -196,19 +210,22 @@ export class Chunk {
   }
 
   /** As of a body. */
-  chooseFronts(eyeFrom: EyeFrom | null): void {
+  chooseFronts(eyeFrom: EyeFrom | null, budget: PlaneBudget): void {
     const layer = this.layers.get("faces");
-    if (!layer?.object.visible) return;
+    if (!layer?.object.visible || !this.group.visible) return;
     const { object, geometry } = layer;
-    const fronts = eyeFrom && faceMaterialOf(object).side === FrontSide ? this.frontFaces(geometry) : null;
+    const fronts =
+      eyeFrom && faceMaterialOf(object).side === FrontSide ? this.frontFaces(geometry, budget) : null;
     object.geometry = fronts?.geometry ?? geometry;
     if (fronts && eyeFrom) fronts.choose(eyeFrom(this.group.position));
   }
 
-  private frontFaces(whole: BufferGeometry): FrontFaces | null {
+  private frontFaces(whole: BufferGeometry, budget: PlaneBudget): FrontFaces | null {
     const indices = whole.index!.array as Uint32Array<ArrayBuffer>;
-    if (!this.fronts && isWorthChoosing(indices))
+    if (!this.fronts && budget.triangles > 0 && isWorthChoosing(indices)) {
+      budget.triangles -= indices.length / 3;
       this.fronts = new FrontFaces(whole, this.positions, indices);
+    }
     return this.fronts;
   }
 
@@ -226,9 +243,7 @@ export class Chunk {
   private setLook(slot: Slot, look: Look): void {
     const isThin = !slot.shape.primitives.some(({ role }) => role === "faces");
     const color = isThin ? thinColor(look) : new Color(look.color);
-    const rgba = [color.r, color.g, color.b, look.opacity].map((part) => Math.round(part * 65535));
-    for (let i = 0; i < slot.vertices; i++) this.colors.set(rgba, 4 * (slot.firstVertex + i));
-    this.attributes.color.needsUpdate = true;
+    this.setColor(slot, [color.r, color.g, color.b, look.opacity]);
     if (this.sizes) {
       this.sizes.fill(look.pointSize, slot.firstVertex, slot.firstVertex + slot.vertices);
       const attribute = this.layers.get("points")?.geometry.getAttribute("pointSize");
@@ -239,8 +254,16 @@ export class Chunk {
       slot.group = group;
       this.indicesStale = true;
     }
+    if (slot.offset.every((part, axis) => part === look.offset[axis])) return;
     slot.offset = look.offset;
     this.writePositions(slot);
+  }
+
+  private setColor({ firstVertex, vertices }: Slot, rgba: readonly number[]): void {
+    const words = Uint16Array.from(rgba, (part) => Math.round(part * 65535));
+    const [whole] = new BigUint64Array(words.buffer);
+    new BigUint64Array(this.colors.buffer).fill(whole!, firstVertex, firstVertex + vertices);
+    this.attributes.color.needsUpdate = true;
   }
 
   private setStyle(style: Style): void {
@@ -319,7 +342,11 @@ export class Chunk {
     const shift = [0, 1, 2].map((axis) => translation[axis]! - origin[axis]! + offset[axis]!);
     let at = 3 * firstVertex;
     for (const array of distinctPositions(shape)) {
-      for (let i = 0; i < array.length; i++) this.positions[at++] = array[i]! + shift[i % 3]!;
+      for (let i = 0; i < array.length; i += 3, at += 3) {
+        this.positions[at] = array[i]! + shift[0]!;
+        this.positions[at + 1] = array[i + 1]! + shift[1]!;
+        this.positions[at + 2] = array[i + 2]! + shift[2]!;
+      }
     }
     this.attributes.position.needsUpdate = true;
   }
@@ -399,7 +426,8 @@ export class Chunk {
     let at = 0;
     for (const { indices: own, base, primitive } of parts) {
       const length = own?.length ?? primitive.positions.length / 3;
-      for (let i = 0; i < length; i++) indices[at++] = base + (own?.[i] ?? i);
+      if (own) for (let i = 0; i < length; i++) indices[at++] = base + own[i]!;
+      else for (let i = 0; i < length; i++) indices[at++] = base + i;
     }
     return indices;
   }

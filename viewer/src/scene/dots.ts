@@ -8,6 +8,7 @@ import type { PointsMaterial } from "three";
 
 import type { CameraState } from "./api";
 import { basisOf, eyeDistance } from "./camera";
+import { kMostPartTriangles } from "./decoding";
 import type { Style } from "./look";
 import { clip, pointMaterial } from "./materials";
 import { partsOf } from "./parts";
@@ -19,8 +20,6 @@ import { toBox3 } from "./vec";
 const kLeastSize = 1.5;
 /** Diameter of a dot in CSS pixels. */
 export const kDotSize = 4;
-/** Parts are looked for as long as all objects together have no more triangles: it is linear in them. */
-const kMostTriangles = 300_000;
 
 /** Something that becomes a dot if it is seen small enough. */
 interface Candidate {
@@ -50,7 +49,7 @@ export class Dots {
   setRecords(records: Iterable<ShapeRecord>): void {
     const drawn = [...records].filter((record) => !hasPoints(record) && record.look?.opacity !== 0);
     const triangles = drawn.reduce((sum, { shown }) => sum + shown, 0);
-    this.candidates = drawn.flatMap((record) => candidatesOf(record, triangles <= kMostTriangles));
+    this.candidates = drawn.flatMap((record) => candidatesOf(record, triangles <= kMostPartTriangles));
     this.smallest = this.candidates.reduce((least, { size }) => Math.min(least, size), Infinity);
   }
 

@@ -22,6 +22,11 @@ export function featureLines(shape: Shape): IndexArray | null {
   return lines;
 }
 
+/** What was found by `featureLines` elsewhere. */
+export function rememberFeatures(shape: Shape, lines: IndexArray | null): void {
+  known.set(shape, lines);
+}
+
 function findLines(shape: Shape): IndexArray | null {
   const edges = primitiveOf(shape, "edges")?.indices;
   const faces = primitiveOf(shape, "faces");

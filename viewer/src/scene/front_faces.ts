@@ -18,6 +18,14 @@ export function isWorthChoosing(triangles: IndexArray): boolean {
   return count >= kLeastTriangles && count <= kMostTriangles;
 }
 
+/** Triangles whose planes may still be computed before the present frame: it must not wait for all of them. */
+export interface PlaneBudget {
+  triangles: number;
+}
+
+/** In a few milliseconds. */
+export const kPlanesPerFrame = 200_000;
+
 /** Where one looks from, in homogeneous coordinates: a point and 1, or a direction towards the eye and 0. */
 export type Eye = readonly [number, number, number, 0 | 1];
 

@@ -212,12 +212,12 @@ function gridLines(opacity: number): LineSegments<BufferGeometry, LineBasicMater
 
 export function setLines(
   lines: LineSegments<BufferGeometry, LineBasicMaterial>,
-  coordinates: readonly number[],
+  coordinates: readonly number[] | Float32Array,
   color: string,
 ): void {
   lines.geometry.dispose();
   lines.geometry = new BufferGeometry();
-  lines.geometry.setAttribute("position", new BufferAttribute(new Float32Array(coordinates), 3));
+  lines.geometry.setAttribute("position", new BufferAttribute(Float32Array.from(coordinates), 3));
   lines.material.color.set(color);
 }
 

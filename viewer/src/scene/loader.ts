@@ -4,7 +4,8 @@
  */
 
 import type { CellRef, LoadProgress, ShapeSource } from "./api";
-import { decodeShapes } from "../glb/shapes";
+import type { Shape } from "../glb/shapes";
+import { decodeBeside } from "./decoding";
 import type { Column, ShapeRecord, ShapeStore } from "./shape_store";
 
 /** Triangles of one shape in the first picture, at most. */
@@ -21,7 +22,14 @@ export const kTriangleBudget = 12_000_000;
 const kRowsPerRequest = 500;
 /** Neighbouring rows are made finer in one request up to so many triangles. */
 const kTrianglesPerRequest = 500_000;
+/** Rows between them that need nothing are sent again: at most this share of a request. */
+const kMostWaste = 0.2;
+/** Milliseconds from one refinement of the picture to the next: each is drawn in full. */
+const kRefineInterval = 1000;
 const kProgressInterval = 300;
+
+/** Milliseconds of work after which the page gets its turn. */
+const kSlice = 8;
 
 export interface LoaderEvents {
   progress(progress: LoadProgress): void;
@@ -47,11 +55,14 @@ export class Loader {
   readonly latest = new Map<Column, LoadProgress>();
   private selected: readonly CellRef[] = [];
   private refining = false;
+  /** When the picture was refined last. */
+  private refinedAt = -Infinity;
 
   constructor(
     private readonly store: ShapeStore,
     private readonly events: LoaderEvents,
     private readonly budget = kTriangleBudget,
+    private readonly interval = kRefineInterval,
   ) {}
 
   start(column: Column): void {
@@ -133,11 +144,13 @@ export class Loader {
         },
         job.abort.signal,
       );
-      if (job.abort.signal.aborted) return null;
-      const shapes = decodeShapes(batch.bytes);
-      job.bytes += batch.bytes.byteLength;
+      const { byteLength } = batch.bytes;
+      const shapes = await decodeBeside(batch.bytes);
+      if (phase === "fine") await this.pause();
+      if (this.isStopped(job)) return null;
+      job.bytes += byteLength;
       const before = column.records.size;
-      this.store.addShapes(column, shapes);
+      if (!(await this.addShapes(column, job, shapes))) return null;
       const more = column.records.size > before;
       this.events.changed(column, !more ? "finer" : before === 0 ? "first" : "more");
       this.report(column, job, phase, null, "");
@@ -146,6 +159,23 @@ export class Loader {
     } finally {
       stopPolling();
     }
+  }
+
+  private isStopped({ abort }: Job): boolean {
+    return abort.signal.aborted;
+  }
+
+  /** Adds shapes without holding up the page; false if nobody wants them any more. */
+  private async addShapes(column: Column, job: Job, shapes: readonly Shape[]): Promise<boolean> {
+    let begun = performance.now();
+    for (const added of this.store.adding(column, shapes)) {
+      void added;
+      if (performance.now() - begun < kSlice) continue;
+      await new Promise((next) => setTimeout(next));
+      if (this.isStopped(job)) return false;
+      begun = performance.now();
+    }
+    return true;
   }
 
   /** Asks what the server is doing as long as nothing comes. */
@@ -185,18 +215,26 @@ export class Loader {
     }
   }
 
+  /** Until the picture may be refined again. */
+  private async pause(): Promise<void> {
+    const rest = this.refinedAt + this.interval - performance.now();
+    if (rest > 0) await new Promise((next) => setTimeout(next, rest));
+    this.refinedAt = performance.now();
+  }
+
   private async loadFiner({ records, triangles }: Wish): Promise<void> {
     const first = records[0]!;
     const job = this.jobs.get(first.column);
     if (!job) return;
     const before = records.map(({ shown }) => shown);
     try {
-      await this.loadRows(first.column, job, first.row, records.length, triangles, "fine");
+      const next = await this.loadRows(first.column, job, first.row, records.length, triangles, "fine");
       // A server that has no finer level must not be asked for ever.
       if (triangles === kMiddleTriangles) this.hasMiddle.add(first);
       else
         records.forEach((record, index) => {
-          if (record.shown <= before[index]! && index === 0) this.finished.add(record);
+          const came = next === null || record.row < next;
+          if (came && record.shown <= before[index]!) this.finished.add(record);
         });
     } catch (error) {
       for (const record of records) this.finished.add(record);
@@ -209,39 +247,70 @@ export class Loader {
   /** Those whose middle level was asked for. */
   private readonly hasMiddle = new WeakSet<ShapeRecord>();
 
-  /** What to load next: the selected in full, then the smallest first, so that most is seen exactly soonest. */
+  /** What to load next: the selected in full, a middle level of the largest, then ranges of rows. */
   private nextWish(): Wish | null {
     for (const cell of this.selected) {
       const record = this.store.record(cell);
       if (record?.visible && this.isWanted(record)) return { records: [record], triangles: 0 };
     }
-    let used = this.store.triangleCounts().fine;
+    let left = this.budget - this.store.triangleCounts().fine;
+    const affordable = new Set<ShapeRecord>();
     const candidates = [...this.store.visibleRecords()]
       .filter((record) => this.isWanted(record))
       .sort((a, b) => a.triangles - b.triangles);
     for (const record of candidates) {
-      const middle = record.triangles > kMiddleFrom && !this.hasMiddle.has(record);
-      used -= record.shown;
-      if (middle && used + kMiddleTriangles <= this.budget) {
+      const needed = record.triangles - record.shown;
+      if (needed > left) break; // the others are larger
+      left -= needed;
+      affordable.add(record);
+    }
+    const first = candidates.find((record) => affordable.has(record) && record.triangles <= kMiddleFrom);
+    if (first) return { records: this.range(first, affordable), triangles: 0 };
+    return this.largeWish(candidates, affordable, left);
+  }
+
+  /** Of values that are far larger than others: one after the other, each by way of a middle level. */
+  private largeWish(
+    candidates: readonly ShapeRecord[],
+    affordable: ReadonlySet<ShapeRecord>,
+    left: number,
+  ): Wish | null {
+    for (const record of candidates) {
+      const isLarge = record.triangles > kMiddleFrom && !this.hasMiddle.has(record);
+      if (isLarge && kMiddleTriangles - record.shown <= left)
         return { records: [record], triangles: kMiddleTriangles };
-      }
-      if (used + record.triangles <= this.budget) return { records: this.neighbours(record), triangles: 0 };
-      used += record.shown;
+      if (affordable.has(record)) return { records: [record], triangles: 0 };
     }
     return null;
   }
 
-  /** The rows from this one on that can be loaded with it. */
-  private neighbours(record: ShapeRecord): ShapeRecord[] {
-    const records = [record];
-    let triangles = record.triangles;
-    for (let row = record.row + 1; ; row++) {
-      const next = record.column.records.get(row);
-      if (!next?.visible || !this.isWanted(next)) return records;
-      triangles += next.triangles;
-      if (triangles > kTrianglesPerRequest) return records;
-      records.push(next);
+  /**
+   * The rows that are loaded with a record by one request: those around it that are to be loaded, too, and few others
+   * between them.
+   */
+  private range(record: ShapeRecord, affordable: ReadonlySet<ShapeRecord>): ShapeRecord[] {
+    const { records } = record.column;
+    const isLoaded = (other: ShapeRecord): boolean => affordable.has(other) && other.triangles <= kMiddleFrom;
+    let [from, to] = [record.row, record.row];
+    let [triangles, waste] = [record.triangles, 0];
+    for (const step of [-1, 1] as const) {
+      let [seen, between] = [0, 0];
+      for (let row = record.row + step; ; row += step) {
+        const next = records.get(row);
+        if (!next) break;
+        seen += next.triangles;
+        if (!isLoaded(next)) between += next.triangles;
+        if (triangles + seen > kTrianglesPerRequest) break;
+        if (waste + between > kMostWaste * kTrianglesPerRequest) break;
+        if (!isLoaded(next)) continue;
+        if (step < 0) from = row;
+        else to = row;
+        triangles += seen;
+        waste += between;
+        [seen, between] = [0, 0];
+      }
     }
+    return Array.from({ length: to - from + 1 }, (_, i) => records.get(from + i)!);
   }
 
   private isWanted(record: ShapeRecord): boolean {

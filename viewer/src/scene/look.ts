@@ -14,6 +14,16 @@ export interface Look {
   readonly offset: Vec3;
 }
 
+export function isSameLook(a: Look, b: Look): boolean {
+  return (
+    a.color === b.color &&
+    a.opacity === b.opacity &&
+    a.pointSize === b.pointSize &&
+    a.selected === b.selected &&
+    a.offset.every((part, axis) => part === b.offset[axis])
+  );
+}
+
 /** Of all objects. */
 export interface Style {
   readonly appearance: Appearance;

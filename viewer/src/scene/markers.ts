@@ -21,7 +21,7 @@ import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import type { Box, Markers, OverlayStyle, Vec3 } from "./api";
 import type { Shape } from "../glb/shapes";
 import { boxLines, setLines } from "./furniture";
-import { AttributeCache, geometryOf, primitiveOf, sphereOf, wideLines } from "./geometry";
+import { AttributeCache, geometryOf, kMaxWideSegments, primitiveOf, sphereOf, wideLines } from "./geometry";
 import { pointMaterial } from "./materials";
 import type { Overlay } from "./overlay";
 import type { SceneTheme } from "./theme";
@@ -86,9 +86,20 @@ function middleOf(box: Box | undefined): Vec3 {
   return [(x1 + x2) / 2, (y1 + y2) / 2, (z1 + z2) / 2];
 }
 
-function boxesOf(boxes: readonly Box[], origin: Vector3, color: string): LineSegments {
+/** Of a width that is seen well on any ground, unless there are too many for that. */
+function boxesOf(
+  boxes: readonly Box[],
+  origin: Vector3,
+  color: string,
+): LineSegments<BufferGeometry, LineBasicMaterial> | LineSegments2 {
+  const places = new Float32Array(boxLines(boxes.map(toBox3), origin));
+  if (places.length / 6 <= kMaxWideSegments) {
+    const wide = new LineSegments2(wideLines(places, null), new LineMaterial({ color, linewidth: 1.5 }));
+    wide.frustumCulled = false;
+    return wide;
+  }
   const lines = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
-  setLines(lines, boxLines(boxes.map(toBox3), origin), color);
+  setLines(lines, places, color);
   lines.frustumCulled = false;
   return lines;
 }

@@ -20,6 +20,9 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { kBoundaryColor, kNonManifoldColor, isTransparent } from "./look";
 import type { Style } from "./look";
 
+/** Pixels of the picture that is being drawn for one of the canvas; the same for all views, set before each drawing. */
+export const kPointScale = { value: 1 };
+
 /** Points are drawn as discs; with `perPoint` each has a size of its own in the attribute `pointSize`. */
 export function pointMaterial(perPoint: boolean): PointsMaterial {
   // The renderer multiplies sizes by the pixel ratio; with sizes of their own, the common factor is 1.
@@ -29,10 +32,11 @@ export function pointMaterial(perPoint: boolean): PointsMaterial {
       "#include <clipping_planes_fragment>",
       "#include <clipping_planes_fragment>\n if (length(gl_PointCoord - 0.5) > 0.5) discard;",
     );
-    if (!perPoint) return;
+    shader.uniforms["pointScale"] = kPointScale;
+    const own = perPoint ? "attribute float pointSize;" : "const float pointSize = 1.0;";
     shader.vertexShader = shader.vertexShader
-      .replace("uniform float size;", "uniform float size;\nattribute float pointSize;")
-      .replace("gl_PointSize = size;", "gl_PointSize = size * pointSize;");
+      .replace("uniform float size;", `uniform float size, pointScale;\n${own}`)
+      .replace("gl_PointSize = size;", "gl_PointSize = size * pointSize * pointScale;");
   };
   material.customProgramCacheKey = () => (perPoint ? "discs of sizes" : "discs");
   return material;

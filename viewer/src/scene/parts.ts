@@ -16,6 +16,11 @@ export function partsOf(shape: Shape): readonly Box[] {
   return parts;
 }
 
+/** What was found by `partsOf` elsewhere. */
+export function rememberParts(shape: Shape, parts: readonly Box[]): void {
+  known.set(shape, parts);
+}
+
 function boxesOf(faces: Primitive, origin: readonly [number, number, number]): Box[] {
   const { positions, indices } = faces;
   const groups = new Groups(positions.length / 3);
@@ -31,15 +36,25 @@ function boxesOf(faces: Primitive, origin: readonly [number, number, number]): B
   return [...boxes.values()].map((box) => box.map((part, i) => part + origin[i >> 1]!) as unknown as Box);
 }
 
-/** Vertices at creases are double. */
+/** Vertices at creases are double. The places are found by a table with open addressing, of their bits. */
 function joinSamePlaces(groups: Groups, positions: Float32Array): void {
-  const first = new Map<string, number>();
-  for (let i = 0; i < positions.length / 3; i++) {
-    const key = `${positions[3 * i]} ${positions[3 * i + 1]} ${positions[3 * i + 2]}`;
-    const other = first.get(key);
-    if (other === undefined) first.set(key, i);
-    else groups.join(i, other);
+  const bits = new Uint32Array(positions.map((part) => part + 0).buffer); // -0 is 0
+  const count = positions.length / 3;
+  const size = 2 ** Math.ceil(Math.log2(Math.max(16, 2 * count)));
+  const table = new Int32Array(size).fill(-1);
+  const isSame = (a: number, b: number): boolean =>
+    bits[3 * a] === bits[3 * b] && bits[3 * a + 1] === bits[3 * b + 1] && bits[3 * a + 2] === bits[3 * b + 2];
+  for (let i = 0; i < count; i++) {
+    let at = hashOf(bits[3 * i]!, bits[3 * i + 1]!, bits[3 * i + 2]!) & (size - 1);
+    while (table[at] !== -1 && !isSame(table[at]!, i)) at = (at + 1) & (size - 1);
+    if (table[at] === -1) table[at] = i;
+    else groups.join(i, table[at]!);
   }
+}
+
+function hashOf(x: number, y: number, z: number): number {
+  const mixed = Math.imul(x, 0x9e3779b1) ^ Math.imul(y, 0x85ebca6b) ^ Math.imul(z, 0xc2b2ae35);
+  return (mixed ^ (mixed >>> 15) ^ (mixed >>> 7)) >>> 0;
 }
 
 function grow(boxes: Map<number, number[]>, group: number, positions: Float32Array, at: number): void {

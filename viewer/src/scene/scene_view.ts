@@ -13,7 +13,6 @@ import { Loader } from "./loader";
 import { Owners } from "./owners";
 import { Picker } from "./picking";
 import { PointerInput } from "./pointer";
-import type { QualityStep } from "./quality";
 import { takeScreenshot } from "./screenshot";
 import { cellKey } from "./shape_store";
 import type { Column } from "./shape_store";
@@ -21,6 +20,7 @@ import { Sight } from "./sight";
 import { kDefaultState, patched, stateToJson } from "./state";
 import { stateFromJson } from "./state_json";
 import { Stage } from "./stage";
+import type { Frame, FrameOptions } from "./stage";
 import { handleTarget, inOwnPlace, picked, vertexTarget, withoutObjects } from "./tools";
 import { fromVector3, toBox3 } from "./vec";
 
@@ -79,7 +79,7 @@ export class View implements api.SceneView {
     this.picker = new Picker(store, projector, dots, () => undefined);
     this.interaction = new Interaction(this.stage, this.picker, this.interactionHost());
     this.canvas = new Canvas(element, {
-      draw: (quality) => this.draw(quality),
+      begin: (options) => this.begin(options),
       triangles: () => this.stage.store.triangleCounts(),
       problem: (problem) => this.emitter.emit("problem", (this.problem = problem)),
       resized: (size) => (this.stage.projector.size = size),
@@ -87,6 +87,7 @@ export class View implements api.SceneView {
     });
     element.append(this.stage.overlay.canvas); // above the picture
     this.input = new PointerInput(this.canvas.element, this.interaction);
+    if (this.canvas.renderer) void this.stage.warmUp(this.canvas.renderer, this.state);
   }
 
   private interactionHost(): ConstructorParameters<typeof Interaction>[2] {
@@ -117,9 +118,9 @@ export class View implements api.SceneView {
     return inOwnPlace(hit, this.stage.store.record(hit.cell)?.look?.offset ?? [0, 0, 0]);
   }
 
-  private draw(quality: QualityStep): void {
+  private begin(options: Omit<FrameOptions, "software">): Frame | null {
     this.applyColoring();
-    this.stage.draw(this.canvas, this.state, { software: this.canvas.software, quality });
+    return this.stage.begin(this.canvas, this.state, { ...options, software: this.canvas.software });
   }
 
   on<K extends keyof api.SceneEvents>(event: K, listener: (data: api.SceneEvents[K]) => void): () => void {

@@ -5,9 +5,11 @@ import { Box3, Object3D, Vector3 } from "three";
 import type { CameraState, CellRef, ColumnRef, ShapeInfo, ShapeSource } from "./api";
 import type { Shape } from "../glb/shapes";
 import type { Body } from "./body";
+import { kPlanesPerFrame } from "./front_faces";
 import type { EyeFrom } from "./front_faces";
 import { Chunk, kChunkVertices, kSmallVertices, vertexCount } from "./chunk";
 import { primitiveOf } from "./geometry";
+import { isSameLook } from "./look";
 import type { Look, Style } from "./look";
 import type { SharedMaterials } from "./materials";
 import { SingleBody } from "./single_body";
@@ -158,34 +160,35 @@ export class ShapeStore {
 
   /** Adds shapes of one answer as the finest levels of their rows. The first level is kept for moving. */
   addShapes(column: Column, shapes: readonly Shape[]): ShapeRecord[] {
-    const bodies = this.makeBodies(shapes);
-    return shapes.map((shape, index) => {
-      const record =
-        column.records.get(shape.row) ?? new ShapeRecord(column, shape.row, shape, column.generation);
-      column.records.set(shape.row, record);
-      const kept = record.generation === column.generation ? 1 : 0;
-      while (record.levels.length > kept) record.levels.pop()!.body.dispose();
-      record.generation = column.generation;
-      record.firstShape = record.levels[0]?.shape ?? shape;
-      const body = bodies[index]!;
-      record.levels.push({ shape, body });
-      if (this.style) body.setStyle(this.style);
-      if (record.look) body.setLook(record.look);
-      this.showLevel(record);
-      return record;
-    });
+    return [...this.adding(column, shapes)].flat();
   }
 
-  private makeBodies(shapes: readonly Shape[]): Body[] {
+  /** The same bit by bit: each step adds the shapes of one chunk, or one that is not merged with others. */
+  *adding(column: Column, shapes: readonly Shape[]): Generator<ShapeRecord[]> {
     const small = shapes.filter((shape) => vertexCount(shape) <= kSmallVertices);
-    if (small.length < kMergeFrom) return shapes.map((shape) => this.single(shape));
-    const bodies = new Map<Shape, Body>();
-    for (const group of groupsOf(small)) {
+    const merged = new Set(small.length < kMergeFrom ? [] : small);
+    for (const group of groupsOf([...merged])) {
       const chunk = new Chunk(group, this.root, this.materials);
       this.chunks.add(chunk);
-      for (const body of chunk.makeBodies()) bodies.set(body.shape, body);
+      yield chunk.makeBodies().map((body) => this.addLevel(column, body));
     }
-    return shapes.map((shape) => bodies.get(shape) ?? this.single(shape));
+    for (const shape of shapes) if (!merged.has(shape)) yield [this.addLevel(column, this.single(shape))];
+  }
+
+  private addLevel(column: Column, body: Body): ShapeRecord {
+    const { shape } = body;
+    const record =
+      column.records.get(shape.row) ?? new ShapeRecord(column, shape.row, shape, column.generation);
+    column.records.set(shape.row, record);
+    const kept = record.generation === column.generation ? 1 : 0;
+    while (record.levels.length > kept) record.levels.pop()!.body.dispose();
+    record.generation = column.generation;
+    record.firstShape = record.levels[0]?.shape ?? shape;
+    record.levels.push({ shape, body });
+    if (this.style) body.setStyle(this.style);
+    if (record.look) body.setLook(record.look);
+    this.showLevel(record);
+    return record;
   }
 
   private single(shape: Shape): Body {
@@ -206,9 +209,10 @@ export class ShapeStore {
   }
 
   setLook(record: ShapeRecord, look: Look): void {
-    if (record.look && JSON.stringify(record.look) === JSON.stringify(look)) return;
+    if (record.look && isSameLook(record.look, look)) return;
     record.look = look;
     for (const { body } of record.levels) body.setLook(look);
+    this.showLevel(record);
   }
 
   setStyle(style: Style): void {
@@ -229,19 +233,22 @@ export class ShapeStore {
 
   private showLevel(record: ShapeRecord): void {
     const shown = this.coarse ? record.levels[0] : record.finest;
-    for (const level of record.levels) level.body.setVisible(record.visible && level === shown);
+    // Without a look it has no colour and no place.
+    const isSeen = record.visible && record.look !== null;
+    for (const level of record.levels) level.body.setVisible(isSeen && level === shown);
   }
 
   /** To be called before drawing; `eyeFrom` if triangles that show their backs are to be left out here. */
   update({ target, height }: CameraState, eyeFrom: EyeFrom | null): void {
+    const budget = { triangles: kPlanesPerFrame };
     for (const chunk of this.chunks) {
       if (chunk.isFree) this.chunks.delete(chunk);
       chunk.approach(toVector3(target), height);
       chunk.update();
-      chunk.chooseFronts(eyeFrom);
+      chunk.chooseFronts(eyeFrom, budget);
     }
     for (const record of this.visibleRecords()) {
-      for (const { body } of record.levels) body.chooseFronts(eyeFrom);
+      for (const { body } of record.levels) body.chooseFronts(eyeFrom, budget);
     }
   }
 

@@ -27,7 +27,7 @@ import {
 } from "./geometry";
 import { featureLines } from "./features";
 import { FrontFaces, isWorthChoosing } from "./front_faces";
-import type { EyeFrom } from "./front_faces";
+import type { EyeFrom, PlaneBudget } from "./front_faces";
 import { isTransparent, kSelectionColor } from "./look";
 import type { Look, Style } from "./look";
 import { bringForward, clip, faceMaterial, pointMaterial, styleFaces } from "./materials";
@@ -143,17 +143,19 @@ export class SingleBody implements Body {
     this.refresh();
   }
 
-  chooseFronts(eyeFrom: EyeFrom | null): void {
+  chooseFronts(eyeFrom: EyeFrom | null, budget: PlaneBudget): void {
     const { faces, whole } = this;
     if (!faces || !whole || !this.group.visible || !faces.visible) return;
-    const fronts = eyeFrom && faces.material.side === FrontSide ? this.frontFaces(whole) : null;
+    const fronts = eyeFrom && faces.material.side === FrontSide ? this.frontFaces(whole, budget) : null;
     faces.geometry = fronts?.geometry ?? whole;
     if (fronts && eyeFrom) fronts.choose(eyeFrom(this.group.position));
   }
 
-  private frontFaces(whole: BufferGeometry): FrontFaces | null {
+  private frontFaces(whole: BufferGeometry, budget: PlaneBudget): FrontFaces | null {
     const primitive = primitiveOf(this.shape, "faces");
-    if (!this.fronts && primitive?.indices && isWorthChoosing(primitive.indices)) {
+    const isWanted = !this.fronts && budget.triangles > 0;
+    if (isWanted && primitive?.indices && isWorthChoosing(primitive.indices)) {
+      budget.triangles -= primitive.indices.length / 3;
       this.fronts = new FrontFaces(whole, primitive.positions, primitive.indices);
     }
     return this.fronts;

@@ -1,7 +1,7 @@
 /** Everything that is drawn, and the drawing of one frame. */
 
 import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Scene, Vector3 } from "three";
-import type { Box3 } from "three";
+import type { Box3, Camera, WebGLRenderer } from "three";
 
 import type { Appearance, CameraState, SceneState, Vec3 } from "./api";
 import type { SheetLabel } from "./arrangement";
@@ -13,19 +13,24 @@ import { drawLightMarkers, Lights } from "./lights";
 import type { Style } from "./look";
 import { drawLabels } from "./markers";
 import type { Addition } from "./markers";
-import { clip, SharedMaterials } from "./materials";
+import { clip, kPointScale, SharedMaterials } from "./materials";
 import { Outline } from "./outline";
 import { Overlay } from "./overlay";
+import type { Picture } from "./picture";
 import { Projector } from "./projection";
 import { outlineOf, Section } from "./section";
+import { kFull } from "./quality";
 import type { QualityStep } from "./quality";
 import { ShapeStore } from "./shape_store";
+import { kSliceLayer, Slices } from "./slices";
 import { kDefaultCamera } from "./state";
 import { themeOf } from "./theme";
 import { TransformHandle } from "./transform_handle";
 import type { SceneTheme } from "./theme";
 import { vertexTarget } from "./tools";
+import { finishUploads } from "./uploads";
 import { isFarOrigin, toVector3 } from "./vec";
+import { usualObjects } from "./warm_up";
 
 /** Edges on faces of the usual colours. */
 const kEdgesOnFaces = "#0f151c";
@@ -54,6 +59,18 @@ export interface FrameOptions {
   readonly software: boolean;
   readonly quality: QualityStep;
   readonly backgroundless?: boolean;
+  /** Where it is drawn before it is laid over the canvas, with so many pixels for one of it; null: on the canvas. */
+  readonly picture?: { readonly place: Picture; readonly scale: number } | null;
+}
+
+/** A frame that is being drawn. */
+export interface Frame {
+  /** Draws all of it. */
+  drawAll(): void;
+  /** Draws about so many more triangles; true if nothing is left. */
+  drawPart(triangles: number): boolean;
+  /** Puts what was drawn on the canvas, with the outline of what is selected, labels and all that lies above. */
+  finish(): void;
 }
 
 export class Stage {
@@ -78,6 +95,8 @@ export class Stage {
   /** Of objects on a contact sheet. */
   names: readonly SheetLabel[] = [];
   private styleKey = "";
+  /** Never drawn. */
+  private usual: Group | null = null;
 
   constructor(private readonly element: HTMLElement) {
     this.overlay = new Overlay(element.ownerDocument, this.projector);
@@ -138,27 +157,83 @@ export class Stage {
     this.world.add(addition.group);
   }
 
+  /** Has the shaders of usual objects compiled, beside the page where the browser does that. */
+  async warmUp(renderer: WebGLRenderer, state: SceneState): Promise<void> {
+    const camera = this.prepare(state, { software: false, quality: kFull });
+    this.usual = usualObjects(this.materials, this.styleOf(state));
+    await renderer.compileAsync(this.usual, camera, this.scene);
+    // Else they are asked for at the first picture, which waits for all that is drawn meanwhile.
+    for (const program of renderer.info.programs ?? []) program.getUniforms();
+  }
+
+  /** Draws a frame at once. */
   draw(canvas: Canvas, state: SceneState, options: FrameOptions): void {
+    const frame = this.begin(canvas, state, options);
+    frame?.drawAll();
+    frame?.finish();
+  }
+
+  /** Begins a frame. No other one may be begun before it is finished, unless it is given up. */
+  begin(canvas: Canvas, state: SceneState, options: FrameOptions): Frame | null {
     const { renderer } = canvas;
-    if (!renderer) return;
-    const { theme, projector } = this;
+    if (!renderer) return null;
+    const { theme, scene } = this;
+    const camera = this.prepare(state, options);
+    const { place, scale } = options.picture ?? { place: null, scale: 1 };
+    const background = new Color(state.appearance.background ?? theme.background);
+    const enter = (): void => {
+      kPointScale.value = scale;
+      if (place) place.use(renderer);
+      else renderer.setRenderTarget(null);
+    };
+    enter();
+    renderer.setClearColor(background, options.backgroundless ? 0 : 1);
+    renderer.info.reset();
+    renderer.clear(true, true, true);
+    let slices: Slices | null = null;
+    return {
+      drawAll: () => {
+        enter();
+        if (!options.quality.coarse) finishUploads(); // what is drawn for the first time may be large
+        renderer.render(scene, camera);
+      },
+      drawPart: (triangles) => {
+        // The projector's camera may be used for other views before the next part.
+        slices ??= new Slices(scene, camera.clone());
+        enter();
+        const isComplete = slices.draw(renderer, triangles);
+        renderer.setRenderTarget(null);
+        return isComplete;
+      },
+      finish: () => {
+        kPointScale.value = 1;
+        place?.show(renderer);
+        this.drawAbove(renderer, state, camera);
+      },
+    };
+  }
+
+  /** Brings everything into the state that is to be drawn. */
+  private prepare(state: SceneState, { software, quality }: FrameOptions): Camera {
+    const { projector } = this;
     this.applyStyle(state);
-    this.store.setCoarse(options.quality.coarse);
-    this.materials.edges.visible = options.quality.edges || !state.appearance.faces;
+    this.store.setCoarse(quality.coarse);
+    this.materials.edges.visible = quality.edges || !state.appearance.faces;
     this.lights.update(state.lights, state.camera);
+    this.lights.group.traverse((light) => light.layers.enable(kSliceLayer));
     this.section.update(state.section, this.box, this.edgeColor(state.appearance));
     this.updateFurniture(state);
     const camera = projector.camera(state.camera, this.depthBox(state));
     this.world.position.copy(projector.origin).negate();
-    this.store.update(state.camera, options.software ? projector.eyeFrom : null);
+    this.store.update(state.camera, software ? projector.eyeFrom : null);
     this.dots.update(state.camera, projector.size.height);
     this.handle.update(camera);
     this.materials.setPlace(this.box, projector.origin);
-    const background = state.appearance.background ?? theme.background;
-    renderer.setClearColor(new Color(background), options.backgroundless ? 0 : 1);
-    renderer.info.reset();
-    renderer.clear(true, true, true);
-    renderer.render(this.scene, camera);
+    return camera;
+  }
+
+  private drawAbove(renderer: WebGLRenderer, state: SceneState, camera: Camera): void {
+    const { projector } = this;
     const selected = this.store.selectedBox();
     if (!selected.isEmpty() && state.appearance.faces) {
       const clipping = this.section.clipping(state.section, projector.origin);
@@ -170,22 +245,25 @@ export class Stage {
   }
 
   private applyStyle(state: SceneState): void {
-    const clipping = this.section.clipping(state.section, toVector3(state.camera.target));
-    const stencil = state.section.on && state.section.cap === "preview";
-    const key = JSON.stringify([this.theme, state.appearance, state.display, state.section.on, stencil]);
+    const style = this.styleOf(state);
+    const { on } = state.section;
+    const key = JSON.stringify([this.theme, state.appearance, state.display, on, style.stencil]);
     if (key === this.styleKey) return;
     this.styleKey = key;
-    const style: Style = {
-      edgeColor: this.edgeColor(state.appearance),
-      appearance: state.appearance,
-      display: state.display,
-      clipping,
-      stencil,
-    };
     this.materials.apply(style);
     this.store.setStyle(style);
     this.dots.setStyle(style);
-    clip(this.boxes.material, clipping);
+    clip(this.boxes.material, style.clipping);
+  }
+
+  private styleOf(state: SceneState): Style {
+    return {
+      edgeColor: this.edgeColor(state.appearance),
+      appearance: state.appearance,
+      display: state.display,
+      clipping: this.section.clipping(state.section, toVector3(state.camera.target)),
+      stencil: state.section.on && state.section.cap === "preview",
+    };
   }
 
   /** Without faces, edges must be seen on the background. */

@@ -48,10 +48,11 @@ test("polygons are triangulated", async () => {
 test("a mesh is moved, turned and scaled by a handle", async () => {
   await load("left", "Cube");
   await expectFact("left", "Volume", "8");
-  const box = await boxOf(page, sceneOf("left"));
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   const dragHandle = async (dx: number, dy: number) => {
     await stillScene(page, sceneOf("left"));
+    // The list of steps above the scene grows with each of them.
+    const box = await boxOf(page, sceneOf("left"));
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x + dx, y + dy, { steps: 8 });

@@ -1,5 +1,5 @@
 import { afterEach, expect, test } from "vitest";
-import { copiedLink, ready, run, stillScene, write } from "./support/actions";
+import { boxOf, copiedLink, ready, run, stillScene, write } from "./support/actions";
 import { Browser, takePicture, type BrowserOptions } from "./support/browser";
 import { choose, field, openSettings, setColor } from "./support/scene";
 import { Server } from "./support/server";
@@ -163,6 +163,10 @@ test.each(["dark", "light"] as const)("quiet texts can be read in the %s theme",
     page,
     "query intstream(1, 3) transformstream extend[A: 1.0 / (.Elem - .Elem), P: makePoint3D(.Elem, 0, 0)] consume",
   );
+  // Under its notes the table has room for two rows.
+  const table = await boxOf(page, '[data-testid="table"]');
+  const second = await boxOf(page, '.table-row[data-row="1"]');
+  expect(second.y + second.height).toBeLessThanOrEqual(table.y + table.height);
   const cell = page.locator(".undefined").first();
   const expectContrast = async (place: ReturnType<typeof page.locator>, name: string) =>
     expect(await place.evaluate(contrastOf), name).toBeGreaterThanOrEqual(4.5);

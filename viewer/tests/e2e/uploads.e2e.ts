@@ -48,8 +48,8 @@ afterAll(async () => {
 });
 
 beforeEach(async () => {
+  await browser.forget(server.url); // else a split screen that was just opened is kept
   page = await browser.open(server.url);
-  await page.reload();
   await ready(page);
 });
 

@@ -50,9 +50,11 @@ class TestSource implements ShapeSource {
 async function loaded(
   source: TestSource,
   budget?: number,
-): Promise<{ store: ShapeStore; events: LoadProgress[]; loader: Loader }> {
+  interval = 0,
+): Promise<{ store: ShapeStore; events: LoadProgress[]; loader: Loader; finer: number[] }> {
   const store = new ShapeStore(new SharedMaterials());
   const events: LoadProgress[] = [];
+  const finer: number[] = [];
   let end: () => void = () => undefined;
   const done = new Promise<void>((resolve) => (end = resolve));
   const loader = new Loader(
@@ -62,13 +64,16 @@ async function loaded(
         events.push(progress);
         if (progress.phase === "done" || progress.phase === "failed") end();
       },
-      changed: () => undefined,
+      changed: (_, came) => {
+        if (came === "finer") finer.push(performance.now());
+      },
     },
     budget,
+    interval,
   );
   loader.start(store.addColumn(source));
   await done;
-  return { store, events, loader };
+  return { store, events, loader, finer };
 }
 
 describe("Loader", () => {
@@ -101,6 +106,36 @@ describe("Loader", () => {
     expect(source.requests.map(({ triangles }) => triangles)).toEqual([20_000, 200_000, 0]);
     const [record] = [...store.records()];
     expect(record!.levels.map(({ shape }) => shape.shown)).toEqual([19_400, 10_000_000]);
+  });
+
+  it("makes neighbouring rows finer by one request, with few others between them", async () => {
+    const source = new TestSource(
+      Array.from({ length: 200 }, (_, row) => (row % 10 === 0 ? 8 : 1000)),
+      500,
+    );
+    const { store } = await loaded(source);
+    expect(source.requests.map(({ from, count, triangles }) => [from, count, triangles])).toEqual([
+      [0, 500, 300],
+      [1, 199, 0],
+    ]);
+    expect([...store.records()].every(({ shown, triangles }) => shown === triangles)).toBe(true);
+  });
+
+  it("does not send large rows again that are there", async () => {
+    const source = new TestSource([1000, 1000, 300_000, 1000, ...Array<number>(196).fill(8)], 500);
+    const { loader } = await loaded(source, 300_000);
+    expect(source.requests.slice(1).map(({ from, count }) => [from, count])).toEqual([
+      [0, 2],
+      [3, 1],
+    ]);
+    loader.stopAll();
+  });
+
+  it("refines the picture no more often than the interval", async () => {
+    const source = new TestSource(Array<number>(6).fill(300_000));
+    const { finer } = await loaded(source, undefined, 150);
+    expect(finer).toHaveLength(6);
+    for (let i = 1; i < finer.length; i++) expect(finer[i]! - finer[i - 1]!).toBeGreaterThan(140);
   });
 
   it("stays coarse beyond the budget, except for what is selected", async () => {

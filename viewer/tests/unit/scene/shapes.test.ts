@@ -126,6 +126,26 @@ describe("chunks of small shapes", () => {
     expect(Math.abs(positions.getZ(first - 1))).toBe(0.5);
   });
 
+  it("are not seen before they have a look, and come back as they were after all were hidden", () => {
+    const { store, column, camera } = sceneOf(shapes);
+    const mesh = drawn(store.root, "Mesh")[0]!;
+    const index = mesh.geometry.index;
+    for (const hidden of [true, false]) {
+      for (const record of column.records.values()) record.hidden = hidden;
+      store.refreshVisibility();
+      store.update(camera, null);
+      expect(mesh.parent!.visible).toBe(!hidden);
+    }
+    expect(mesh.geometry.index).toBe(index);
+    const more = shapes.map((shape) => ({ ...shape, row: shape.row + 100 }));
+    for (const record of store.addShapes(column, decodeShapes(buildGlb(more)))) {
+      expect(record.visible).toBe(true);
+      expect(record.look).toBeNull();
+    }
+    store.update(camera, null);
+    expect(drawn(store.root, "Mesh")[1]!.parent!.visible).toBe(false);
+  });
+
   it("are freed with their last shape", () => {
     const { store, column } = sceneOf(shapes);
     store.removeColumn(column);

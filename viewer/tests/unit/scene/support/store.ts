@@ -3,6 +3,7 @@
 import type { CameraState, ShapeSource, StandardView } from "../../../../src/scene/api";
 import { fitted, looking } from "../../../../src/scene/camera";
 import { Dots } from "../../../../src/scene/dots";
+import type { Look } from "../../../../src/scene/look";
 import { SharedMaterials } from "../../../../src/scene/materials";
 import { Picker } from "../../../../src/scene/picking";
 import { Projector } from "../../../../src/scene/projection";
@@ -12,6 +13,9 @@ import { kDefaultCamera } from "../../../../src/scene/state";
 import { decodeShapes } from "../../../../src/glb/shapes";
 import { buildGlb } from "./glb_builder";
 import type { TestShape } from "./glb_builder";
+
+/** What is drawn without a look of its own. */
+const kWhite: Look = { color: "#ffffff", opacity: 1, pointSize: 4, selected: false, offset: [0, 0, 0] };
 
 export const kSize = { width: 1000, height: 800 };
 
@@ -39,7 +43,7 @@ export interface TestScene {
 export function sceneOf(shapes: readonly TestShape[], view: StandardView = "top"): TestScene {
   const store = new ShapeStore(new SharedMaterials());
   const column = store.addColumn(sourceOf("r1", shapes.length));
-  store.addShapes(column, decodeShapes(buildGlb(shapes)));
+  for (const record of store.addShapes(column, decodeShapes(buildGlb(shapes)))) store.setLook(record, kWhite);
   const projector = new Projector();
   projector.size = kSize;
   const standard: CameraState = { ...looking(kDefaultCamera, view), projection: "orthographic" };
