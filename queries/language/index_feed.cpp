@@ -95,12 +95,50 @@ Result<TupleStreamPtr> selected(Relation& relation, IndexCandidates found) {
       });
 }
 
-/// The tuples of a relation that an index finds, or all of them.
-Result<TupleStreamPtr> tuples_of(Relation& relation, const std::vector<IndexChoice>& choices,
-                                 const std::vector<std::optional<IndexQuestion>>& questions, ObjectSource& objects) {
-  A3D_ASSIGN(auto found, found_by_index(relation, choices, questions, objects));
-  return found ? selected(relation, std::move(found->tuples)) : relation.scan();
-}
+/// What is to be read of a relation, and how.
+struct IndexReading {
+  RelationPtr relation;
+  std::vector<IndexChoice> choices;
+  std::vector<std::optional<IndexQuestion>> questions;
+  std::vector<bool> read;  // attributes
+};
+
+/// The tuples of a relation that an index finds, or all of them. The index is asked when the first tuple is wanted, so
+/// that it shows the same state as a scan.
+class IndexedTuples final : public TupleStream {
+ public:
+  IndexedTuples(IndexReading reading, ObjectSource& objects, const Context& context)
+      : reading_(std::move(reading)), objects_(objects), context_(context) {}
+
+  Result<TuplePtr> next() override {
+    if (++step_ % 256 == 0) A3D_TRY(context_.check_cancelled());
+    if (tuples_ == nullptr) A3D_TRY(open());
+    return tuples_->next();
+  }
+  bool has_batches() const override { return true; }
+  Result<const Batch*> next_batch(std::size_t most) override {
+    A3D_TRY(context_.check_cancelled());
+    if (tuples_ == nullptr) A3D_TRY(open());
+    if (tuples_->has_batches()) return tuples_->next_batch(most);
+    if (!found_) found_.emplace(reading_.relation->tuple_type(), reading_.read);
+    return found_->next(*tuples_, most);
+  }
+
+ private:
+  Status open() {
+    A3D_ASSIGN(auto found, found_by_index(*reading_.relation, reading_.choices, reading_.questions, objects_));
+    A3D_ASSIGN(tuples_, found ? selected(*reading_.relation, std::move(found->tuples))
+                              : reading_.relation->scan_columns(reading_.read));
+    return {};
+  }
+
+  IndexReading reading_;
+  ObjectSource& objects_;
+  const Context& context_;
+  TupleStreamPtr tuples_;
+  std::optional<BatchOfTuples> found_;
+  std::uint32_t step_ = 0;
+};
 
 std::vector<std::optional<IndexQuestion>> questions_of(const std::vector<IndexChoice>& choices, const Frame* frame,
                                                        Context& context) {
@@ -117,7 +155,8 @@ IndexFeedNode::IndexFeedNode(TypeExpr stream, std::vector<IndexChoice> choices, 
     : TypedNode(std::move(stream), std::move(place)),
       choices_(std::move(choices)),
       relation_(std::move(relation)),
-      objects_(objects) {
+      objects_(objects),
+      read_(this->type().element().attributes().size(), true) {
   std::ranges::stable_sort(choices_, {}, [](const IndexChoice& choice) { return rank(choice.use); });
   std::vector<std::string> names;
   for (const IndexChoice& choice : choices_)
@@ -125,19 +164,17 @@ IndexFeedNode::IndexFeedNode(TypeExpr stream, std::vector<IndexChoice> choices, 
   how_ = fmt::format("by the index {}", fmt::join(names, " or "));
 }
 
-// The index is asked when the first tuple is wanted, so that it shows the same state as a scan.
+std::shared_ptr<IndexFeedNode> IndexFeedNode::reading(std::vector<bool> read) const {
+  auto node = std::make_shared<IndexFeedNode>(type(), choices_, relation_, objects_, place());
+  node->read_ = std::move(read);
+  node->how_ = how_;
+  return node;
+}
+
 Result<Datum> IndexFeedNode::evaluate(const Frame* frame, Context& context) const {
   A3D_ASSIGN(const Datum relation, relation_->evaluate(frame, context));
-  auto self = std::static_pointer_cast<const IndexFeedNode>(shared_from_this());
-  return Datum{make_stream([self = std::move(self), relation = relation.relation(), &context,
-                            questions = questions_of(choices_, frame, context), tuples = TupleStreamPtr(),
-                            step = 0U]() mutable -> Result<TuplePtr> {
-    if (++step % 256 == 0) A3D_TRY(context.check_cancelled());
-    if (tuples == nullptr) {
-      A3D_ASSIGN(tuples, tuples_of(*relation, self->choices_, questions, self->objects_));
-    }
-    return tuples->next();
-  })};
+  return Datum{TupleStreamPtr(std::make_shared<IndexedTuples>(
+      IndexReading{relation.relation(), choices_, questions_of(choices_, frame, context), read_}, objects_, context))};
 }
 
 std::optional<std::uint64_t> IndexFeedNode::describe_plan(Context& context) {

@@ -28,6 +28,9 @@ class IndexFeedNode final : public TypedNode {
                 SourcePlace place);
   Result<Datum> evaluate(const Frame* frame, Context& context) const override;
 
+  /// The same, if only some attributes of the tuples are read, by their places.
+  std::shared_ptr<IndexFeedNode> reading(std::vector<bool> read) const;
+
   /// The indexes that it may read by, or, after `describe_plan`, the way in which it would have read then.
   std::string how() const override { return how_; }
   /// Finds the way in which it would read now, and the number of tuples that it would give; nothing if the index cannot
@@ -38,6 +41,7 @@ class IndexFeedNode final : public TypedNode {
   std::vector<IndexChoice> choices_;
   TypedPtr relation_;
   ObjectSource& objects_;
+  std::vector<bool> read_;
   std::string how_;
 };
 

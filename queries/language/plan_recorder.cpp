@@ -48,14 +48,35 @@ class MeasuredTuples final : public TupleStream {
     if (next && *next != nullptr) ++step_.tuples;
     return next;
   }
+  bool has_batches() const override { return stream_->has_batches(); }
+  Result<const Batch*> next_batch(std::size_t most) override {
+    const Stopwatch watch(step_);
+    auto next = stream_->next_batch(most);
+    if (next && *next != nullptr) step_.tuples += (*next)->rows.count;
+    return next;
+  }
 
  private:
   TupleStreamPtr stream_;
   PlanStep& step_;
 };
 
+class MeasuredColumns final : public ColumnFunction {
+ public:
+  MeasuredColumns(ColumnFunctionPtr function, PlanStep& step) : function_(std::move(function)), step_(step) {}
+  Result<const ValueColumn*> evaluate(const Batch& batch, SelectedRows rows) override {
+    step_.calls += rows.count;
+    const Stopwatch watch(step_);
+    return function_->evaluate(batch, rows);
+  }
+
+ private:
+  ColumnFunctionPtr function_;
+  PlanStep& step_;
+};
+
 // The streams keep the node, and with it the steps, alive only through the caller: the recorder outlives both.
-Datum measured(Datum result, PlanStep& step) {
+Datum measured_result(Datum result, PlanStep& step) {
   if (const auto* tuples = std::get_if<TupleStreamPtr>(&result.content))
     return Datum{TupleStreamPtr(std::make_shared<MeasuredTuples>(*tuples, step))};
   if (const auto* values = std::get_if<ValueStreamPtr>(&result.content))
@@ -77,7 +98,7 @@ class MeasuredNode final : public TypedNode {
     const Stopwatch watch(step_);
     auto result = node_->evaluate(frame, context);
     if (!result) return result;
-    return measured(std::move(result).value(), step_);
+    return measured_result(std::move(result).value(), step_);
   }
   bool is_always_defined() const override { return node_->is_always_defined(); }
   bool never_fails() const override { return node_->never_fails(); }
@@ -85,9 +106,15 @@ class MeasuredNode final : public TypedNode {
   NodeView view() const override { return node_->view(); }
   std::string how() const override { return node_->how(); }
   TypedPtr replaced_by(TypedPtr other, std::optional<std::uint64_t> estimate) const override {
-    step_.remark = other->how();
     step_.estimate = estimate;
+    return renewed(std::move(other));
+  }
+  TypedPtr renewed(TypedPtr other) const override {
+    step_.remark = other->how();
     return std::make_shared<MeasuredNode>(std::move(other), step_);
+  }
+  ColumnFunctionPtr measured(ColumnFunctionPtr columns) const override {
+    return std::make_shared<MeasuredColumns>(std::move(columns), step_);
   }
   TypedPtr unmeasured() const override { return node_; }
 

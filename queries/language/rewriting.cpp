@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -88,8 +89,7 @@ Status read_by_index(const BoundOperator& bound, std::vector<TypedPtr>& argument
 /// Puts another operator on the same arguments in the place of a call.
 TypedPtr with_operator(const TypedPtr& node, const StreamCallView& call, BoundOperator bound) {
   std::vector<TypedPtr> arguments(call.arguments.begin(), call.arguments.end());
-  return node->replaced_by(make_stream_call(call.op, std::move(bound), std::move(arguments), node->place()),
-                           std::nullopt);
+  return node->renewed(make_stream_call(call.op, std::move(bound), std::move(arguments), node->place()));
 }
 
 // `sortby[...] head[n]`
@@ -156,12 +156,213 @@ void pair_by_hash(BoundOperator& bound, std::vector<TypedPtr>& arguments) {
     arguments[0] = with_operator(arguments[0], *product, pairs.with_equal(*keys));
 }
 
+/// What the function of a group computes, if it is the number of the tuples or an aggregate of an attribute.
+std::optional<GroupAggregate> group_aggregate(const TypedNode& function) {
+  const auto view = view_as<FunctionView>(function);
+  const auto call = view ? view_as<StreamCallView>(view->body) : std::nullopt;
+  if (!call) return std::nullopt;
+  const TypedNode* input = call->arguments[0].get();
+  if (const auto scan = call_with<ScansRelation>(*input)) input = scan->arguments[0].get();
+  const auto group = view_as<ParameterView>(*input);
+  if (!group || group->level != 0) return std::nullopt;
+  if (std::holds_alternative<CountsElements>(call->bound.role)) return GroupAggregate();
+  const auto* aggregate = std::get_if<AggregatesAttribute>(&call->bound.role);
+  if (aggregate == nullptr) return std::nullopt;
+  return GroupAggregate{aggregate->call, aggregate->attribute};
+}
+
+std::optional<std::vector<GroupAggregate>> group_aggregates(const TypedNode& functions) {
+  const auto list = view_as<ListView>(functions);
+  if (!list) return std::nullopt;
+  std::vector<GroupAggregate> aggregates;
+  for (const TypedPtr& function : list->elements) {
+    auto aggregate = group_aggregate(*function);
+    if (!aggregate) return std::nullopt;
+    aggregates.push_back(*std::move(aggregate));
+  }
+  return aggregates;
+}
+
+/// Whether an order is of these attributes, each once, and all of them have types that stand in columns.
+bool is_order_of(std::vector<std::size_t> keys, const std::vector<SortKey>& order, const TypeExpr& tuple) {
+  std::vector<std::size_t> ordered;
+  for (const SortKey& key : order) ordered.push_back(key.attribute);
+  std::ranges::sort(keys);
+  std::ranges::sort(ordered);
+  return keys == ordered && std::ranges::all_of(keys, [&](std::size_t key) {
+           return type_in_columns(tuple.attributes()[key].type) != nullptr;
+         });
+}
+
+// `sortby[K] groupby[K; ...]` and `sort rdup`
+void group_by_hash(BoundOperator& bound, std::vector<TypedPtr>& arguments) {
+  const auto* groups = std::get_if<GroupsTuples>(&bound.role);
+  const auto* duplicates = std::get_if<RemovesDuplicates>(&bound.role);
+  if (groups == nullptr && duplicates == nullptr) return;
+  const auto sort = call_with<SortsTuples>(*arguments[0]);
+  if (!sort) return;
+  const auto& role = std::get<SortsTuples>(sort->bound.role);
+  const TypeExpr tuple = arguments[0]->type().element();
+  std::vector<std::size_t> keys(tuple.attributes().size());
+  std::iota(keys.begin(), keys.end(), std::size_t{0});
+  if (!is_order_of(groups != nullptr ? groups->keys : keys, role.order, tuple)) return;
+  if (groups == nullptr) {
+    bound = BoundOperator(duplicates->hashed(role.order));
+  } else {
+    auto aggregates = group_aggregates(*arguments[2]);
+    if (!aggregates) return;
+    bound = BoundOperator(groups->hashed(role.order, *std::move(aggregates)));
+  }
+  arguments[0] = with_operator(arguments[0], *sort, role.left_out());
+}
+
+using ReadAttributes = std::vector<bool>;  // by attribute of a tuple
+
+/// Finds the attributes of its parameter that the function of a tuple reads.
+class AttributeSearch {
+ public:
+  /// `read` is of the tuple.
+  explicit AttributeSearch(ReadAttributes& read) : read_(read) {}
+
+  void search(const TypedNode& node) {
+    std::visit([&](const auto& view) { visit(view); }, node.view());
+  }
+
+ private:
+  void visit(const ConstantView& /*constant*/) {}
+  void visit(const ObjectView& /*object*/) {}
+  void visit(const ParameterView& parameter) {
+    if (parameter.level == depth_) read_.assign(read_.size(), true);
+  }
+  void visit(const AttributeView& use) {
+    const auto tuple = view_as<ParameterView>(use.tuple);
+    if (!tuple) return search(use.tuple);
+    if (tuple->level == depth_ && tuple->index == 0) read_[use.index] = true;
+  }
+  void visit(const ConversionView& conversion) { search(conversion.argument); }
+  void visit(const ValueCallView& call) { search_all(call.arguments); }
+  void visit(const StreamCallView& call) { search_all(call.arguments); }
+  void visit(const ListView& list) { search_all(list.elements); }
+  void visit(const FunctionView& function) {
+    ++depth_;
+    search(function.body);
+    --depth_;
+  }
+  // What cannot be seen may read all.
+  void visit(const std::monostate& /*unknown*/) { read_.assign(read_.size(), true); }
+  void search_all(std::span<const TypedPtr> nodes) {
+    for (const TypedPtr& node : nodes) search(*node);
+  }
+
+  ReadAttributes& read_;
+  std::size_t depth_ = 0;
+};
+
+/// Adds the attributes that a function of a tuple reads.
+void add_attributes_of(const TypedNode& function, ReadAttributes& read) {
+  if (const auto view = view_as<FunctionView>(function))
+    AttributeSearch(read).search(view->body);
+  else
+    read.assign(read.size(), true);
+}
+
+std::size_t attribute_count(const TypedNode& stream) {
+  return stream.type().element().attributes().size();
+}
+
+/// The attributes of the old tuples that new ones are made of, if those in `read` are read of these: all functions are
+/// called.
+ReadAttributes attributes_for(const MakesTuples& making, const ReadAttributes& read,
+                              std::span<const TypedPtr> arguments) {
+  ReadAttributes of_input(attribute_count(*arguments[0]));
+  for (std::size_t index = 0; index < read.size(); ++index)
+    if (const AttributeSource& source = making.sources[index]; read[index] && !source.is_made)
+      of_input[source.index] = true;
+  for (const TypedPtr& argument : arguments.subspan(1))
+    if (const auto list = view_as<ListView>(*argument))
+      for (const TypedPtr& function : list->elements) add_attributes_of(*function, of_input);
+  return of_input;
+}
+
+/// The attributes that the input of an operator on a stream needs to have, if those in `read` are read of its result;
+/// nothing if that is not known.
+std::optional<ReadAttributes> attributes_for(const StreamCallView& call, ReadAttributes read) {
+  const OperatorRole& role = call.bound.role;
+  if (const auto* making = std::get_if<MakesTuples>(&role)) return attributes_for(*making, read, call.arguments);
+  if (std::holds_alternative<TakesFirst>(role)) return read;
+  if (std::holds_alternative<SelectsElements>(role)) {
+    add_attributes_of(*call.arguments[1], read);
+    return read;
+  }
+  if (const auto* sort = std::get_if<SortsTuples>(&role)) {
+    for (const SortKey& key : sort->order) read[key.attribute] = true;
+    return read;
+  }
+  return std::nullopt;
+}
+
+/// The same tuples, of which only some attributes are read: as far down as operators are known, to the scan.
+TypedPtr reading(const TypedPtr& node, const ReadAttributes& read) {
+  if (const auto* index_feed = dynamic_cast<const IndexFeedNode*>(node->unmeasured().get()))
+    return node->renewed(index_feed->reading(read));
+  const auto call = view_as<StreamCallView>(*node);
+  if (!call) return node;
+  if (const auto* scan = std::get_if<ScansRelation>(&call->bound.role))
+    return with_operator(node, *call, scan->of_attributes(read));
+  if (!node->type().is_tuple_stream()) return node;
+  const auto of_input = attributes_for(*call, read);
+  if (!of_input) return node;
+  std::vector<TypedPtr> arguments(call->arguments.begin(), call->arguments.end());
+  arguments[0] = reading(arguments[0], *of_input);
+  return node->renewed(make_stream_call(call->op, call->bound, std::move(arguments), node->place()));
+}
+
+void read_needed_attributes(BoundOperator& bound, std::vector<TypedPtr>& arguments) {
+  if (const auto* scan = std::get_if<ScansRelation>(&bound.role)) {
+    const std::size_t count = bound.type.element().attributes().size();
+    bound = BoundOperator(scan->of_attributes(ReadAttributes(count, true)));
+    return;
+  }
+  if (arguments.empty() || !arguments[0]->type().is_tuple_stream()) return;
+  ReadAttributes read(attribute_count(*arguments[0]));
+  if (const auto* uses = std::get_if<UsesAttributes>(&bound.role))
+    for (const std::size_t index : uses->indices) read[index] = true;
+  else if (const auto* aggregate = std::get_if<AggregatesAttribute>(&bound.role))
+    read[aggregate->attribute] = true;
+  else if (const auto* making = std::get_if<MakesTuples>(&bound.role))
+    read = attributes_for(*making, ReadAttributes(making->sources.size(), true), arguments);
+  else if (!std::holds_alternative<CountsElements>(bound.role))
+    return;
+  arguments[0] = reading(arguments[0], read);
+}
+
+// `R feed count`: the relation knows the number.
+void count_without_reading(BoundOperator& bound, std::vector<TypedPtr>& arguments) {
+  if (!std::holds_alternative<CountsElements>(bound.role)) return;
+  TypedPtr input = arguments[0];
+  while (const auto call = call_with<MakesTuples>(*input)) {
+    if (call->arguments.size() > 1 && std::ranges::any_of(call->arguments, [](const TypedPtr& each) {
+          const auto list = view_as<ListView>(*each);
+          return list && !list->elements.empty();
+        }))
+      return;
+    input = call->arguments[0];
+  }
+  const auto scan = call_with<ScansRelation>(*input);
+  if (!scan) return;
+  arguments[0] = scan->arguments[0];
+  bound.how = "the number that the relation keeps";
+}
+
 }  // namespace
 
 Status rewrite(BoundOperator& bound, std::vector<TypedPtr>& arguments, const RewriteContext& rewriting) {
   A3D_TRY(read_by_index(bound, arguments, rewriting));
   keep_first(bound, arguments);
   pair_by_hash(bound, arguments);
+  group_by_hash(bound, arguments);
+  count_without_reading(bound, arguments);
+  read_needed_attributes(bound, arguments);
   return {};
 }
 

@@ -13,6 +13,7 @@
 #include "algebra3d/operators/registry/operator.h"
 #include "algebra3d/values/types/scalars.h"
 #include "base/propagate.h"
+#include "queries/language/column_expression.h"
 #include "queries/streams/value_operators.h"
 
 namespace queries {
@@ -253,6 +254,7 @@ class ListNode final : public TypedNode {
     A3D_ASSIGN(std::vector<Datum> values, evaluate_all(elements_, frame, context));
     return Datum{DatumList(std::move(values))};
   }
+  NodeView view() const override { return ListView{elements_}; }
 
  private:
   std::vector<TypedPtr> elements_;
@@ -314,6 +316,9 @@ class Closure final : public Function {
     const Frame frame = frame_of(arguments);
     return node_->body().evaluate_value(&frame, context_);
   }
+  std::shared_ptr<ColumnFunction> in_columns() const override {
+    return column_function(node_->body(), frame_of({}).outer, context_);
+  }
   NestedList to_nested() const override { return node_->written(); }
 
  private:
@@ -366,7 +371,7 @@ class ConversionNode final : public ValueNode {
   }
   bool is_always_defined() const override { return argument_->is_always_defined(); }
   bool never_fails() const override { return argument_->never_fails(); }
-  NodeView view() const override { return ConversionView{*argument_}; }
+  NodeView view() const override { return ConversionView{*argument_, to_}; }
 
  private:
   TypedPtr argument_;

@@ -47,6 +47,7 @@ struct AttributeView {
 };
 struct ConversionView {
   const TypedNode& argument;
+  const algebra3d::Type& to;
 };
 struct ValueCallView {
   const algebra3d::ResolvedCall& call;
@@ -60,9 +61,12 @@ struct StreamCallView {
 struct FunctionView {
   const TypedNode& body;
 };
+struct ListView {
+  std::span<const TypedPtr> elements;
+};
 /// monostate: none of these.
 using NodeView = std::variant<std::monostate, ConstantView, ObjectView, ParameterView, AttributeView, ConversionView,
-                              ValueCallView, StreamCallView, FunctionView>;
+                              ValueCallView, StreamCallView, FunctionView, ListView>;
 
 /// A checked expression: it has a type and evaluates without type errors. Immutable; shared by its closures. The nodes
 /// of stream operators are the logical plan of a query, which rewriting.h changes.
@@ -96,6 +100,10 @@ class TypedNode : public std::enable_shared_from_this<TypedNode> {
     static_cast<void>(estimate);
     return other;
   }
+  /// As `replaced_by`, for a node that gives as many tuples as this one.
+  virtual TypedPtr renewed(TypedPtr other) const { return other; }
+  /// The node in columns, counted and timed as this node is if it is.
+  virtual std::shared_ptr<ColumnFunction> measured(std::shared_ptr<ColumnFunction> columns) const { return columns; }
   /// The same node, neither counted nor timed.
   virtual TypedPtr unmeasured() const { return shared_from_this(); }
 

@@ -5,6 +5,7 @@
 #include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/changed_tuples.h"
+#include "queries/streams/detail/column_streams.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
 
@@ -22,12 +23,19 @@ Result<BoundOperator> map_attr(std::span<const ArgumentType> arguments) {
                        ReadsAttribute{index}};
 }
 
+AttributeSources sources_of(const std::vector<std::size_t>& indices) {
+  AttributeSources sources;
+  for (const std::size_t index : indices) sources.push_back({false, index});
+  return sources;
+}
+
 BoundOperator projection(const TypeExpr& tuple, const std::vector<std::size_t>& indices) {
-  return {TypeExpr::stream(projected(tuple, indices)), [indices](std::vector<Datum> given, Context&) -> Result<Datum> {
-            return changed_tuples(given[0].tuples(), [indices](const TuplePtr& from, std::vector<Value>& to) {
-              return append_attributes(*from, indices, to);
-            });
-          }};
+  const AttributeSources sources = sources_of(indices);
+  return {TypeExpr::stream(projected(tuple, indices)),
+          [sources](std::vector<Datum> given, Context&) -> Result<Datum> {
+            return Datum{made_tuples(given[0].tuples(), sources, {})};
+          },
+          MakesTuples{sources}};
 }
 
 Result<BoundOperator> map_project(std::span<const ArgumentType> arguments) {
@@ -49,8 +57,10 @@ Result<BoundOperator> map_remove(std::span<const ArgumentType> arguments) {
 }
 
 BoundOperator same_tuples(std::vector<TypeExpr::Attribute> attributes) {
+  AttributeSources sources;
+  for (std::size_t index = 0; index < attributes.size(); ++index) sources.push_back({false, index});
   return {TypeExpr::stream(TypeExpr::tuple(std::move(attributes))),
-          [](std::vector<Datum> given, Context&) -> Result<Datum> { return given[0]; }};
+          [](std::vector<Datum> given, Context&) -> Result<Datum> { return given[0]; }, MakesTuples{std::move(sources)}};
 }
 
 Result<BoundOperator> map_rename(std::span<const ArgumentType> arguments) {

@@ -39,7 +39,11 @@ struct StageCount {
   std::uint64_t count = 0;
 };
 
-/// A stream of tuples that the consumer pulls one by one. Used by one thread; ends with the first null.
+struct Batch;  // batch.h
+class ColumnFunction;
+
+/// A stream of tuples that the consumer pulls one by one or, if the stream has them, in batches. Used by one thread;
+/// ends with the first null.
 class TupleStream {
  public:
   virtual ~TupleStream() = default;
@@ -48,6 +52,11 @@ class TupleStream {
   TupleStream& operator=(const TupleStream&) = delete;
   /// The next tuple, or null at the end.
   virtual Result<TuplePtr> next() = 0;
+  /// Whether it makes columns without making tuples first. Then a consumer may call `next_batch`, and never `next`.
+  virtual bool has_batches() const { return false; }
+  /// The next tuples, one at least and `most` at most, or null at the end; valid until the next call. The consumer
+  /// wants them all: for as many tuples as it might leave, it asks later.
+  virtual Result<const Batch*> next_batch(std::size_t most);
   /// The numbers of its stages, such as the pairs that a join has examined; by default none.
   virtual std::vector<StageCount> stages() const { return {}; }
 };
@@ -109,6 +118,8 @@ class Function {
     if (!result) return std::move(result).error();
     return std::get<Value>(std::move(result->content));
   }
+  /// The function in columns, of one tuple; null if it is not made for them. Valid as long as the function.
+  virtual std::shared_ptr<ColumnFunction> in_columns() const { return nullptr; }
   /// The nested-list form `(fun (p T) ... body)`, from which the function can be made again.
   virtual algebra3d::NestedList to_nested() const = 0;
 };

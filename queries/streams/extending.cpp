@@ -6,23 +6,29 @@
 #include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/changed_tuples.h"
+#include "queries/streams/detail/column_streams.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
 namespace {
 
+/// Makes tuples by the functions at `place`. Those that no source names make the last attributes.
+BoundOperator making(const TypeExpr& result, AttributeSources sources, std::size_t place) {
+  for (std::size_t made = 0; sources.size() < result.attributes().size(); ++made) sources.push_back({true, made});
+  return {TypeExpr::stream(result),
+          [sources, place](std::vector<Datum> given, Context&) -> Result<Datum> {
+            return Datum{made_tuples(given[0].tuples(), sources, given[place].list())};
+          },
+          MakesTuples{sources}};
+}
+
 Result<BoundOperator> map_extend(std::span<const ArgumentType> arguments) {
   const MappingCheck check("extend", arguments);
   A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
   A3D_ASSIGN(const TypeExpr result, check.extended(tuple, 1, tuple));
-  return BoundOperator{TypeExpr::stream(result), [](std::vector<Datum> given, Context&) -> Result<Datum> {
-                         return changed_tuples(
-                             given[0].tuples(),
-                             [functions = given[1].list()](const TuplePtr& from, std::vector<Value>& to) -> Status {
-                               to = extended_attributes(*from, functions.size());
-                               return append_results(functions, Datum{from}, to);
-                             });
-                       }};
+  AttributeSources sources;
+  for (std::size_t index = 0; index < tuple.attributes().size(); ++index) sources.push_back({false, index});
+  return making(result, std::move(sources), 1);
 }
 
 Result<BoundOperator> map_projectextend(std::span<const ArgumentType> arguments) {
@@ -30,15 +36,9 @@ Result<BoundOperator> map_projectextend(std::span<const ArgumentType> arguments)
   A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
   A3D_ASSIGN(const auto indices, check.distinct_or_no_attributes(1, tuple));
   A3D_ASSIGN(const TypeExpr result, check.extended(projected(tuple, indices), 2, tuple));
-  return BoundOperator{TypeExpr::stream(result), [indices](std::vector<Datum> given, Context&) -> Result<Datum> {
-                         return changed_tuples(given[0].tuples(),
-                                               [indices, functions = given[2].list()](
-                                                   const TuplePtr& from, std::vector<Value>& to) -> Status {
-                                                 to.reserve(indices.size() + functions.size());
-                                                 A3D_TRY(append_attributes(*from, indices, to));
-                                                 return append_results(functions, Datum{from}, to);
-                                               });
-                       }};
+  AttributeSources sources;
+  for (const std::size_t index : indices) sources.push_back({false, index});
+  return making(result, std::move(sources), 2);
 }
 
 Result<BoundOperator> map_replace(std::span<const ArgumentType> arguments) {
@@ -48,19 +48,10 @@ Result<BoundOperator> map_replace(std::span<const ArgumentType> arguments) {
   A3D_ASSIGN(const TypeExpr made, check.extended(TypeExpr::tuple({}), 1, tuple));
   std::vector<TypeExpr::Attribute> attributes = tuple.attributes();
   for (std::size_t i = 0; i < replaced.size(); ++i) attributes[replaced[i]].type = made.attributes()[i].type;
-  return BoundOperator{TypeExpr::stream(TypeExpr::tuple(std::move(attributes))),
-                       [replaced](std::vector<Datum> given, Context&) -> Result<Datum> {
-                         return changed_tuples(given[0].tuples(),
-                                               [replaced, functions = given[1].list()](
-                                                   const TuplePtr& from, std::vector<Value>& to) -> Status {
-                                                 to = from->attributes;
-                                                 std::vector<Value> values;
-                                                 A3D_TRY(append_results(functions, Datum{from}, values));
-                                                 for (std::size_t i = 0; i < replaced.size(); ++i)
-                                                   to[replaced[i]] = std::move(values[i]);
-                                                 return {};
-                                               });
-                       }};
+  AttributeSources sources;
+  for (std::size_t index = 0; index < attributes.size(); ++index) sources.push_back({false, index});
+  for (std::size_t i = 0; i < replaced.size(); ++i) sources[replaced[i]] = {true, i};
+  return making(TypeExpr::tuple(std::move(attributes)), std::move(sources), 1);
 }
 
 /// Counts to the largest int; later numbers are undefined.

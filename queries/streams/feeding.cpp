@@ -1,5 +1,8 @@
 // feed, consume, count: between relations and streams.
+#include <cstdint>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "algebra3d/values/types/scalars.h"
 #include "base/propagate.h"
@@ -12,12 +15,51 @@
 namespace queries {
 namespace {
 
-// The one place where long scans notice that the statement was interrupted.
+/// A stream that notices that the statement was interrupted: the one place where long scans do.
+class InterruptibleTuples final : public TupleStream {
+ public:
+  InterruptibleTuples(TupleStreamPtr tuples, const Context& context) : tuples_(std::move(tuples)), context_(context) {}
+  Result<TuplePtr> next() override {
+    if (++step_ % 256 == 0) A3D_TRY(context_.check_cancelled());
+    return tuples_->next();
+  }
+  bool has_batches() const override { return tuples_->has_batches(); }
+  Result<const Batch*> next_batch(std::size_t most) override {
+    A3D_TRY(context_.check_cancelled());
+    return tuples_->next_batch(most);
+  }
+
+ private:
+  TupleStreamPtr tuples_;
+  const Context& context_;
+  std::uint32_t step_ = 0;
+};
+
 TupleStreamPtr interruptible(TupleStreamPtr tuples, const Context& context) {
-  return make_stream([tuples = std::move(tuples), &context, step = 0U]() mutable -> Result<TuplePtr> {
-    if (++step % 256 == 0) A3D_TRY(context.check_cancelled());
-    return tuples->next();
-  });
+  return std::make_shared<InterruptibleTuples>(std::move(tuples), context);
+}
+
+/// "reads K, X"; empty for all attributes.
+std::string read_text(const TypeExpr& tuple, const std::vector<bool>& read) {
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t attribute = 0; attribute < read.size(); ++attribute) {
+    if (!read[attribute]) continue;
+    ++count;
+    names += (names.empty() ? "" : ", ") + tuple.attributes()[attribute].name;
+  }
+  if (count == read.size()) return {};
+  return count == 0 ? "reads no attribute" : "reads " + names;
+}
+
+BoundOperator scan_of_attributes(const TypeExpr& tuple, const std::vector<bool>& read) {
+  return {TypeExpr::stream(tuple),
+          [read](std::vector<Datum> given, Context& context) -> Result<Datum> {
+            A3D_ASSIGN(TupleStreamPtr tuples, given[0].relation()->scan_columns(read));
+            return Datum{interruptible(std::move(tuples), context)};
+          },
+          ScansRelation{[tuple](const std::vector<bool>& wanted) { return scan_of_attributes(tuple, wanted); }},
+          read_text(tuple, read)};
 }
 
 Result<BoundOperator> map_feed(std::span<const ArgumentType> arguments) {
@@ -28,7 +70,9 @@ Result<BoundOperator> map_feed(std::span<const ArgumentType> arguments) {
                            A3D_ASSIGN(TupleStreamPtr tuples, given[0].relation()->scan());
                            return Datum{interruptible(std::move(tuples), context)};
                          },
-                         ScansRelation{}};
+                         ScansRelation{[tuple = check[0].type.element()](const std::vector<bool>& read) {
+                           return scan_of_attributes(tuple, read);
+                         }}};
   if (check[0].type.is_nested_relation())
     return BoundOperator{TypeExpr::stream(check[0].type.element()),
                          [](std::vector<Datum> given, Context& context) -> Result<Datum> {
@@ -73,7 +117,12 @@ Result<Datum> count_values(ValueStream& values, Context& context) {
 
 Result<Datum> count_tuples(TupleStream& tuples, Context& context) {
   std::int64_t count = 0;
-  A3D_TRY(for_each_tuple(tuples, context, [&](const TuplePtr&) -> Status { return ++count, Status(); }));
+  if (tuples.has_batches())
+    A3D_TRY(for_each_batch(tuples, context, [&](const Batch& batch) -> Status {
+      return count += static_cast<std::int64_t>(batch.rows.count), Status();
+    }));
+  else
+    A3D_TRY(for_each_tuple(tuples, context, [&](const TuplePtr&) -> Status { return ++count, Status(); }));
   return counted(count);
 }
 
@@ -101,7 +150,8 @@ Result<BoundOperator> map_count(std::span<const ArgumentType> arguments) {
                          if (const auto* collection = std::get_if<Value>(&given[0].content))
                            return counted(static_cast<std::int64_t>(collection->get<Collection>().elements.size()));
                          return count_tuples(*given[0].tuples(), context);
-                       }};
+                       },
+                       CountsElements{}};
 }
 
 }  // namespace

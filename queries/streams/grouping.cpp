@@ -2,6 +2,7 @@
 #include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/adjacent_groups.h"
+#include "queries/streams/detail/hash_groups.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
 
@@ -12,13 +13,28 @@ RelationPtr group_relation(const TypeExpr& tuple, TupleBuffer tuples) {
   return std::make_shared<MemoryRelation>(tuple, std::move(tuples));
 }
 
+/// `sortby groupby` in one.
+BoundOperator hashed_grouping(const TypeExpr& tuple, const TypeExpr& result, HashGrouping grouping) {
+  UsesAttributes uses{grouping.keys};
+  for (const GroupAggregate& each : grouping.aggregates)
+    if (each.call) uses.indices.push_back(each.attribute);
+  return {TypeExpr::stream(result),
+          [tuple, grouping = std::move(grouping)](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
+            A3D_ASSIGN(TupleStreamPtr stream,
+                       hashed_groups(*given[0].tuples(), tuple, grouping, given[2].list(), context));
+            return Datum{std::move(stream)};
+          },
+          std::move(uses), "by a hash table"};
+}
+
 Result<BoundOperator> map_groupby(std::span<const ArgumentType> arguments) {
   const MappingCheck check("groupby", arguments);
   A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
   A3D_ASSIGN(const auto keys, check.distinct_or_no_attributes(1, tuple));
   A3D_ASSIGN(const TypeExpr result, check.extended(projected(tuple, keys), 2, TypeExpr::rel(tuple)));
   return BoundOperator{
-      TypeExpr::stream(result), [tuple, keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
+      TypeExpr::stream(result),
+      [tuple, keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return Datum{make_stream([groups = AdjacentGroups(given[0].tuples(), keys), functions = given[2].list(), tuple,
                                   &context]() mutable -> Result<TuplePtr> {
           A3D_ASSIGN(auto group, groups.next(context));
@@ -27,7 +43,10 @@ Result<BoundOperator> map_groupby(std::span<const ArgumentType> arguments) {
           A3D_TRY(append_results(functions, Datum{group_relation(tuple, std::move(group->tuples))}, row.attributes));
           return TuplePtr(std::make_shared<const Tuple>(std::move(row)));
         })};
-      }};
+      },
+      GroupsTuples{keys, [tuple, keys, result](std::vector<SortKey> order, std::vector<GroupAggregate> aggregates) {
+                     return hashed_grouping(tuple, result, {keys, std::move(order), std::move(aggregates)});
+                   }}};
 }
 
 }  // namespace

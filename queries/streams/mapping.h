@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/propagate.h"
+#include "queries/streams/batch.h"
 #include "queries/streams/stream_operator.h"
 
 namespace queries {
@@ -105,9 +106,24 @@ ValueStreamPtr make_value_stream(Next next) {
 
 /// A stream of the tuples of a stream or relation operand.
 Result<TupleStreamPtr> tuples_of(const Datum& operand);
+/// Calls `visit(batch)` for each batch of a stream that has them until the end or an error. Interruptible.
+template <typename Visit>
+Status for_each_batch(TupleStream& stream, const Context& context, Visit visit) {
+  while (true) {
+    A3D_TRY(context.check_cancelled());
+    A3D_ASSIGN(const Batch* const batch, stream.next_batch(kBatchTuples));
+    if (batch == nullptr) return {};
+    A3D_TRY(visit(*batch));
+  }
+}
 /// Calls `visit(tuple)` for each tuple until the end or an error. Interruptible.
 template <typename Visit>
 Status for_each_tuple(TupleStream& stream, const Context& context, Visit visit) {
+  if (stream.has_batches())
+    return for_each_batch(stream, context, [&](const Batch& batch) -> Status {
+      for (std::size_t i = 0; i < batch.rows.count; ++i) A3D_TRY(visit(tuple_of(batch, batch.rows[i])));
+      return {};
+    });
   for (std::uint32_t step = 1;; ++step) {
     A3D_ASSIGN(const TuplePtr tuple, stream.next());
     if (tuple == nullptr) return {};

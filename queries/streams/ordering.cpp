@@ -7,6 +7,7 @@
 #include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/any_stream.h"
+#include "queries/streams/detail/hash_groups.h"
 #include "queries/streams/detail/hash_table.h"
 #include "queries/streams/detail/sorting.h"
 #include "queries/streams/tuple_buffer.h"
@@ -24,13 +25,21 @@ BoundOperator sorting_of_first(const TypeExpr& tuple, const std::vector<SortKey>
           "keeps the first " + std::to_string(count)};
 }
 
+BoundOperator without_sorting(const TypeExpr& tuple) {
+  AttributeSources sources;
+  for (std::size_t index = 0; index < tuple.attributes().size(); ++index) sources.push_back({false, index});
+  return {TypeExpr::stream(tuple), [](std::vector<Datum> given, Context&) -> Result<Datum> { return given[0]; },
+          MakesTuples{std::move(sources)}, "left out: the groups are put in order"};
+}
+
 BoundOperator sorting(const TypeExpr& tuple, const std::vector<SortKey>& order) {
   return {TypeExpr::stream(tuple),
           [order](std::vector<Datum> given, Context& context) -> Result<Datum> {
             A3D_ASSIGN(TupleStreamPtr stream, sorted(*given[0].tuples(), order, context));
             return Datum{std::move(stream)};
           },
-          SortsTuples{[tuple, order](std::size_t count) { return sorting_of_first(tuple, order, count); }}};
+          SortsTuples{order, [tuple] { return without_sorting(tuple); },
+                      [tuple, order](std::size_t count) { return sorting_of_first(tuple, order, count); }}};
 }
 
 Result<BoundOperator> map_sortby(std::span<const ArgumentType> arguments) {
@@ -76,14 +85,28 @@ class DiffersFromLast {
   std::optional<std::vector<Value>> last_;
 };
 
+/// `sort rdup` in one.
+BoundOperator distinct_tuples(const TypeExpr& tuple, std::vector<SortKey> order) {
+  HashGrouping grouping{all_attributes(tuple), std::move(order), {}, true};
+  return {TypeExpr::stream(tuple),
+          [tuple, grouping = std::move(grouping)](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
+            A3D_ASSIGN(TupleStreamPtr stream, hashed_groups(*given[0].tuples(), tuple, grouping, {}, context));
+            return Datum{std::move(stream)};
+          },
+          UsesAttributes{all_attributes(tuple)}, "by a hash table"};
+}
+
 Result<BoundOperator> map_rdup(std::span<const ArgumentType> arguments) {
   A3D_ASSIGN(const TypeExpr element, MappingCheck("rdup", arguments).any_stream(0));
-  return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                         return visit_stream(given[0], [&](const auto& stream) {
-                           const auto keys_of = [](const auto& next) { return loaded_values(next); };
-                           return Result<Datum>(without_duplicates(stream, keys_of, DiffersFromLast(), context));
-                         });
-                       }};
+  return BoundOperator{
+      TypeExpr::stream(element),
+      [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        return visit_stream(given[0], [&](const auto& stream) {
+          const auto keys_of = [](const auto& next) { return loaded_values(next); };
+          return Result<Datum>(without_duplicates(stream, keys_of, DiffersFromLast(), context));
+        });
+      },
+      RemovesDuplicates{[element](std::vector<SortKey> order) { return distinct_tuples(element, std::move(order)); }}};
 }
 
 Result<BoundOperator> map_krdup(std::span<const ArgumentType> arguments) {

@@ -7,34 +7,40 @@
 #include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/any_stream.h"
+#include "queries/streams/detail/column_streams.h"
 #include "queries/streams/detail/element_buffer.h"
 #include "queries/streams/detail/kept_elements.h"
 
 namespace queries {
 namespace {
 
+ValueStreamPtr selected_values(ValueStreamPtr values, std::shared_ptr<const Function> predicate,
+                               const Context& context) {
+  return make_value_stream([values = std::move(values), predicate = std::move(predicate), &context,
+                            step = 0U]() mutable -> Result<std::optional<Value>> {
+    while (true) {
+      A3D_ASSIGN(std::optional<Value> next, values->next());
+      if (!next) return next;
+      const Datum argument{*next};
+      A3D_ASSIGN(const Value holds, predicate->call_for_value({&argument, 1}));
+      if (is_true(holds)) return next;
+      if (++step % 1024 == 0) A3D_TRY(context.check_cancelled());
+    }
+  });
+}
+
 Result<BoundOperator> map_filter(std::span<const ArgumentType> arguments) {
   const MappingCheck check("filter", arguments);
   A3D_ASSIGN(const TypeExpr element, check.any_stream(0));
   A3D_TRY(check.function(1, {element}, "bool"));
-  return BoundOperator{
-      TypeExpr::stream(element),
-      [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& stream) {
-          return Result<Datum>(Datum{make_stream_of<Stream>([stream, predicate = given[1].function_ptr(), &context,
-                                                             step = 0U]() mutable -> Result<ElementOf<Stream>> {
-            while (true) {
-              A3D_ASSIGN(ElementOf<Stream> next, stream->next());
-              if (!next) return next;
-              const Datum argument = element_datum(next);
-              A3D_ASSIGN(const Value holds, predicate->call_for_value({&argument, 1}));
-              if (is_true(holds)) return next;
-              if (++step % 1024 == 0) A3D_TRY(context.check_cancelled());
-            }
-          })});
-        });
-      },
-      SelectsElements{}};
+  return BoundOperator{TypeExpr::stream(element),
+                       [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         const auto& predicate = given[1].function_ptr();
+                         if (const auto* values = std::get_if<ValueStreamPtr>(&given[0].content))
+                           return Datum{selected_values(*values, predicate, context)};
+                         return Datum{selected_tuples(given[0].tuples(), predicate, context)};
+                       },
+                       SelectsElements{}};
 }
 
 // A number of elements: none for an undefined or negative one.
@@ -47,18 +53,19 @@ Result<BoundOperator> map_head(std::span<const ArgumentType> arguments) {
   const MappingCheck check("head", arguments);
   A3D_ASSIGN(const TypeExpr element, check.any_stream(0));
   A3D_TRY(check.type(1, "int"));
-  return BoundOperator{TypeExpr::stream(element),
-                       [](std::vector<Datum> given, Context&) -> Result<Datum> {
-                         return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& stream) {
-                           return Result<Datum>(Datum{make_stream_of<Stream>(
-                               [stream, left = element_count(given[1])]() mutable -> Result<ElementOf<Stream>> {
-                                 if (left == 0) return ElementOf<Stream>();
-                                 --left;
-                                 return stream->next();
-                               })});
-                         });
-                       },
-                       TakesFirst{}};
+  return BoundOperator{
+      TypeExpr::stream(element),
+      [](std::vector<Datum> given, Context&) -> Result<Datum> {
+        const std::size_t count = element_count(given[1]);
+        if (const auto* values = std::get_if<ValueStreamPtr>(&given[0].content))
+          return Datum{make_value_stream([values = *values, left = count]() mutable -> Result<std::optional<Value>> {
+            if (left == 0) return std::optional<Value>();
+            --left;
+            return values->next();
+          })};
+        return Datum{first_tuples(given[0].tuples(), count)};
+      },
+      TakesFirst{}};
 }
 
 // Two buffers: when the newer one holds as many as are wanted, the older one goes.

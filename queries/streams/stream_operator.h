@@ -33,6 +33,11 @@ struct ArgumentType {
 
 struct BoundOperator;
 
+struct SortKey {
+  std::size_t attribute = 0;
+  bool is_descending = false;
+};
+
 /// Two attributes that an equi-join compares.
 struct JoinKeys {
   std::size_t left = 0;
@@ -47,15 +52,58 @@ struct ReadsAttribute {
   std::size_t index = 0;
 };
 /// All tuples of the relation at place 0.
-struct ScansRelation {};
+struct ScansRelation {
+  /// Reads only some attributes, by their places: the others are undefined.
+  std::function<BoundOperator(std::vector<bool> read)> of_attributes;
+};
 /// The elements of the stream at place 0 for which the function at place 1 gives TRUE.
 struct SelectsElements {};
 /// The first elements of the stream at place 0, as many as the int at place 1 says.
 struct TakesFirst {};
+/// The number of elements of the stream or relation at place 0.
+struct CountsElements {};
+/// The aggregate of an attribute of the stream at place 0.
+struct AggregatesAttribute {
+  algebra3d::ResolvedCall call;
+  std::size_t attribute = 0;
+};
+/// What is made of the stream at place 0, of which only these attributes count.
+struct UsesAttributes {
+  std::vector<std::size_t> indices;
+};
+/// Where an attribute of a new tuple comes from.
+struct AttributeSource {
+  bool is_made = false;   ///< by a function; else it is one of the old tuple
+  std::size_t index = 0;  ///< of the attribute or, in their list, of the function
+};
+using AttributeSources = std::vector<AttributeSource>;
+/// A tuple with other attributes or names for each tuple of the stream at place 0.
+struct MakesTuples {
+  AttributeSources sources;
+};
 /// The tuples of the stream at place 0, sorted.
 struct SortsTuples {
+  std::vector<SortKey> order;
+  /// Gives them as they come, since the operator above does without their order.
+  std::function<BoundOperator()> left_out;
   /// Gives only the first tuples, this many.
   std::function<BoundOperator(std::size_t count)> of_first;
+};
+/// What an aggregate makes of a group of tuples; without a call the number of tuples.
+struct GroupAggregate {
+  std::optional<algebra3d::ResolvedCall> call;
+  std::size_t attribute = 0;
+};
+/// What the functions at place 2 make of runs of tuples with equal keys in the stream at place 0.
+struct GroupsTuples {
+  std::vector<std::size_t> keys;
+  /// Takes tuples in any order, and gives the groups in this one, which is of the keys.
+  std::function<BoundOperator(std::vector<SortKey> order, std::vector<GroupAggregate> aggregates)> hashed;
+};
+/// The tuples of the stream at place 0 without those that equal their predecessor.
+struct RemovesDuplicates {
+  /// Takes tuples in any order, and gives the different ones in this one, which is of all attributes.
+  std::function<BoundOperator(std::vector<SortKey> order)> hashed;
 };
 /// Pairs of tuples of the streams at places 0 and 1, the first one varying slowest.
 struct PairsTuples {
@@ -64,8 +112,9 @@ struct PairsTuples {
   /// Leaves out pairs, all or some, whose keys differ or are undefined. The keys are of one type.
   std::function<BoundOperator(JoinKeys keys)> with_equal;
 };
-using OperatorRole =
-    std::variant<std::monostate, ReadsAttribute, ScansRelation, SelectsElements, TakesFirst, SortsTuples, PairsTuples>;
+using OperatorRole = std::variant<std::monostate, ReadsAttribute, ScansRelation, SelectsElements, TakesFirst,
+                                  CountsElements, AggregatesAttribute, UsesAttributes, MakesTuples, SortsTuples,
+                                  GroupsTuples, RemovesDuplicates, PairsTuples>;
 
 /// An operator bound to the types of its arguments: the type of the result, and the function that computes it.
 /// `arguments` holds per place: the evaluated expression (operands, `_`), a Function (`fun`), a list of Functions

@@ -33,9 +33,14 @@ std::string parameter_types(const Operator& op) {
 Result<Datum> aggregated(const ResolvedCall& call, const TupleStreamPtr& tuples, std::size_t attribute,
                          Context& context) {
   Aggregation aggregation(call);
-  A3D_TRY(for_each_tuple(*tuples, context, [&](const TuplePtr& tuple) {
-    return aggregation.step(tuple->attributes[attribute], context);
-  }));
+  if (tuples->has_batches())
+    A3D_TRY(for_each_batch(*tuples, context, [&](const Batch& batch) {
+      return aggregation.step_rows(*batch.columns[attribute], batch.rows, context);
+    }));
+  else
+    A3D_TRY(for_each_tuple(*tuples, context, [&](const TuplePtr& tuple) {
+      return aggregation.step(tuple->attributes[attribute], context);
+    }));
   A3D_ASSIGN(Value result, aggregation.finish(context));
   return Datum{std::move(result)};
 }
@@ -56,10 +61,12 @@ Result<BoundOperator> bind_aggregate(const Registry& registry, const Operator& o
   const TypeExpr& type = tuple.attributes()[attribute].type;
   const Overload* const overload = overload_for_values(registry, op, type);
   if (overload == nullptr) return check.expected("an attribute of type " + parameter_types(op), type);
-  return BoundOperator{overload->result_type(), [call = ResolvedCall{&op, overload}, attribute](
-                                                    const std::vector<Datum>& given, Context& running) {
-                         return aggregated(call, given[0].tuples(), attribute, running);
-                       }};
+  return BoundOperator{
+      overload->result_type(),
+      [call = ResolvedCall{&op, overload}, attribute](const std::vector<Datum>& given, Context& running) {
+        return aggregated(call, given[0].tuples(), attribute, running);
+      },
+      AggregatesAttribute{ResolvedCall{&op, overload}, attribute}};
 }
 
 /// The next row; nothing at the end. Interruptible.

@@ -94,6 +94,23 @@ class Extreme final : public AggregateState {
     if (!best_ || wins(compare(value, *best_))) best_ = value;
     return {};
   }
+  // Of each run of rows only the best value becomes a Value.
+  Status step_rows(const ValueColumn& column, SelectedRows rows, Context& context) override {
+    const auto best = column.visit([&]<typename Element>(const Element* values) -> std::optional<std::size_t> {
+      if constexpr (std::is_same_v<Element, Value>) {
+        return std::nullopt;
+      } else {
+        std::optional<std::size_t> found;
+        rows.for_each([&](std::size_t row) {
+          if (!column.is_defined(row)) return;
+          if (!found || (is_least_ ? values[row] < values[*found] : values[*found] < values[row])) found = row;
+        });
+        return found;
+      }
+    });
+    if (best) return step(column.value(*best), context);
+    return AggregateState::step_rows(column, rows, context);
+  }
   Status combine(AggregateState& later, Context& context) override {
     const std::optional<Value>& other = static_cast<Extreme&>(later).best_;
     return other ? step(*other, context) : Status();

@@ -33,6 +33,25 @@ Status Aggregation::step(const Value& value, Context& context) {
   return status;
 }
 
+// Geometry is taken value by value: it may have to be loaded, and what fails with it is worth a report.
+Status Aggregation::step_rows(const ValueColumn& column, SelectedRows rows, Context& context) {
+  assert(&column.type() == call_.overload->parameters.front().type);
+  const auto are_values = []<typename Element>(const Element*) { return std::is_same_v<Element, Value>; };
+  if (column.visit(are_values)) {
+    for (std::size_t i = 0; i < rows.count; ++i) A3D_TRY(step(column.value(rows[i]), context));
+    return {};
+  }
+  if (column.has_undefined())
+    rows.for_each([&](std::size_t row) { undefined_count_ += column.is_defined(row) ? 0 : 1; });
+  if (taken_.is_whole) taken_ = {.is_whole = false};
+  Status status = guarded(*call_.op, [&]() -> Status {
+    poll_interruption();
+    return state_->step_rows(column, rows, context);
+  });
+  if (!status) note_failure(status.error(), context);
+  return status;
+}
+
 Status Aggregation::combine(Aggregation& later, Context& context) {
   assert(later.call_.overload == call_.overload);
   undefined_count_ += later.undefined_count_;

@@ -22,12 +22,15 @@ struct ArgumentOfStep;
 template <typename State, typename Return, typename Argument, typename... Rest>
 struct ArgumentOfStep<Return (State::*)(Argument, Rest...)> {
   using Type = std::remove_cvref_t<Argument>;
+  /// void: the step takes no context and does not fail.
+  using Returned = std::conditional_t<sizeof...(Rest) == 0, Return, Status>;
 };
 
 template <typename State>
 class TypedAggregateState final : public AggregateState {
  public:
   using Argument = typename ArgumentOfStep<decltype(&State::step)>::Type;
+  using StepResult = typename ArgumentOfStep<decltype(&State::step)>::Returned;
 
   Status step(const Value& value, Context& context) override {
     const auto& content = value.get<Argument>();
@@ -35,6 +38,17 @@ class TypedAggregateState final : public AggregateState {
       return status_of([&] { return state_.step(content, context); });
     else
       return status_of([&] { return state_.step(content); });
+  }
+  Status step_rows(const ValueColumn& column, SelectedRows rows, Context& context) override {
+    if constexpr (InColumn<Argument> && std::is_same_v<StepResult, void>) {
+      const auto* const values = column.data<Argument>();
+      rows.for_each([&](std::size_t row) {
+        if (column.is_defined(row)) state_.step(values[row]);
+      });
+      return {};
+    } else {
+      return AggregateState::step_rows(column, rows, context);
+    }
   }
   Status combine(AggregateState& later, Context& context) override {
     State& other = static_cast<TypedAggregateState&>(later).state_;
@@ -114,6 +128,9 @@ class Aggregation {
 
   /// Adds a value. Undefined values are left out; `finish` reports their number if the description says so.
   Status step(const Value& value, Context& context);
+  /// Adds the values of a column, of exactly the type of the call, at these rows, in their order. Values that it takes
+  /// so are not kept for a report of a failure.
+  Status step_rows(const ValueColumn& column, SelectedRows rows, Context& context);
   /// Adds the values of `later`, a run of the same overload, after those of this run.
   Status combine(Aggregation& later, Context& context);
   /// Returns the result; called once. Reports the reason if it is undefined.

@@ -2,7 +2,17 @@
 
 #include <algorithm>
 
+#include "base/propagate.h"
+
 namespace algebra3d {
+
+Status AggregateState::step_rows(const ValueColumn& column, SelectedRows rows, Context& context) {
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    A3D_ASSIGN(const Value value, column.value(rows[i]).loaded());
+    if (value.is_defined()) A3D_TRY(step(value, context));
+  }
+  return {};
+}
 
 std::string_view describe(Exactness exactness) {
   switch (exactness) {

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "algebra3d/operators/registry/kernel.h"
 #include "algebra3d/operators/registry/rows.h"
 #include "algebra3d/operators/registry/syntax_pattern.h"
 #include "algebra3d/values/types/type_expr.h"
@@ -58,6 +59,8 @@ class AggregateState {
   AggregateState& operator=(const AggregateState&) = delete;
   /// Adds a value: defined, loaded, of the parameter's type.
   virtual Status step(const Value& value, Context& context) = 0;
+  /// Adds the defined values of a column of the parameter's type at these rows, in their order.
+  virtual Status step_rows(const ValueColumn& column, SelectedRows rows, Context& context);
   /// Adds the values of `later`, a state of the same overload, after those of this state; `later` is consumed. The
   /// result must not depend on the division of the values.
   virtual Status combine(AggregateState& later, Context& context) = 0;
@@ -109,6 +112,8 @@ struct Overload {
   /// Of a scalar. Arguments have exactly the parameter types, and are undefined only where accepted. Loads arguments as
   /// needed.
   std::function<Result<Outcome>(std::span<const Value>, Context&)> function;
+  /// Of a scalar that never fails: the same on many rows at once; may be null.
+  Kernel kernel = nullptr;
   /// Of an aggregate: the state before the first value.
   std::function<std::unique_ptr<AggregateState>()> start;
   /// Of a table; arguments as for `function`. They need not outlive the call.

@@ -87,7 +87,7 @@ struct ResultOf {
   static void describe(Overload& overload) { overload.result = &TypeOf<T>::type(); }
   static Result<Outcome> outcome(T result) {
     if constexpr (std::is_same_v<T, double>)
-      if (!std::isfinite(result)) return Outcome(Undefined{"the result is not a finite number"});
+      if (!std::isfinite(result)) return Outcome(not_finite());
     return Outcome(Value::of<T>(std::move(result)));
   }
 };
@@ -224,10 +224,12 @@ struct OverloadMaker {
     const auto implementation = [](std::span<const Value> values, Context& context) {
       return call(values, context, std::index_sequence_for<Parameters...>());
     };
-    if constexpr (Results::kIsTable)
+    if constexpr (Results::kIsTable) {
       overload.rows = implementation;
-    else
+    } else {
       overload.function = implementation;
+      if constexpr (!kTakesContext && Results::kNeverFails) overload.kernel = kernel_of<Function, Return, Parameters...>();
+    }
     return overload;
   }
 };

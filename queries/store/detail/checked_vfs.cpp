@@ -302,6 +302,11 @@ const char* checked_vfs() {
   return kName;
 }
 
+bool proves_pages(sqlite3* connection) {
+  const CheckedPages* const pages = pages_of(connection);
+  return pages != nullptr && pages->has_sums() && !pages->is_tolerant();
+}
+
 std::optional<PageFault> take_page_fault(sqlite3* connection) {
   CheckedPages* const pages = pages_of(connection);
   return pages != nullptr ? pages->take_last() : std::nullopt;

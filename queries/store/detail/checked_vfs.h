@@ -16,6 +16,8 @@ namespace queries {
 /// a check could not go on. Other databases are read and written as by SQLite's own VFS. Null: SQLite has none.
 const char* checked_vfs();
 
+/// Whether pages with wrong checksums are errors: they have checksums, and wrong ones are not tolerated.
+bool proves_pages(sqlite3* connection);
 /// The page at which the last error of damage occurred, if it was one of a checksum; forgets it.
 std::optional<PageFault> take_page_fault(sqlite3* connection);
 /// From now on, pages with wrong checksums are read as they are, and noted. For reading only.

@@ -124,12 +124,17 @@ void RelationLayout::add_statements() {
   erase_sql_ = fmt::format("DELETE FROM {} WHERE id = ?", table_);
   std::string small = columns_[0];
   for (std::size_t i = 1; i < small_count_; ++i) small += ", " + columns_[i];
-  page_sql_ = fmt::format("SELECT {} FROM {} WHERE id > ? AND id <= ? ORDER BY id LIMIT ?", small, table_);
   tail_sql_ = fmt::format("SELECT {} FROM {} WHERE id >= ? ORDER BY id LIMIT ?", small, table_);
-  if (small_count_ <= RowSink::kMaxColumns)
-    taken_sql_ =
-        fmt::format("SELECT 1 FROM {} WHERE id > ? AND id <= ? AND take_row(?, {}) ORDER BY id", table_, small);
   fetch_sql_ = fmt::format("SELECT {} FROM {} WHERE id = ?", small, table_);
+}
+
+std::string RelationLayout::page_sql(std::span<const std::size_t> columns) const {
+  std::string list;
+  for (const std::size_t column : columns) list += (list.empty() ? "" : ", ") + columns_[column];
+  const char* const text = columns.size() <= RowSink::kMaxColumns
+                               ? "SELECT 1 FROM {1} WHERE id > ? AND id <= ? AND take_row(?, {0}) ORDER BY id"
+                               : "SELECT {0} FROM {1} WHERE id > ? AND id <= ? ORDER BY id LIMIT ?";
+  return fmt::format(fmt::runtime(text), list, table_);
 }
 
 std::string RelationLayout::create_sql() const {

@@ -74,11 +74,10 @@ class RelationLayout {
   /// Overwrites these columns: their values, id.
   std::string update_sql(std::span<const std::size_t> columns) const;
   const std::string& erase_sql() const { return erase_sql_; }  ///< id
-  const std::string& page_sql() const { return page_sql_; }    ///< id > first, id <= second, limit
+  /// Passes these columns to a RowSink: id > first, id <= second, sink. If they are too many for that, it returns them:
+  /// id > first, id <= second, limit.
+  std::string page_sql(std::span<const std::size_t> columns) const;
   const std::string& tail_sql() const { return tail_sql_; }    ///< id >= first, limit
-  /// Passes rows to a RowSink: id > first, id <= second, sink. Empty if the relation has too many columns for a
-  /// RowSink.
-  const std::string& taken_sql() const { return taken_sql_; }
   const std::string& fetch_sql() const { return fetch_sql_; }  ///< id
   std::string bytes_sql(std::size_t attribute) const;          ///< id
   const std::string& column(std::size_t index) const { return columns_[index]; }
@@ -103,7 +102,7 @@ class RelationLayout {
   std::vector<std::string> columns_;
   std::vector<std::string> column_types_;
   std::size_t small_count_ = 0;
-  std::string insert_sql_, erase_sql_, page_sql_, tail_sql_, taken_sql_, fetch_sql_;
+  std::string insert_sql_, erase_sql_, tail_sql_, fetch_sql_;
 };
 
 }  // namespace queries

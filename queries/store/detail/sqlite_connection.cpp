@@ -134,6 +134,10 @@ bool SqliteConnection::has_moved() const {
   return sqlite3_file_control(handle_, "main", SQLITE_FCNTL_HAS_MOVED, &moved) == SQLITE_OK && moved != 0;
 }
 
+bool SqliteConnection::proves_pages() const {
+  return queries::proves_pages(handle_);
+}
+
 Error SqliteConnection::error(int code, std::string_view doing) const {
   const bool is_wait_ended = (code & 0xff) == SQLITE_BUSY && is_cancelled();
   return sqlite_error(handle_, is_wait_ended ? SQLITE_INTERRUPT : code, file_, doing);

@@ -49,6 +49,9 @@ class SqliteConnection {
   bool has_moved() const;
   bool in_transaction() const { return sqlite3_get_autocommit(handle_) == 0; }
 
+  /// Whether each page is proved by its checksum when it is read.
+  bool proves_pages() const;
+
   /// Runs a statement and ignores its rows.
   algebra3d::Status execute(std::string_view sql);
   /// The prepared statement of this text; it is prepared at first use.

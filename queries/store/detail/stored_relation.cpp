@@ -78,6 +78,11 @@ Result<TupleStreamPtr> StoredRelation::scan() {
   return TupleStreamPtr(std::make_shared<RelationScan>(database_, layout_));
 }
 
+Result<TupleStreamPtr> StoredRelation::scan_columns(std::vector<bool> read) {
+  A3D_TRY(entry());
+  return TupleStreamPtr(std::make_shared<RelationScan>(database_, layout_, std::move(read)));
+}
+
 Result<TuplePtr> StoredRelation::fetch(TupleId id) {
   A3D_TRY(entry());
   A3D_ASSIGN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));

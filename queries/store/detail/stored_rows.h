@@ -25,6 +25,13 @@ class RowReader {
   Status take(const SqliteStatement& statement);
   /// Takes a verified row in the form of `append_cells`; valid as long as these bytes.
   void take(std::string_view row, std::uint64_t checksum);
+  /// Begins a row of which only some cells are known: those that `set_cell` sets, which the caller vouches for.
+  void name_row(const Cell& id, const Cell& checksum) {
+    cells_.resize(layout_->small_column_count());
+    cells_[0] = id;
+    cells_[1] = checksum;
+  }
+  void set_cell(std::size_t column, const Cell& cell) { cells_[column] = cell; }
   TupleId id() const { return cells_[0].integer; }
   std::uint64_t checksum() const { return as_unsigned(cells_[1].integer); }
   /// Box of a spatial attribute; empty if the value is undefined or empty.
@@ -38,10 +45,11 @@ class RowReader {
   Result<TuplePtr> tuple() const;
   /// An attribute value; large ones are deferred. Errors: database_corrupt.
   Result<Value> value(std::size_t attribute) const;
+  /// The error for a cell that is not a value of the attribute.
+  Error corrupt(const AttributeColumns& attribute) const;
 
  private:
   Result<Value> large_value(std::size_t attribute) const;
-  Error corrupt(const AttributeColumns& attribute) const;
 
   std::shared_ptr<Database> database_;
   std::shared_ptr<const RelationLayout> layout_;

@@ -56,6 +56,7 @@ inline Datum element_datum(const std::optional<Value>& value) {
 /// Calls `visit(element)` for each element until the end or an error. Interruptible.
 template <typename Stream, typename Visit>
 Status for_each_element(Stream& stream, const Context& context, Visit visit) {
+  if constexpr (std::is_same_v<Stream, TupleStream>) return for_each_tuple(stream, context, visit);
   for (std::uint32_t step = 1;; ++step) {
     A3D_ASSIGN(const auto element, stream.next());
     if (!element) return {};

@@ -7,11 +7,6 @@
 
 namespace queries {
 
-struct SortKey {
-  std::size_t attribute = 0;
-  bool is_descending = false;
-};
-
 std::vector<SortKey> ascending(const std::vector<std::size_t>& attributes);
 /// The indices of all attributes of a tuple type.
 std::vector<std::size_t> all_attributes(const TypeExpr& tuple);

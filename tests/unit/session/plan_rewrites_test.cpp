@@ -104,6 +104,75 @@ class PlanRewrites : public testing::Test {
             {how}};
   }
 
+  /// A condition on attributes that kernels decide, or do not.
+  std::string condition() {
+    static const std::vector<std::string> conditions{".K > 2",
+                                                     ".K between[0, 5]",
+                                                     "not(.W = \"a\")",
+                                                     "(.K < 3) or (.X > 0.25)",
+                                                     "(.K > 0) and ((10 div .K) > 1)",
+                                                     "(10 div .K > 1) or (.K = 0)",
+                                                     ".K * 4611686018427387904 > 0",
+                                                     "isdefined(.X) and (.W < \"b\")",
+                                                     "isdefined(.B)",
+                                                     ".X * 2 < .K",
+                                                     "ifthenelse(.K > 1, .N, .K) mod 3 = 1",
+                                                     ".W + \"b\" > \"ab\"",
+                                                     ".K < Limit",
+                                                     ".B intersects [const rect3 value (0 20 0 3 0 1)]",
+                                                     "[const bool value undefined]",
+                                                     "1 / 0 > .X"};
+    return one_of(conditions);
+  }
+  std::string stage() {
+    static const std::vector<std::string> stages{"project[W, K, N, X, B]",
+                                                 "{q} renameAttr[N: N_q, K: K_q, W: W_q, X: X_q, B: B_q]",
+                                                 "replaceAttr[K: .K + 9223372036854775800]",
+                                                 "replaceAttr[N: .K, K: .N]",
+                                                 "head[20]",
+                                                 "remove[]",
+                                                 "sortby[K]",
+                                                 "extend[Y: .X / .K] renameAttr[Z: Y] remove[Z]"};
+    const std::string chosen = one_of(stages);
+    if (chosen == "remove[]") return fmt::format("filter[{}]", condition());
+    return chosen;
+  }
+  /// Scans of some attributes, filters and new attributes in columns, and aggregates of them.
+  Sample columns() {
+    static const std::vector<std::string> ends{"sum[K]",
+                                               "avg[X]",
+                                               "avg[K]",
+                                               "min[X]",
+                                               "max[W]",
+                                               "min[B]",
+                                               "count",
+                                               "project[W, N] consume",
+                                               "consume",
+                                               "project[K] head[3] consume",
+                                               "extend[Y: .X / .K] avg[Y]",
+                                               "projectextend[N; Y: .K + .N] sum[Y]"};
+    std::string query = "R feed";
+    for (int stages = below(4); stages > 0; --stages) query += " " + stage();
+    return {query + fmt::format(" filter[{}] {}", condition(), one_of(ends)), {}};
+  }
+
+  Sample groups() {
+    static const std::vector<std::pair<std::string, std::string>> orders{
+        {"K", "K"}, {"K desc", "K"}, {"W, K desc", "K, W"}, {"X", "X"}, {"W desc", "W"}};
+    static const std::vector<std::string> functions{
+        "C: group count",       "S: group feed sum[K]", "A: group feed avg[X]", "L: group feed min[W]",
+        "M: group feed max[X]", "P: group feed sum[P]", "F: group feed count",  "D: group feed max[B]"};
+    if (below(3) == 0)
+      return {"R feed project[K, W, X] replaceAttr[X: .X * -0.0] sort rdup consume", {"by a hash table"}};
+    const auto [order, keys] = one_of(orders);
+    std::string list;
+    for (const std::string& function : functions)
+      if (below(2) == 0) list += (list.empty() ? "" : ", ") + function;
+    return {
+        fmt::format("R feed extend[P: .K * 4611686018427387904] sortby[{}] groupby[{}; {}] consume", order, keys, list),
+        {"by a hash table", "left out: the groups are put in order"}};
+  }
+
   std::string run(const std::string& command, bool rewrites) {
     EXPECT_EQ(session_.run(fmt::format("set \"rewrites\" = {}", rewrites ? "TRUE" : "FALSE")), "");
     return session_.run(command);
@@ -139,6 +208,7 @@ class PlanRewrites : public testing::Test {
 TEST_F(PlanRewrites, give_the_tuples_of_plain_plans) {
   const char* seed = std::getenv("ALGEBRA3D_RANDOM_SEED");
   random_.seed(static_cast<unsigned>(seed != nullptr ? std::atoi(seed) : 1));
+  ASSERT_EQ(session_.run("let Limit = 4"), "");
   for (const int size : {0, 1, 60}) {
     for (const int other_size : {0, 1, 80}) {
       SCOPED_TRACE(fmt::format("{} and {} tuples", size, other_size));
@@ -148,6 +218,8 @@ TEST_F(PlanRewrites, give_the_tuples_of_plain_plans) {
         expect_same(inner_filter());
         expect_same(top());
         expect_same(pairs());
+        expect_same(columns());
+        expect_same(groups());
       }
       delete_relation("R");
       delete_relation("S");
@@ -165,6 +237,34 @@ TEST_F(PlanRewrites, hold_beyond_the_work_memory) {
   expect_same({"R feed sortby[K desc, N] head[9000] project[N, K] consume", {"keeps the first 9000"}});
   expect_same(
       {"R feed head[300] S feed product filter[.N = .N_s] project[N, K_s] consume", {"by a hash table of N_s for N"}});
+}
+
+// More groups than memory: those without room are sorted, and the order is that of all.
+TEST_F(PlanRewrites, groups_beyond_the_work_memory_are_sorted) {
+  ASSERT_EQ(session_.run("set \"memory\" = 1"), "");
+  ASSERT_EQ(session_.run("let R = intstream(1, 20000) transformstream projectextend[; N: .Elem, K: (.Elem * 7919) mod "
+                         "9001, X: .Elem / 3] consume"),
+            "");
+  const std::vector<std::string> hashed{"by a hash table"};
+  expect_same(
+      {"R feed sortby[K desc] groupby[K; C: group count, S: group feed sum[N], A: group feed avg[X]] consume", hashed});
+  expect_same({"R feed project[K] sort rdup consume", hashed});
+}
+
+TEST_F(PlanRewrites, plans_say_which_attributes_are_read) {
+  make_relation("R", 5);
+  const auto says = [&](const std::string& query, const std::string& text) {
+    EXPECT_NE(run("explain " + query, true).find(text), std::string::npos) << run("explain " + query, true);
+    EXPECT_EQ(run("explain " + query, false).find(text), std::string::npos);
+  };
+  says("R feed filter[.X > 0.1] count", "'reads X'");
+  says("R feed filter[.N # 2] project[W] consume", "'reads N, W'");
+  says("R feed extend[Y: .N + .K] {a} max[Y_a]", "'reads N, K'");
+  says("R feed sortby[W] groupby[W; S: group feed sum[K]] consume", "'reads K, W'");
+  says("R feed count", "'the number that the relation keeps'");
+  says("R feed filter[TRUE] count", "'reads no attribute'");
+  // Operators in columns are counted row by row.
+  EXPECT_NE(run("explain query R feed filter[.N < 3] count", true).find("-> bool' 5 0 "), std::string::npos);
 }
 
 TEST_F(PlanRewrites, a_filter_sees_what_the_statement_has_changed) {
