@@ -155,9 +155,7 @@ def held(server):
     figures = server.figures()
     log = server.path(server.database + "-wal")
     figures["log"] = os.path.getsize(log) / 2**20 if os.path.exists(log) else 0.0
-    with open(f"/proc/{server.process.pid}/stat") as file:
-        user, system = file.read().rpartition(")")[2].split()[11:13]
-    figures["processor"] = (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
+    figures["processor"] = served.processor_seconds(server)
     return figures
 
 

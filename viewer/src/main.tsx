@@ -1,5 +1,5 @@
 import { options, render } from "preact";
-import { Client } from "./api/client";
+import { Client, isLoopback } from "./api/client";
 import { takeToken } from "./api/token";
 import { Page } from "./app/Page";
 import { ViewKeeper } from "./app/view_keeper";
@@ -11,7 +11,7 @@ import { makeTheme } from "./state/theme";
 // listeners and tools of the new state, also where a frame takes long.
 options.requestAnimationFrame = queueMicrotask;
 
-const client = new Client();
+const client = new Client({ compressesShapes: !isLoopback(location.hostname) });
 client.token = takeToken({
   hash: location.hash,
   storage: sessionStorage,

@@ -17,6 +17,9 @@
 #include <set>
 #include <thread>
 #include <utility>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "base/memory_limit.h"
 #include "base/propagate.h"
@@ -113,26 +116,6 @@ std::optional<Refusal> refuse_form(const httplib::Request& request) {
   return std::nullopt;
 }
 
-// Pages lie in the program as they are sent to browsers.
-void unpack(HttpAnswer& answer) {
-  const auto coding =
-      std::ranges::find(answer.headers, "Content-Encoding", [](const auto& header) { return header.first; });
-  if (coding == answer.headers.end()) return;
-  std::string content;
-  httplib::detail::gzip_decompressor decompressor;
-  const bool is_whole =
-      decompressor.decompress(answer.body.data(), answer.body.size(), [&](const char* data, std::size_t size) {
-        content.append(data, size);
-        return true;
-      });
-  if (!is_whole) {
-    answer = Refusal{500, "internal", "a page of the program cannot be unpacked"}.answer();
-    return;
-  }
-  answer.headers.erase(coding);
-  answer.body = std::move(content);
-}
-
 /// Sends the pieces; the library may ask for a part of the whole, for a request with a range.
 void give_pieces(HttpAnswer answer, httplib::Response& response) {
   std::size_t size = 0;
@@ -164,18 +147,20 @@ void give(HttpAnswer answer, httplib::Response& response) {
         });
     return;
   }
-  if (answer.status == 204) return;
+  if (answer.status == 204 || answer.status == 304) return;
   if (!answer.pieces.empty()) return give_pieces(std::move(answer), response);
   // One copy less than set_content: files may have hundreds of megabytes.
   response.body = std::move(answer.body);
   response.set_header("Content-Type", answer.type);
 }
 
-// The library does not compress answers.
+// The library does not compress answers. Several lines of the header are one list.
 void forget_wishes(httplib::Request& request) {
   request.headers.erase(kAcceptEncoding);
-  if (request.has_header("Accept-Encoding"))
-    request.set_header(kAcceptEncoding, request.get_header_value("Accept-Encoding"));
+  std::vector<std::string> wishes;
+  const auto [first, last] = request.headers.equal_range("Accept-Encoding");
+  for (auto each = first; each != last; ++each) wishes.push_back(each->second);
+  if (!wishes.empty()) request.set_header(kAcceptEncoding, fmt::format("{}", fmt::join(wishes, ",")));
   request.headers.erase("Accept-Encoding");
 }
 
@@ -314,7 +299,7 @@ class Listener final : public HttpListener {
           given.body = body;
           given.connection = connection;
           HttpAnswer answer = answer_(given);
-          if (!takes_gzip(given.header("accept-encoding"))) unpack(answer);
+          encode(answer, given.header("accept-encoding"));
           give(std::move(answer), response);
         }),
         acceptor_(

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { Client } from "../../../src/api/client";
+import { Client, isLoopback } from "../../../src/api/client";
 import { ApiError, ServerGone } from "../../../src/api/errors";
 import { events, fakeServer, json } from "./fake_server";
 
@@ -30,6 +30,22 @@ test("parameters of a path are escaped", async () => {
     "api/results/r1/cell?row=3&column=A%26B",
     "api/operators/%3C%3D",
   ]);
+});
+
+test("shapes are compressed where the network is slower than that", async () => {
+  const server = fakeServer(() => new Response("glTF"));
+  for (const compressesShapes of [true, false])
+    await new Client({ fetch: server.fetch, compressesShapes }).shapes("r1", {
+      column: "A",
+      from: 0,
+      count: 1,
+    });
+  expect(server.seen.map((request) => request.url)).toEqual([
+    "api/results/r1/shapes?column=A&from=0&count=1&encoding=gzip",
+    "api/results/r1/shapes?column=A&from=0&count=1",
+  ]);
+  const hosts = ["localhost", "127.0.0.1", "127.9.8.7", "[::1]", "parts.example", "10.0.0.1", "127.example"];
+  expect(hosts.filter(isLoopback)).toEqual(hosts.slice(0, 4));
 });
 
 test("an error of the server keeps its code, place and remedy", async () => {
