@@ -106,9 +106,15 @@ Status serve(const ServerOptions& options, const algebra3d::Registry& registry, 
     A3D_ASSIGN(SiteName name, site_name(text));
     further_names.push_back(std::move(name));
   }
+  std::vector<std::string> embedders;
+  for (const std::string& text : options.embedders) {
+    A3D_ASSIGN(std::string origin, embedding_origin(text));
+    embedders.push_back(std::move(origin));
+  }
   A3D_TRY(prepare_database(options, registry, note));
   A3D_ASSIGN(DatabaseIdentity database, DatabaseIdentity::of(options.database));
-  A3D_ASSIGN(const auto listener, HttpListener::bind(options.listen, options.port, limits_of_connections(limits)));
+  A3D_ASSIGN(const auto listener, HttpListener::bind(options.listen, options.port, limits_of_connections(limits),
+                                                     common_headers(embedders)));
   A3D_ASSIGN(algebra3d::TemporaryFolder uploads, algebra3d::TemporaryFolder::make());
   Api api(registry, options, limits, token, site_names(options.listen, listener->port(), std::move(further_names)),
           std::move(uploads), std::move(database));

@@ -22,6 +22,8 @@ struct ServerOptions {
   std::filesystem::path token_file = {};
   /// Further names in the headers `Host` and `Origin`, for servers behind another one: [SCHEME://]NAME[:PORT].
   std::vector<std::string> hosts = {};
+  /// Origins whose pages may show the viewer in a frame: SCHEME://NAME[:PORT].
+  std::vector<std::string> embedders = {};
   std::uint64_t max_upload_megabytes = 1024;
   double max_seconds = 0;  ///< of a statement; 0: no limit
   /// Memory limit of all sessions, kept results and answers on their way together; 0: that of WorkMemory.

@@ -136,7 +136,6 @@ void give_pieces(HttpAnswer answer, httplib::Response& response) {
 
 void give(HttpAnswer answer, httplib::Response& response) {
   response.status = answer.status;
-  for (const auto& [name, value] : common_headers()) response.set_header(name, value);
   for (const auto& [name, value] : answer.headers) response.set_header(name, value);
   if (answer.stream) {
     response.set_chunked_content_provider(
@@ -223,7 +222,8 @@ class Library final : public httplib::Server {
  public:
   using Handle = std::function<void(const httplib::Request&, httplib::Response&, Body*, const Connection*)>;
 
-  explicit Library(Handle handle) : handle_(std::move(handle)) {
+  Library(const Headers& common, Handle handle) : handle_(std::move(handle)) {
+    set_default_headers({common.begin(), common.end()});
     // Without SO_REUSEPORT, which would let two servers share a port.
     set_socket_options([](int socket) {
       const int yes = 1;
@@ -292,18 +292,19 @@ class Library final : public httplib::Server {
 
 class Listener final : public HttpListener {
  public:
-  explicit Listener(const ListenerLimits& limits)
-      : library_([this](const httplib::Request& request, httplib::Response& response, Body* body,
+  Listener(const ListenerLimits& limits, const Headers& common)
+      : library_(common,
+                 [this](const httplib::Request& request, httplib::Response& response, Body* body,
                         const Connection* connection) {
-          HttpRequest given = request_of(request);
-          given.body = body;
-          given.connection = connection;
-          HttpAnswer answer = answer_(given);
-          encode(answer, given.header("accept-encoding"));
-          give(std::move(answer), response);
-        }),
+                   HttpRequest given = request_of(request);
+                   given.body = body;
+                   given.connection = connection;
+                   HttpAnswer answer = answer_(given);
+                   encode(answer, given.header("accept-encoding"));
+                   give(std::move(answer), response);
+                 }),
         acceptor_(
-            {.connections = limits.unanswered},
+            {.connections = limits.unanswered}, common,
             [this](auto socket, auto bytes) { take(std::move(socket), std::move(bytes)); }, [this] { return load(); }),
         threads_(limits.requests) {}
   ~Listener() override { library_.close(); }
@@ -370,8 +371,9 @@ class Listener final : public HttpListener {
 }  // namespace
 
 algebra3d::Result<std::unique_ptr<HttpListener>> HttpListener::bind(const std::string& address, int port,
-                                                                    const ListenerLimits& limits) {
-  auto listener = std::make_unique<Listener>(limits);
+                                                                    const ListenerLimits& limits,
+                                                                    const Headers& common) {
+  auto listener = std::make_unique<Listener>(limits, common);
   A3D_TRY(listener->bind_to(address, port));
   return std::unique_ptr<HttpListener>(std::move(listener));
 }

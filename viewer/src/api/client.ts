@@ -51,6 +51,8 @@ export interface ShapesQuery {
 export class Client {
   /** Sent with every request; "" for none. */
   token = "";
+  /** By which the server tells clients apart; sent with every request, "" for none. */
+  name = "";
   /** Called at each answer of the server. */
   onAnswer: () => void = () => undefined;
   readonly #base: string;
@@ -190,6 +192,7 @@ export class Client {
   #headers(request: Request): Record<string, string> {
     const headers: Record<string, string> = {};
     if (this.token) headers["Authorization"] = `Bearer ${this.token}`;
+    if (this.name) headers["X-Algebra3d-Client"] = this.name;
     if (request.accept) headers["Accept"] = request.accept;
     if (request.json !== undefined) headers["Content-Type"] = "application/json";
     return headers;

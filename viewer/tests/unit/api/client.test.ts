@@ -9,13 +9,18 @@ test("a query is a POST of JSON with the token", async () => {
   const server = fakeServer(() => json(answer));
   const client = new Client({ fetch: server.fetch });
   client.token = "secret";
+  client.name = "tab-7";
   const parameters = { a: { result: "r1", row: 0, column: "value" } };
   expect(await client.query({ statement: "query volume($a)", parameters })).toEqual(answer);
   expect(server.seen).toEqual([
     {
       method: "POST",
       url: "api/query",
-      headers: { Authorization: "Bearer secret", "Content-Type": "application/json" },
+      headers: {
+        Authorization: "Bearer secret",
+        "X-Algebra3d-Client": "tab-7",
+        "Content-Type": "application/json",
+      },
       body: { statement: "query volume($a)", parameters },
     },
   ]);
