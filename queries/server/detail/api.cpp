@@ -98,12 +98,13 @@ Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, cons
       database_(std::move(database)),
       uploads_(std::move(uploads), options.max_upload_megabytes << 20U, limits.uploads),
       folder_(confined_folder(options, uploads_)),
-      results_(limits.results),
+      results_(limits),
       log_keeper_(database_.file(), options.read_only, limits, results_, sessions_),
-      sessions_(registry, session_options(options), options.database, limits.sessions, limits.idle_sessions) {}
+      sessions_(registry, session_options(options), options.database,
+                {limits.sessions, limits.idle_sessions, limits.session_patience}) {}
 
 void Api::tend() {
-  results_.drop_what_is_old();
+  results_.drop_what_is_too_much();
   log_keeper_.tend();
   if (running_.list().empty() && has_answered_.exchange(false)) give_back_freed_memory();
 }
