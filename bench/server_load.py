@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Load of `algebra3d serve` on loopback: clients with mixed reads, and one writer.
 
-    bench/server_load.py [PROGRAM] [--seconds N] [--clients N] [--processes N]
+    bench/server_load.py [PROGRAM] [--seconds N] [--clients N] [--processes N] [--left SHARE]
 
 PROGRAM is by default the environment variable ALGEBRA3D_PROGRAM. Every answer is checked. Prints requests per second,
 the latencies by kind, and what the server holds at the start, after the warm-up and at the end. Exit status: 1 if a
@@ -43,21 +43,23 @@ def expect(is_right, answer):
 
 
 class Client:
-    """Sends requests of all kinds, as a viewer and programs would."""
+    """Sends requests of all kinds, as a viewer and programs would. It leaves the share `left` of its results behind, as
+    by a closed window; the server must drop them by itself."""
 
-    def __init__(self, server, acknowledged, choice):
+    def __init__(self, server, acknowledged, name, left):
         self.server = server
         self.acknowledged = acknowledged
-        self.choice = choice
+        self.choice = random.Random(name)
+        self.left = left
+        self.headers = {"X-Algebra3d-Client": name}
 
     def _result(self, statement, **members):
-        answer = self.server.post(statement, **members)
+        answer = self.server.post(statement, self.headers, **members)
         expect(answer.status == 200 and "result" in answer.json, answer)
         return answer.json["result"]
 
     def _leave(self, result):
-        # One in twenty is forgotten, as by a closed window; the server must drop it by itself.
-        if self.choice.random() < 0.95:
+        if self.choice.random() >= self.left:
             answer = self.server.ask("DELETE", f"/api/results/{result['id']}")
             expect(answer.status == 204, answer)
 
@@ -120,14 +122,14 @@ class Client:
                 note(kind.__name__, time.monotonic() - start, f"{type(error).__name__}: {error}"[:300])
 
 
-def run_clients(server, acknowledged, deadline, count, seed, reports):
+def run_clients(server, acknowledged, deadline, count, seed, left, reports):
     """One process of clients; puts its measurements into `reports` at the end."""
     measured, lock = [], threading.Lock()
 
     def note(*measurement):
         with lock:
             measured.append(measurement)
-    clients = [Client(server, acknowledged, random.Random(seed * 1000 + i)) for i in range(count)]
+    clients = [Client(server, acknowledged, f"load-{seed}-{i}", left) for i in range(count)]
     threads = [threading.Thread(target=client.work_until, args=(deadline, note)) for client in clients]
     for thread in threads:
         thread.start()
@@ -155,9 +157,7 @@ def held(server):
     figures = server.figures()
     log = server.path(server.database + "-wal")
     figures["log"] = os.path.getsize(log) / 2**20 if os.path.exists(log) else 0.0
-    with open(f"/proc/{server.process.pid}/stat") as file:
-        user, system = file.read().rpartition(")")[2].split()[11:13]
-    figures["processor"] = (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
+    figures["processor"] = served.processor_seconds(server)
     return figures
 
 
@@ -187,7 +187,7 @@ def start_load(server, options, acknowledged, reports):
     for i in range(options.processes):
         count = each + (1 if i < rest else 0)
         processes.append(multiprocessing.Process(target=run_clients,
-                                                 args=(server, acknowledged, deadline, count, i, reports)))
+                                                 args=(server, acknowledged, deadline, count, i, options.left, reports)))
     for process in processes:
         process.start()
     return processes, deadline
@@ -225,6 +225,7 @@ def main():
     parser.add_argument("--seconds", type=int, default=300)
     parser.add_argument("--clients", type=int, default=50)
     parser.add_argument("--processes", type=int, default=5)
+    parser.add_argument("--left", type=float, default=0.05, help="share of results that clients leave behind")
     options = parser.parse_args()
     if options.program:
         served.PROGRAM = os.path.abspath(options.program)

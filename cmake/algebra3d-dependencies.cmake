@@ -37,6 +37,8 @@ algebra3d_dependency(mpfr VERSION 4.1 DEBIAN libmpfr-dev PKG_CONFIG mpfr HEADER 
                      VERSION_MACROS MPFR_VERSION_STRING)
 algebra3d_dependency(zstd VERSION 1.4.8 DEBIAN libzstd-dev PKG_CONFIG libzstd HEADER zstd.h LIBRARY zstd
                      VERSION_MACROS ZSTD_VERSION_MAJOR ZSTD_VERSION_MINOR ZSTD_VERSION_RELEASE)
+algebra3d_dependency(zlib VERSION 1.2.11 DEBIAN zlib1g-dev PKG_CONFIG zlib HEADER zlib.h LIBRARY z
+                     VERSION_MACROS ZLIB_VERSION)
 algebra3d_dependency(xxhash VERSION 0.8.1 DEBIAN libxxhash-dev PKG_CONFIG libxxhash HEADER xxhash.h LIBRARY xxhash
                      VERSION_MACROS XXH_VERSION_MAJOR XXH_VERSION_MINOR XXH_VERSION_RELEASE)
 algebra3d_dependency(sqlite3 VERSION 3.37 DEBIAN libsqlite3-dev PKG_CONFIG sqlite3 HEADER sqlite3.h LIBRARY sqlite3

@@ -28,6 +28,11 @@ CLI::App* add_serve_command(CLI::App& app, ServerOptions& options) {
                    "proxy speaks it; may be repeated")
       ->type_name("[SCHEME://]NAME[:PORT]")
       ->allow_extra_args(false);
+  serve
+      ->add_option("--embed", options.embedders,
+                   "Origin whose pages may show the viewer in a frame (default: none); may be repeated")
+      ->type_name("SCHEME://NAME[:PORT]")
+      ->allow_extra_args(false);
   serve->add_option("--max-upload", options.max_upload_megabytes, "Largest file that can be sent, in megabytes")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();

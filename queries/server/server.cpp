@@ -76,17 +76,16 @@ std::string url_of(const std::string& address, int port) {
   return fmt::format("http://{}:{}/", host.find(':') == std::string::npos ? host : "[" + host + "]", port);
 }
 
-// As many descriptors as the process may have: a session takes three of them, and a connection one.
-ListenerLimits limits_of_connections(const ServerLimits& limits) {
-  constexpr std::size_t kMostUnanswered = 1024;
+// A quarter of the descriptors that the process may have, which become as many as the system allows: a session takes
+// three of them, a connection one, and so does a result.
+std::size_t quarter_of_descriptors() {
   rlimit files{};
   if (getrlimit(RLIMIT_NOFILE, &files) == 0) {
     files.rlim_cur = files.rlim_max;
     setrlimit(RLIMIT_NOFILE, &files);
     getrlimit(RLIMIT_NOFILE, &files);
   }
-  return {.requests = limits.connections,
-          .unanswered = std::clamp<std::size_t>(files.rlim_cur / 4, 16, kMostUnanswered)};
+  return std::max<std::size_t>(files.rlim_cur / 4, 16);
 }
 
 }  // namespace
@@ -94,7 +93,12 @@ ListenerLimits limits_of_connections(const ServerLimits& limits) {
 Status serve(const ServerOptions& options, const algebra3d::Registry& registry, const std::atomic<bool>& stop,
              const std::function<void(const std::string&)>& ready,
              const std::function<void(const std::string&)>& note) {
-  const ServerLimits limits;
+  constexpr std::size_t kMostUnanswered = 1024;
+  ServerLimits limits;
+  const std::size_t descriptors = quarter_of_descriptors();
+  limits.results = std::min(limits.results, descriptors);
+  const ListenerLimits connections{.requests = limits.connections,
+                                   .unanswered = std::min(descriptors, kMostUnanswered)};
   A3D_ASSIGN(std::string token, token_of(options, stop));
   if (!is_loopback(options.listen) && token.empty())
     return Error{ErrorCode::wrong_usage,
@@ -106,9 +110,15 @@ Status serve(const ServerOptions& options, const algebra3d::Registry& registry, 
     A3D_ASSIGN(SiteName name, site_name(text));
     further_names.push_back(std::move(name));
   }
+  std::vector<std::string> embedders;
+  for (const std::string& text : options.embedders) {
+    A3D_ASSIGN(std::string origin, embedding_origin(text));
+    embedders.push_back(std::move(origin));
+  }
   A3D_TRY(prepare_database(options, registry, note));
   A3D_ASSIGN(DatabaseIdentity database, DatabaseIdentity::of(options.database));
-  A3D_ASSIGN(const auto listener, HttpListener::bind(options.listen, options.port, limits_of_connections(limits)));
+  A3D_ASSIGN(const auto listener,
+             HttpListener::bind(options.listen, options.port, connections, common_headers(embedders)));
   A3D_ASSIGN(algebra3d::TemporaryFolder uploads, algebra3d::TemporaryFolder::make());
   Api api(registry, options, limits, token, site_names(options.listen, listener->port(), std::move(further_names)),
           std::move(uploads), std::move(database));

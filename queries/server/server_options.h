@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -22,6 +23,8 @@ struct ServerOptions {
   std::filesystem::path token_file = {};
   /// Further names in the headers `Host` and `Origin`, for servers behind another one: [SCHEME://]NAME[:PORT].
   std::vector<std::string> hosts = {};
+  /// Origins whose pages may show the viewer in a frame: SCHEME://NAME[:PORT].
+  std::vector<std::string> embedders = {};
   std::uint64_t max_upload_megabytes = 1024;
   double max_seconds = 0;  ///< of a statement; 0: no limit
   /// Memory limit of all sessions, kept results and answers on their way together; 0: that of WorkMemory.
@@ -38,8 +41,12 @@ inline std::size_t memory_limit_of(const ServerOptions& options) {
 /// Limits of a server that have no option.
 struct ServerLimits {
   std::size_t statement_bytes = std::size_t{16} << 20U;  ///< of a body that is not an upload
-  std::size_t results = 64;                              ///< kept at once
-  std::size_t sessions = 192;                            ///< statements that run, and results
+  std::size_t results_of_client = 64;                    ///< kept at once
+  std::size_t results = 1024;                            ///< of all clients, kept at once
+  std::size_t copied_bytes = std::size_t{4} << 30U;      ///< of results that left the database, most of it in files
+  std::size_t sessions = 192;                            ///< of statements that run, and of results that need one
+  std::size_t sessions_of_results = 96;                  ///< of results; beyond it some are dropped
+  std::chrono::milliseconds session_patience{5000};      ///< until a statement that finds no session is refused
   std::size_t idle_sessions = 8;
   std::size_t connections = 256;
   std::size_t uploads = 256;                              ///< files

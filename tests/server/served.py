@@ -179,6 +179,13 @@ class Served:
                               timeout=timeout, cwd=self.folder)
 
 
+def processor_seconds(server):
+    """Seconds of processor that a server has used."""
+    with open(f"/proc/{server.process.pid}/stat") as file:
+        user, system = file.read().rpartition(")")[2].split()[11:13]
+    return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
+
+
 def received(connection):
     """All bytes that come until the other side closes."""
     content = b""

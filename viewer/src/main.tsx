@@ -1,9 +1,11 @@
 import { options, render } from "preact";
-import { Client } from "./api/client";
+import { Client, isLoopback } from "./api/client";
+import { nameOfTab } from "./api/tab_name";
 import { takeToken } from "./api/token";
 import { Page } from "./app/Page";
 import { ViewKeeper } from "./app/view_keeper";
 import { Workspace } from "./app/workspace";
+import { siteStorage, tabStorage } from "./state/page_storage";
 import { Store } from "./state/store";
 import { makeTheme } from "./state/theme";
 
@@ -11,13 +13,14 @@ import { makeTheme } from "./state/theme";
 // listeners and tools of the new state, also where a frame takes long.
 options.requestAnimationFrame = queueMicrotask;
 
-const client = new Client();
+const client = new Client({ compressesShapes: !isLoopback(location.hostname) });
+client.name = nameOfTab(tabStorage);
 client.token = takeToken({
   hash: location.hash,
-  storage: sessionStorage,
+  storage: tabStorage,
   replaceHash: (hash) => history.replaceState(null, "", `${location.pathname}${location.search}${hash}`),
 });
-const store = new Store(client, makeTheme(localStorage), localStorage, sessionStorage);
+const store = new Store(client, makeTheme(siteStorage), siteStorage, tabStorage);
 const workspace = new Workspace(store);
 const root = document.getElementById("app");
 if (!root) throw new Error("index.html has no element #app.");

@@ -11,8 +11,6 @@
 #include <iterator>
 #include <utility>
 
-#include "queries/server/detail/answer_text.h"
-
 namespace queries {
 namespace {
 
@@ -33,8 +31,9 @@ bool is_out_of_descriptors(int reason) {
 
 }  // namespace
 
-Acceptor::Acceptor(const AcceptorLimits& limits, Take take, EachRound each_round)
+Acceptor::Acceptor(const AcceptorLimits& limits, Headers common, Take take, EachRound each_round)
     : limits_(limits),
+      common_(std::move(common)),
       take_(std::move(take)),
       each_round_(std::move(each_round)),
       bell_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
@@ -131,7 +130,7 @@ void Acceptor::read(Open& open) {
 
 // It is short, and nothing was sent before: the system takes it at once.
 void Acceptor::refuse(Open& open, const Refusal& refusal) {
-  const std::string text = answer_text(refusal.answer(), open.head.is_of_head_method());
+  const std::string text = answer_text(refusal.answer(), common_, open.head.is_of_head_method());
   (void)!::send(open.socket.number(), text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
   ::shutdown(open.socket.number(), SHUT_WR);
   open.is_draining = true;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/input_file.h"
+#include "queries/server/detail/answer_text.h"
 #include "queries/server/detail/request_head.h"
 
 namespace queries {
@@ -41,7 +42,8 @@ class Acceptor {
   /// Called in each round with what it says of the requests that were taken.
   using EachRound = std::function<Load()>;
 
-  Acceptor(const AcceptorLimits& limits, Take take, EachRound each_round);
+  /// `common`: headers of its refusals.
+  Acceptor(const AcceptorLimits& limits, Headers common, Take take, EachRound each_round);
   Acceptor(const Acceptor&) = delete;
   Acceptor& operator=(const Acceptor&) = delete;
   ~Acceptor() = default;
@@ -72,6 +74,7 @@ class Acceptor {
   void wake();
 
   const AcceptorLimits limits_;
+  const Headers common_;
   const Take take_;
   const EachRound each_round_;
   std::vector<Open> open_;      // oldest first

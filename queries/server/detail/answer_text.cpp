@@ -27,22 +27,25 @@ std::string_view reason_of(int status) {
 
 }  // namespace
 
-const std::vector<std::pair<std::string, std::string>>& common_headers() {
-  static const std::vector<std::pair<std::string, std::string>> headers = {
+// X-Frame-Options cannot name other origins, and browsers that know frame-ancestors do not need it.
+Headers common_headers(const std::vector<std::string>& embedders) {
+  Headers headers = {
       {"Accept-Ranges", "none"},
       {"X-Content-Type-Options", "nosniff"},
-      {"X-Frame-Options", "DENY"},
       {"Cross-Origin-Resource-Policy", "same-origin"},
       {"Referrer-Policy", "no-referrer"},
       {"Content-Security-Policy",
-       "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
-       "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"}};
+       fmt::format(
+           "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+           "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors {}",
+           embedders.empty() ? "'none'" : fmt::format("{}", fmt::join(embedders, " ")))}};
+  if (embedders.empty()) headers.emplace_back("X-Frame-Options", "DENY");
   return headers;
 }
 
-std::string answer_text(const HttpAnswer& answer, bool is_without_body) {
+std::string answer_text(const HttpAnswer& answer, const Headers& common, bool is_without_body) {
   std::string text = fmt::format("HTTP/1.1 {} {}\r\n", answer.status, reason_of(answer.status));
-  for (const auto& [name, value] : common_headers()) text += fmt::format("{}: {}\r\n", name, value);
+  for (const auto& [name, value] : common) text += fmt::format("{}: {}\r\n", name, value);
   for (const auto& [name, value] : answer.headers) text += fmt::format("{}: {}\r\n", name, value);
   text += fmt::format("Content-Type: {}\r\nContent-Length: {}\r\nConnection: close\r\n\r\n", answer.type,
                       answer.body.size());

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <exception>
 #include <new>
 
@@ -14,6 +13,7 @@
 
 #include "base/memory_limit.h"
 #include "queries/server/detail/pages.h"
+#include "queries/server/detail/percent_coding.h"
 
 namespace queries {
 namespace {
@@ -29,19 +29,6 @@ std::vector<std::string_view> segments_of(std::string_view path) {
   return segments;
 }
 
-// Decodes percent-encoded bytes; text that is not such a code stays.
-std::string decoded(std::string_view part) {
-  std::string result;
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    unsigned byte = 0;
-    const bool is_code = part[i] == '%' && i + 2 < part.size() &&
-                         std::from_chars(&part[i + 1], &part[i + 1] + 2, byte, 16).ptr == &part[i + 1] + 2;
-    result += is_code ? static_cast<char>(byte) : part[i];
-    if (is_code) i += 2;
-  }
-  return result;
-}
-
 // The parts of the path in braces, if the path matches.
 std::optional<decltype(Call::path)> match(std::string_view pattern, std::string_view path) {
   const auto expected = segments_of(pattern);
@@ -50,7 +37,7 @@ std::optional<decltype(Call::path)> match(std::string_view pattern, std::string_
   decltype(Call::path) parts;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (expected[i].starts_with('{'))
-      parts.emplace(expected[i].substr(1, expected[i].size() - 2), decoded(found[i]));
+      parts.emplace(expected[i].substr(1, expected[i].size() - 2), percent_decoded(found[i]));
     else if (expected[i] != found[i])
       return std::nullopt;
   }
@@ -111,12 +98,13 @@ Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, cons
       database_(std::move(database)),
       uploads_(std::move(uploads), options.max_upload_megabytes << 20U, limits.uploads),
       folder_(confined_folder(options, uploads_)),
-      results_(limits.results),
+      results_(limits),
       log_keeper_(database_.file(), options.read_only, limits, results_, sessions_),
-      sessions_(registry, session_options(options), options.database, limits.sessions, limits.idle_sessions) {}
+      sessions_(registry, session_options(options), options.database,
+                {limits.sessions, limits.idle_sessions, limits.session_patience}) {}
 
 void Api::tend() {
-  results_.drop_what_is_old();
+  results_.drop_what_is_too_much();
   log_keeper_.tend();
   if (running_.list().empty() && has_answered_.exchange(false)) give_back_freed_memory();
 }
@@ -130,8 +118,8 @@ std::span<const Route> Api::routes() {
   using Names = std::string_view;
   static constexpr std::array kRows{Names("from"), Names("count")};
   static constexpr std::array kCell{Names("row"), Names("column")};
-  static constexpr std::array kShapes{Names("column"), Names("from"), Names("count"), Names("triangles"),
-                                      Names("bytes")};
+  static constexpr std::array kShapes{Names("column"),    Names("from"),  Names("count"),
+                                      Names("triangles"), Names("bytes"), Names("encoding")};
   static constexpr std::array kFile{Names("row"), Names("column"), Names("format")};
   static constexpr std::array kRoutes = {
       Route{"POST", "/api/query", &Api::post_query},

@@ -1,20 +1,23 @@
 #include "queries/server/detail/execution.h"
 
 #include <algorithm>
-#include <limits>
 #include <sstream>
 #include <utility>
 
 #include "base/propagate.h"
+#include "base/signal_block.h"
 #include "queries/server/detail/result_json.h"
 
 namespace queries {
 namespace {
 
-constexpr std::size_t kAnySize = std::numeric_limits<std::size_t>::max();
-// Limits of the copy that a result makes when it leaves the database: its size, and its part in memory.
-constexpr std::size_t kLargestCopy = std::size_t{16} << 20U;
+// Limits of the copy that a result makes when it leaves the database: its size, and its part in memory. Values with
+// levels of detail in the database do not leave it without need, since these would have to be made anew.
+constexpr CopyLimits kLargestCopy = {.bytes = std::size_t{16} << 20U};
+constexpr CopyLimits kUsualCopy = {.bytes = kLargestCopy.bytes, .value_elements = 20'000};
 constexpr std::size_t kCopyMemory = std::size_t{768} << 10U;
+// The time without a question after which a result leaves its session: many are dropped before.
+constexpr std::chrono::milliseconds kUsualStay(250);
 
 }  // namespace
 
@@ -85,19 +88,21 @@ Status Execution::ResultPresenter::present(const TypeExpr& type, const Datum& va
     execution_.answer(answer_);
     return serve(*table, context);
   }
-  A3D_ASSIGN(table_, table->loaded_copy(context, *context.memory, kAnySize));
+  A3D_ASSIGN(table_, table->loaded_copy(context, execution_.copy_memory_, CopyLimits()));
   return {};
 }
 
-// A copy that cannot be made, for want of space on the disk, say, does not harm the result.
+// A copy that cannot be made, for want of memory or of space on the disk, say, does not harm the result.
 Status Execution::ResultPresenter::serve(ResultTable& table, const Context& context) {
-  while (execution_.serve(table)) {
-    Result<ResultTable> copy = table.loaded_copy(context, execution_.copy_memory_, kLargestCopy);
+  for (bool stays = false; execution_.serve(table, stays); stays = true) {
+    const bool was_asked = execution_.is_to_leave();
+    Result<ResultTable> copy = algebra3d::without_exceptions(
+        [&] { return table.loaded_copy(context, execution_.copy_memory_, was_asked ? kLargestCopy : kUsualCopy); });
     if (copy) {
       table_ = *std::move(copy);
       break;
     }
-    execution_.end_leaving();
+    if (was_asked) execution_.stay();
   }
   return {};
 }
@@ -115,15 +120,14 @@ void Execution::run(Session& session) {
   });
   if (!status) answer(status.error());
   const std::lock_guard lock(mutex_);
-  is_over_ = true;
   is_to_leave_ = false;
-  questions_.clear();
+  is_over_ = !is_alone_;
+  if (is_over_) questions_.clear();
   changed_.notify_all();
 }
 
 void Execution::run_statement(Session& session) {
-  algebra3d::MemoryUser user;
-  const algebra3d::MemoryUserScope scope(&user);
+  const algebra3d::MemoryUserScope scope(&user_);
   session.set_parameters(request_.parameters);
   ResultPresenter presenter(*this, session);
   algebra3d::Diagnostics diagnostics;
@@ -138,7 +142,40 @@ void Execution::run_statement(Session& session) {
   const bool is_interrupted = !status && status.error().code == ErrorCode::interrupted;
   answer(status ? Result<StatementAnswer>(given) : is_interrupted ? interruption() : status.error());
   end_leaving();
-  while (status && presenter.table() && serve(*presenter.table())) end_leaving();
+  if (status && presenter.table()) serve_copy(*std::move(presenter.table()));
+}
+
+// Questions that came while the copy was made are answered here; for later ones it stands alone.
+void Execution::serve_copy(ResultTable table) {
+  while (true) {
+    Question question;
+    {
+      const std::lock_guard lock(mutex_);
+      if (is_dropped_) return;
+      if (questions_.empty()) {
+        memory_ = &copy_memory_;
+        copied_bytes_ = table.copied_bytes();
+        alone_ = std::move(table);
+        is_alone_ = true;
+        asked_ = nullptr;
+        return;
+      }
+      question = std::move(questions_.front());
+      questions_.pop_front();
+      asked_ = question.cancel;
+    }
+    question.work(table);
+  }
+}
+
+void Execution::answer_alone(const Question& question) {
+  const std::lock_guard serving(alone_mutex_);
+  {
+    const std::lock_guard lock(mutex_);
+    if (is_dropped_) return;
+    asked_ = question.cancel;
+  }
+  question.work(*alone_);
 }
 
 std::vector<std::string> Execution::summary_of(const algebra3d::Diagnostics& diagnostics) const {
@@ -166,13 +203,18 @@ bool Execution::has_result() const {
   return answer_ && *answer_ && !(*answer_)->columns.empty() && !is_over_;
 }
 
-// Answers questions until the result is dropped (false), or is to leave the database (true).
-bool Execution::serve(ResultTable& table) {
+// Answers questions until the result is dropped (false), or is to leave the database (true): because it was asked to,
+// or, unless it stays, because nobody has asked it for a while.
+bool Execution::serve(ResultTable& table, bool stays) {
   while (true) {
     Question question;
     {
       std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return is_dropped_ || is_to_leave_ || !questions_.empty(); });
+      const auto is_wanted = [this] { return is_dropped_ || is_to_leave_ || !questions_.empty(); };
+      if (stays)
+        changed_.wait(lock, is_wanted);
+      else if (!changed_.wait_for(lock, kUsualStay, is_wanted))
+        return true;
       if (is_dropped_ || is_to_leave_) return !is_dropped_;
       question = std::move(questions_.front());
       questions_.pop_front();
@@ -184,8 +226,30 @@ bool Execution::serve(ResultTable& table) {
 
 void Execution::leave_database() {
   const std::lock_guard lock(mutex_);
-  is_to_leave_ = !is_over_ && !is_dropped_;
+  is_to_leave_ = !is_over_ && !is_alone_ && !is_dropped_;
   changed_.notify_all();
+}
+
+bool Execution::is_to_leave() const {
+  const std::lock_guard lock(mutex_);
+  return is_to_leave_;
+}
+
+void Execution::stay() {
+  const std::lock_guard lock(mutex_);
+  is_to_leave_ = false;
+  is_large_ = true;
+  changed_.notify_all();
+}
+
+bool Execution::is_large() const {
+  const std::lock_guard lock(mutex_);
+  return is_large_;
+}
+
+bool Execution::holds_session() const {
+  const std::lock_guard lock(mutex_);
+  return !is_over_ && !is_alone_;
 }
 
 void Execution::end_leaving() {
@@ -199,12 +263,22 @@ void Execution::wait_until_left(Clock::time_point deadline) {
   changed_.wait_until(lock, deadline, [this] { return !is_to_leave_ || is_dropped_; });
 }
 
-bool Execution::post(Question question) {
+// Gives a question to the session, or to the thread `own`, which ends before this object.
+Status Execution::post(Question question, algebra3d::StackThread& own) {
   const std::lock_guard lock(mutex_);
-  if (is_dropped_ || is_over_) return false;
-  questions_.push_back(std::move(question));
-  changed_.notify_all();
-  return true;
+  if (is_dropped_ || is_over_) return Error{ErrorCode::interrupted, "the result was dropped"};
+  if (!is_alone_) {
+    questions_.push_back(std::move(question));
+    changed_.notify_all();
+    return {};
+  }
+  const algebra3d::SignalBlock block;  // signals are for the main thread
+  // The thread alone has the question, and with it the promise of an answer, until it has answered.
+  const bool is_started = own.start([this, question = std::move(question)]() mutable {
+    const Question own_question = std::move(question);
+    answer_alone(own_question);
+  });
+  return is_started ? Status() : Error{ErrorCode::out_of_memory, "not enough memory to start a thread"};
 }
 
 void Execution::drop() {

@@ -13,6 +13,8 @@
 
 #include "base/diagnostics.h"
 #include "base/interruption_scope.h"
+#include "base/memory_limit.h"
+#include "base/stack_thread.h"
 #include "base/without_exceptions.h"
 #include "base/working_folder.h"
 #include "queries/language/session_parameters.h"
@@ -25,6 +27,7 @@ namespace queries {
 /// A statement to be run.
 struct StatementRequest {
   std::string id;
+  std::string client = {};  ///< whose result it will be; empty: of all that give no name
   std::string text;
   std::size_t row_count = 100;  ///< rows in the answer at most
   SessionParameters parameters = {};
@@ -40,10 +43,12 @@ struct StatementAnswer {
   double seconds = 0;
 };
 
-/// A statement, from the request to the end of its result. A session runs it on its own thread (`run`); when its answer
+/// A statement, from the request to the end of its result. A session runs it on its own thread (`run`). When its answer
 /// is there, the session stays within the statement, so that the rows and the geometry of the result can still be read
-/// from the database as it was, until the result is dropped. A statement that has changed something is committed
-/// first, and a copy of its result is served. All functions but `run` may be called by any thread.
+/// from the database as it was: for a moment, in which most results are dropped, and then until a copy of the result
+/// stands alone, without session, thread and transaction; that of a large result until it is dropped. A statement that
+/// has changed something is committed first, and a copy of its result is served. All functions but `run` may be called
+/// by any thread.
 class Execution {
  public:
   using Clock = std::chrono::steady_clock;
@@ -60,14 +65,23 @@ class Execution {
   /// Whether the answer came with a result to be asked.
   bool has_result() const;
 
-  /// Asks the result: `work` runs on the session's thread. Errors: those of `work`; interrupted if the result is
+  /// Asks the result: `work` runs on the session's thread, or on one of its own where there is no session any more; one
+  /// question at a time. Errors: those of `work`; interrupted if the result is
   /// dropped meanwhile, or the client of `connection` (null: none) has gone.
   template <typename T>
   Result<T> ask(const Connection* connection, std::function<Result<T>(ResultTable&, Context&)> work);
 
-  /// Asks a result that is served to leave the database, which then may forget what the result has read: a copy takes
-  /// its place, unless that would be large.
+  /// Asks a result to leave the database at once, which then may forget what the result has read: a copy takes its
+  /// place, unless that would be large.
   void leave_database();
+  /// Whether it holds a session: it runs, or its result has not left the database.
+  bool holds_session() const;
+  /// Whether it was asked to leave the database and cannot, since a copy would be large. This does not change.
+  bool is_large() const;
+  /// What the statement and its result hold in memory, about.
+  std::size_t held_bytes() const { return user_.used(); }
+  /// The size of a result that has left the database, about; else 0.
+  std::size_t copied_bytes() const { return copied_bytes_; }
   /// Waits until the result has left the database, stays there or is dropped.
   void wait_until_left(Clock::time_point deadline);
 
@@ -94,9 +108,13 @@ class Execution {
 
   std::vector<std::string> summary_of(const algebra3d::Diagnostics& diagnostics) const;
   void answer(Result<StatementAnswer> given);
-  bool serve(ResultTable& table);
+  bool serve(ResultTable& table, bool stays);
+  void serve_copy(ResultTable table);
+  bool is_to_leave() const;
   void end_leaving();
-  bool post(Question question);
+  void stay();
+  Status post(Question question, algebra3d::StackThread& own);
+  void answer_alone(const Question& question);
   void note_progress(const std::string& how_far);
   Error interruption() const;
 
@@ -104,8 +122,13 @@ class Execution {
   const algebra3d::WorkingFolder folder_;
   const Clock::time_point start_ = Clock::now();
   std::atomic<bool> is_cancelled_ = false;
-  algebra3d::WorkMemory* memory_ = nullptr;  // of the session
+  algebra3d::MemoryUser user_;
+  std::atomic<std::size_t> copied_bytes_ = 0;
+  algebra3d::WorkMemory* memory_ = nullptr;  // of the session, or copy_memory_
   algebra3d::WorkMemory copy_memory_;        // of a result that has left the database
+
+  std::mutex alone_mutex_;            // held by who asks alone_
+  std::optional<ResultTable> alone_;  // the copy of a result that has no session any more
 
   mutable std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
@@ -114,7 +137,9 @@ class Execution {
   Cancel asked_;  // of the question that is being answered
   bool is_dropped_ = false;
   bool is_to_leave_ = false;  // whether the result is asked to leave the database
-  bool is_over_ = false;      // nobody serves the result any more
+  bool is_large_ = false;
+  bool is_alone_ = false;  // whether alone_ is there
+  bool is_over_ = false;   // nobody serves the result any more
   std::string progress_;
   std::string why_cancelled_;
 };
@@ -142,7 +167,8 @@ Result<T> Execution::ask(const Connection* connection, std::function<Result<T>(R
     note_progress({});
     promise->set_value(std::move(result));
   };
-  if (!post({std::move(answer_it), cancel})) return Error{ErrorCode::interrupted, "the result was dropped"};
+  algebra3d::StackThread own;
+  if (const Status posted = post({std::move(answer_it), cancel}, own); !posted) return posted.error();
   while (reply.wait_for(kLook) != std::future_status::ready)
     if (connection != nullptr && connection->is_gone()) *cancel = true;
   try {

@@ -63,6 +63,8 @@ struct HttpAnswer {
   /// If there are any, they are the body, one behind the other: a large one need not lie in one piece. None is empty.
   std::vector<std::string> pieces = {};
   std::vector<std::pair<std::string, std::string>> headers = {};
+  /// Whether the body is compressed for clients that take gzip; JSON is without being asked.
+  bool is_compressible = false;
   /// If set, produces the body in pieces instead; must not throw.
   std::function<void(const SendPiece&)> stream = {};
 };

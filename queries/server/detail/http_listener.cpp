@@ -17,6 +17,9 @@
 #include <set>
 #include <thread>
 #include <utility>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "base/memory_limit.h"
 #include "base/propagate.h"
@@ -113,26 +116,6 @@ std::optional<Refusal> refuse_form(const httplib::Request& request) {
   return std::nullopt;
 }
 
-// Pages lie in the program as they are sent to browsers.
-void unpack(HttpAnswer& answer) {
-  const auto coding =
-      std::ranges::find(answer.headers, "Content-Encoding", [](const auto& header) { return header.first; });
-  if (coding == answer.headers.end()) return;
-  std::string content;
-  httplib::detail::gzip_decompressor decompressor;
-  const bool is_whole =
-      decompressor.decompress(answer.body.data(), answer.body.size(), [&](const char* data, std::size_t size) {
-        content.append(data, size);
-        return true;
-      });
-  if (!is_whole) {
-    answer = Refusal{500, "internal", "a page of the program cannot be unpacked"}.answer();
-    return;
-  }
-  answer.headers.erase(coding);
-  answer.body = std::move(content);
-}
-
 /// Sends the pieces; the library may ask for a part of the whole, for a request with a range.
 void give_pieces(HttpAnswer answer, httplib::Response& response) {
   std::size_t size = 0;
@@ -153,7 +136,6 @@ void give_pieces(HttpAnswer answer, httplib::Response& response) {
 
 void give(HttpAnswer answer, httplib::Response& response) {
   response.status = answer.status;
-  for (const auto& [name, value] : common_headers()) response.set_header(name, value);
   for (const auto& [name, value] : answer.headers) response.set_header(name, value);
   if (answer.stream) {
     response.set_chunked_content_provider(
@@ -164,18 +146,20 @@ void give(HttpAnswer answer, httplib::Response& response) {
         });
     return;
   }
-  if (answer.status == 204) return;
+  if (answer.status == 204 || answer.status == 304) return;
   if (!answer.pieces.empty()) return give_pieces(std::move(answer), response);
   // One copy less than set_content: files may have hundreds of megabytes.
   response.body = std::move(answer.body);
   response.set_header("Content-Type", answer.type);
 }
 
-// The library does not compress answers.
+// The library does not compress answers. Several lines of the header are one list.
 void forget_wishes(httplib::Request& request) {
   request.headers.erase(kAcceptEncoding);
-  if (request.has_header("Accept-Encoding"))
-    request.set_header(kAcceptEncoding, request.get_header_value("Accept-Encoding"));
+  std::vector<std::string> wishes;
+  const auto [first, last] = request.headers.equal_range("Accept-Encoding");
+  for (auto each = first; each != last; ++each) wishes.push_back(each->second);
+  if (!wishes.empty()) request.set_header(kAcceptEncoding, fmt::format("{}", fmt::join(wishes, ",")));
   request.headers.erase("Accept-Encoding");
 }
 
@@ -238,7 +222,8 @@ class Library final : public httplib::Server {
  public:
   using Handle = std::function<void(const httplib::Request&, httplib::Response&, Body*, const Connection*)>;
 
-  explicit Library(Handle handle) : handle_(std::move(handle)) {
+  Library(const Headers& common, Handle handle) : handle_(std::move(handle)) {
+    set_default_headers({common.begin(), common.end()});
     // Without SO_REUSEPORT, which would let two servers share a port.
     set_socket_options([](int socket) {
       const int yes = 1;
@@ -307,18 +292,19 @@ class Library final : public httplib::Server {
 
 class Listener final : public HttpListener {
  public:
-  explicit Listener(const ListenerLimits& limits)
-      : library_([this](const httplib::Request& request, httplib::Response& response, Body* body,
+  Listener(const ListenerLimits& limits, const Headers& common)
+      : library_(common,
+                 [this](const httplib::Request& request, httplib::Response& response, Body* body,
                         const Connection* connection) {
-          HttpRequest given = request_of(request);
-          given.body = body;
-          given.connection = connection;
-          HttpAnswer answer = answer_(given);
-          if (!takes_gzip(given.header("accept-encoding"))) unpack(answer);
-          give(std::move(answer), response);
-        }),
+                   HttpRequest given = request_of(request);
+                   given.body = body;
+                   given.connection = connection;
+                   HttpAnswer answer = answer_(given);
+                   encode(answer, given.header("accept-encoding"));
+                   give(std::move(answer), response);
+                 }),
         acceptor_(
-            {.connections = limits.unanswered},
+            {.connections = limits.unanswered}, common,
             [this](auto socket, auto bytes) { take(std::move(socket), std::move(bytes)); }, [this] { return load(); }),
         threads_(limits.requests) {}
   ~Listener() override { library_.close(); }
@@ -385,8 +371,9 @@ class Listener final : public HttpListener {
 }  // namespace
 
 algebra3d::Result<std::unique_ptr<HttpListener>> HttpListener::bind(const std::string& address, int port,
-                                                                    const ListenerLimits& limits) {
-  auto listener = std::make_unique<Listener>(limits);
+                                                                    const ListenerLimits& limits,
+                                                                    const Headers& common) {
+  auto listener = std::make_unique<Listener>(limits, common);
   A3D_TRY(listener->bind_to(address, port));
   return std::unique_ptr<HttpListener>(std::move(listener));
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "queries/server/detail/answer_text.h"
 #include "queries/server/detail/http.h"
 
 namespace queries {
@@ -19,9 +20,10 @@ class HttpListener {
  public:
   using Answer = std::function<HttpAnswer(const HttpRequest&)>;
 
-  /// Listens on an address; port 0 takes a free one. Errors: io_error with the reason.
+  /// Listens on an address; port 0 takes a free one. `common`: headers that every answer has. Errors: io_error with the
+  /// reason.
   static algebra3d::Result<std::unique_ptr<HttpListener>> bind(const std::string& address, int port,
-                                                               const ListenerLimits& limits);
+                                                               const ListenerLimits& limits, const Headers& common);
   virtual ~HttpListener() = default;
   HttpListener(const HttpListener&) = delete;
   HttpListener& operator=(const HttpListener&) = delete;

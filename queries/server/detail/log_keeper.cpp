@@ -19,7 +19,7 @@ void LogKeeper::tend() {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(log_, error);
   if (error) return;
-  if (bytes > limits_.log_bytes) results_.drop_oldest();
+  if (bytes > limits_.log_bytes) results_.drop_oldest_reader();
   if (is_read_only_) return;
   const bool is_time = Execution::Clock::now() - last_attempt_ > kBetweenAttempts;
   if (bytes > (is_time ? limits_.usual_log_bytes : longest_.load())) empty(bytes);

@@ -22,8 +22,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kLongestId = 64;
-
 constexpr int kDeepest = 8;
 
 Refusal wrong_member(std::string_view name, std::string_view expected, const Json& found) {
@@ -37,11 +35,6 @@ std::optional<Refusal> refuse_other_members(const Json& object, std::initializer
     if (std::ranges::find(known, name) == known.end())
       return Refusal::bad_request(fmt::format("unknown member '{}'; expected {}", name, fmt::join(known, ", ")));
   return std::nullopt;
-}
-
-bool is_id(const std::string& id) {
-  const auto is_allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
-  return !id.empty() && id.size() <= kLongestId && std::ranges::all_of(id, is_allowed);
 }
 
 // A number as the text from which it was read, as far as JSON keeps it.
@@ -147,6 +140,12 @@ Result<Value> cell_of(Execution& result, std::size_t row, const std::string& col
   });
 }
 
+bool is_id(std::string_view text) {
+  constexpr std::size_t kLongest = 64;
+  const auto is_allowed = [](unsigned char c) { return (std::isalnum(c) != 0 && c < 0x80) || c == '-' || c == '_'; };
+  return !text.empty() && text.size() <= kLongest && std::ranges::all_of(text, is_allowed);
+}
+
 Reply<StatementRequest> read_query_request(const std::string& body, const algebra3d::Registry& registry,
                                            KeptResults& results) {
   Reply<Json> parsed = parse_body(body);
@@ -161,13 +160,15 @@ Reply<StatementRequest> read_query_request(const std::string& body, const algebr
     return wrong_member("rows", fmt::format("a number from 0 to {}", kMostRows), rows);
   const Json id = given.value("id", Json(""));
   if (!id.is_string() || (given.contains("id") && !is_id(id.get<std::string>())))
-    return wrong_member("id", fmt::format("at most {} letters, digits, '-' and '_'", kLongestId), id);
+    return wrong_member("id", kIdForm, id);
   const Json parameters = given.value("parameters", Json::object());
   if (!parameters.is_object()) return wrong_member("parameters", "an object", parameters);
   Reply<SessionParameters> read = parameters_of(parameters, registry, results);
   if (!read) return read.refusal();
-  return StatementRequest{id.get<std::string>(), statement.get<std::string>(), rows.get<std::size_t>(),
-                          *std::move(read)};
+  return StatementRequest{.id = id.get<std::string>(),
+                          .text = statement.get<std::string>(),
+                          .row_count = rows.get<std::size_t>(),
+                          .parameters = *std::move(read)};
 }
 
 }  // namespace queries

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 #include "algebra3d/operators/registry/registry.h"
 #include "queries/server/detail/execution.h"
@@ -9,6 +10,10 @@
 #include "queries/server/detail/refusal.h"
 
 namespace queries {
+
+/// Whether a text can name a statement or a client: at most 64 letters, digits, `-` and `_`.
+bool is_id(std::string_view text);
+inline constexpr std::string_view kIdForm = "at most 64 letters, digits, '-' and '_'";
 
 /// Reads the body of POST /api/query. Cells that are parameters are loaded from their results. Refusals: bad_request
 /// with the member that is wrong, those of the results, errors of parameters.

@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -95,6 +96,21 @@ algebra3d::Result<SiteName> site_name(const std::string& text) {
   if (is_authority && (site.scheme == "http" || site.scheme == "https")) return site;
   return algebra3d::Error{algebra3d::ErrorCode::wrong_usage,
                           "--host {}: expected NAME, NAME:PORT, or one of them after http:// or https://", text};
+}
+
+// It stands between blanks and semicolons of the header, so nothing but names, numbers and ports is taken.
+algebra3d::Result<std::string> embedding_origin(const std::string& text) {
+  std::string origin = in_lower_case(text);
+  const std::size_t end = origin.find("://");
+  const std::string_view authority = end == std::string::npos ? "" : std::string_view(origin).substr(end + 3);
+  const std::string_view scheme = std::string_view(origin).substr(0, std::min(end, origin.size()));
+  const bool is_authority = !authority.empty() && std::ranges::all_of(authority, [](unsigned char c) {
+    return (std::isalnum(c) != 0 && c < 0x80) || c == '-' || c == '.' || c == ':' || c == '[' || c == ']';
+  });
+  if (is_authority && (scheme == "http" || scheme == "https")) return origin;
+  return algebra3d::Error{algebra3d::ErrorCode::wrong_usage,
+                          "--embed {}: expected an origin, such as https://parts.example or http://localhost:3000",
+                          text};
 }
 
 std::vector<SiteName> site_names(const std::string& address, int port, std::vector<SiteName> further) {

@@ -43,6 +43,10 @@ bool is_loopback(const std::string& address);
 /// wrong_usage.
 algebra3d::Result<SiteName> site_name(const std::string& text);
 
+/// An origin whose pages may show ours, as the header Content-Security-Policy has it: `SCHEME://NAME[:PORT]` of http or
+/// https. Errors: wrong_usage.
+algebra3d::Result<std::string> embedding_origin(const std::string& text);
+
 /// The names of a server that listens on `address` and `port`, with its further names.
 std::vector<SiteName> site_names(const std::string& address, int port, std::vector<SiteName> further);
 

@@ -1,7 +1,6 @@
 // Rows, cells, shapes and files of results.
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <fstream>
 #include <iterator>
@@ -17,6 +16,7 @@
 #include "algebra3d/values/conversions/export_solid.h"
 #include "algebra3d/values/conversions/mesh3d_files.h"
 #include "algebra3d/values/types/mesh3d.h"
+#include "algebra3d/values/types/scalars.h"
 #include "algebra3d/values/types/spatial.h"
 #include "algebra3d/values/types/type_expr.h"
 #include "algebra3d/values/types/value.h"
@@ -28,6 +28,8 @@
 #include "mesh_formats/mesh_formats.h"
 #include "queries/server/detail/api.h"
 #include "queries/server/detail/cell_shapes.h"
+#include "queries/server/detail/download_name.h"
+#include "queries/server/detail/entity_tag.h"
 #include "queries/server/detail/result_json.h"
 #include "queries/server/detail/table_cells.h"
 #include "queries/streams/datum.h"
@@ -55,12 +57,28 @@ struct CellFile {
 
 constexpr const char* kCommand = "export";
 
-// Characters that are safe in a header and in every file system.
-std::string file_name(const std::string& name, const MeshFileForm& form) {
-  std::string result;
-  for (const char c : name)
-    result += std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 0x80 ? c : '_';
-  return result + std::string(form.format->endings.front());
+/// A cell that a client names.
+struct NamedCell {
+  std::size_t row = 0;
+  std::string column;
+};
+
+// The name of a row: the first of its texts that can be a name.
+std::string name_of_row(const Tuple& row) {
+  for (const Value& value : row.attributes) {
+    if (!value.is_defined() || &value.type() != &TypeOf<std::string>::type()) continue;
+    if (std::string name = safe_file_name(value.get<std::string>()); !name.empty()) return name;
+  }
+  return {};
+}
+
+// `bolt-Solid.stl`; without a name `Solid-5.stl` of several rows, and `Solid.stl` of one.
+std::string file_name(const Tuple& row, const NamedCell& place, std::size_t rows, const MeshFileForm& form) {
+  const std::string name = name_of_row(row);
+  const std::string stem = !name.empty() ? fmt::format("{}-{}", name, place.column)
+                           : rows == 1   ? place.column
+                                         : fmt::format("{}-{}", place.column, place.row);
+  return stem + std::string(form.format->endings.front());
 }
 
 Result<ExportedSolid> write_mesh(const Mesh3d& mesh, const std::string& name, const MeshDestination& to,
@@ -95,18 +113,26 @@ std::optional<MeshFileForm> file_form(std::string_view name) {
 /// The file of a solid, surface or mesh, written as the export operators do. Errors: invalid_value for other types,
 /// undefined values and solids that cannot be rounded; those of the store; interrupted; limit_exceeded if the file does
 /// not fit into memory.
-Result<CellFile> file_of(const Value& value, const std::string& name, const MeshFileForm& form, Context& context) {
+Result<CellFile> file_of(ResultTable& table, const NamedCell& place, const MeshFileForm& form, Context& context) {
+  A3D_ASSIGN(const Value value, cell(table, place.row, place.column));
   if (!value.is_defined()) return Error{ErrorCode::invalid_value, "the value is undefined"};
   A3D_ASSIGN(const Value loaded, value.loaded());
-  CellFile result{.type = form.format->media_type, .name = file_name(name, form), .pieces = {}, .diagnostics = {}};
+  A3D_ASSIGN(const TuplePtr row, table.row(place.row));
+  CellFile result{.type = form.format->media_type,
+                  .name = file_name(*row, place, table.count(), form),
+                  .pieces = {},
+                  .diagnostics = {}};
   algebra3d::MemorySink sink(context.monitor());
-  A3D_ASSIGN(ExportedSolid written, write(loaded, name, MeshDestination::sink(sink, result.name), form, context));
+  A3D_ASSIGN(ExportedSolid written,
+             write(loaded, place.column, MeshDestination::sink(sink, result.name), form, context));
   if (written.refusal) return *std::move(written.refusal);
   result.pieces = std::move(sink).take();
   result.diagnostics = context.diagnostics.summary();
   return result;
 }
 
+constexpr const char* kJson = "application/json";
+constexpr const char* kGltf = "model/gltf-binary";
 constexpr std::size_t kMostCellBytes = std::size_t{64} << 20U;
 
 std::optional<std::string> parameter(const HttpRequest& request, const std::string& name) {
@@ -128,6 +154,15 @@ Reply<std::size_t> number(const HttpRequest& request, const std::string& name, s
 Reply<std::string> text(const HttpRequest& request, const std::string& name) {
   if (const auto found = parameter(request, name)) return *found;
   return Refusal::bad_request(fmt::format("the parameter '{}' is missing", name));
+}
+
+// Whether shapes are to be compressed: they shrink to a half only, which costs more time than loopback takes to carry
+// them, so clients ask for it.
+Reply<bool> wants_gzip(const HttpRequest& request) {
+  const auto encoding = parameter(request, "encoding");
+  if (encoding && *encoding != "gzip")
+    return Refusal::bad_request(fmt::format("'encoding': expected gzip, got '{}'", *encoding));
+  return encoding.has_value();
 }
 
 // The value list of a cell as JSON. An element takes some dozen bytes at least: a list that is certainly too large is
@@ -155,12 +190,14 @@ HttpAnswer Api::get_rows(const Call& call) {
   Reply<std::size_t> count = number(call.request, "count", 100, kMostRows);
   if (!from) return from.refusal().answer();
   if (!count) return count.refusal().answer();
+  const EntityTag tag(call.path.find("id")->second, "rows", {std::to_string(*from), std::to_string(*count)});
+  if (tag.is_known_to(call.request)) return tag.not_modified(kJson);
   const auto rows = (*result)->ask<std::string>(call.request.connection,
                                                 [from = *from, count = *count](ResultTable& table, Context& context) {
                                                   return json_of_rows(table, from, count, context);
                                                 });
   if (!rows) return refusal_of_cell(rows.error()).answer();
-  return {.body = fmt::format("{{\"from\":{},\"rows\":{}}}\n", *from, *rows)};
+  return tag.marked({.body = fmt::format("{{\"from\":{},\"rows\":{}}}\n", *from, *rows)}, call.request);
 }
 
 HttpAnswer Api::get_cell(const Call& call) {
@@ -170,9 +207,11 @@ HttpAnswer Api::get_cell(const Call& call) {
   Reply<std::string> column = text(call.request, "column");
   if (!row) return row.refusal().answer();
   if (!column) return column.refusal().answer();
+  const EntityTag tag(call.path.find("id")->second, "cell", {std::to_string(*row), *column});
+  if (tag.is_known_to(call.request)) return tag.not_modified(kJson);
   const auto list = (*result)->ask<std::string>(
       call.request.connection, [&](ResultTable& table, Context&) { return list_of_cell(table, *row, *column); });
-  if (list) return {.body = *list + "\n"};
+  if (list) return tag.marked({.body = *list + "\n"}, call.request);
   if (list.error().code != ErrorCode::limit_exceeded) return refusal_of_cell(list.error()).answer();
   return Refusal{413, "too_large", list.error().text(), "Ask for its file or its shape."}.answer();
 }
@@ -188,14 +227,24 @@ HttpAnswer Api::get_shapes(const Call& call) {
   for (const auto* each : {&from, &count, &triangles, &bytes})
     if (!*each) return each->refusal().answer();
   if (!column) return column.refusal().answer();
+  Reply<bool> is_gzip = wants_gzip(call.request);
+  if (!is_gzip) return is_gzip.refusal().answer();
+  const EntityTag tag(
+      call.path.find("id")->second, "shapes",
+      {*column, std::to_string(*from), std::to_string(*count), std::to_string(*triangles), std::to_string(*bytes)});
+  if (tag.is_known_to(call.request)) {
+    HttpAnswer answer = tag.not_modified(kGltf);
+    answer.is_compressible = *is_gzip;
+    return answer;
+  }
   const ShapeRequest request{*column, *from, *count, *triangles, *bytes};
   auto shapes = (*result)->ask<CellShapes>(call.request.connection, [request](ResultTable& table, Context& context) {
     return shapes_of(table, request, context);
   });
   if (!shapes) return refusal_of_cell(shapes.error()).answer();
-  HttpAnswer answer{.type = "model/gltf-binary", .body = std::move(shapes->file)};
+  HttpAnswer answer{.type = kGltf, .body = std::move(shapes->file), .is_compressible = *is_gzip};
   if (shapes->next) answer.headers.emplace_back("X-Algebra3d-Next", std::to_string(*shapes->next));
-  return answer;
+  return tag.marked(std::move(answer), call.request);
 }
 
 HttpAnswer Api::get_file(const Call& call) {
@@ -212,22 +261,23 @@ HttpAnswer Api::get_file(const Call& call) {
     return Refusal::bad_request(fmt::format("'format': expected {}, got '{}'",
                                             mesh_formats::known_mesh_formats().form_words("or"), *format))
         .answer();
-  auto file =
-      (*result)->ask<CellFile>(call.request.connection, [&](ResultTable& table, Context& context) -> Result<CellFile> {
-        A3D_ASSIGN(const Value value, cell(table, *row, *column));
-        return file_of(value, *column, *form, context);
-      });
+  const EntityTag tag(call.path.find("id")->second, "file", {std::to_string(*row), *column, *format});
+  if (tag.is_known_to(call.request)) return tag.not_modified(std::string(form->format->media_type));
+  auto file = (*result)->ask<CellFile>(call.request.connection, [&](ResultTable& table, Context& context) {
+    return file_of(table, {*row, *column}, *form, context);
+  });
   if (!file) return refusal_of_cell(file.error()).answer();
   HttpAnswer answer{.type = std::string(file->type), .pieces = std::move(file->pieces)};
   answer.headers.emplace_back("X-Algebra3d-Diagnostics", json_strings(file->diagnostics));
-  answer.headers.emplace_back("Content-Disposition", fmt::format("attachment; filename=\"{}\"", file->name));
-  return answer;
+  answer.headers.emplace_back("Content-Disposition", attachment(file->name));
+  return tag.marked(std::move(answer), call.request);
 }
 
 HttpAnswer Api::get_progress(const Call& call) {
   Reply<std::shared_ptr<Execution>> result = results_.find(call.path.find("id")->second);
   if (!result) return result.refusal().answer();
-  return {.body = fmt::format("{{\"text\":{}}}\n", json_string((*result)->progress()))};
+  return {.body = fmt::format("{{\"text\":{}}}\n", json_string((*result)->progress())),
+          .headers = {{"Cache-Control", "no-store"}}};
 }
 
 HttpAnswer Api::delete_result(const Call& call) {

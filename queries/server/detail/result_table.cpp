@@ -21,6 +21,15 @@ std::size_t loaded_bytes(const Tuple& tuple) {
   return result;
 }
 
+Status check_limits(const Tuple& tuple, std::size_t bytes_before, const CopyLimits& limits) {
+  if (bytes_before + loaded_bytes(tuple) > limits.bytes)
+    return Error{ErrorCode::limit_exceeded, "more than {} bytes", limits.bytes};
+  for (const Value& value : tuple.attributes)
+    if (value.is_deferred() && value.header().size > limits.value_elements)
+      return Error{ErrorCode::limit_exceeded, "more than {} elements", limits.value_elements};
+  return {};
+}
+
 Result<TuplePtr> loaded(const Tuple& tuple) {
   Tuple row{{}, tuple.id};
   for (const Value& value : tuple.attributes) {
@@ -43,21 +52,21 @@ ResultTable ResultTable::of_value(const Value& value) {
 }
 
 Result<ResultTable> ResultTable::loaded_copy(const algebra3d::Context& context, algebra3d::WorkMemory& memory,
-                                             std::size_t most_bytes) {
+                                             const CopyLimits& limits) {
   A3D_ASSIGN(const TupleStreamPtr scan, relation_->scan());
   algebra3d::Context within = context;
   within.memory = &memory;
   TupleBuffer rows(within);
   std::size_t bytes = 0;
   A3D_TRY(for_each_tuple(*scan, context, [&](const TuplePtr& tuple) -> Status {
-    if (bytes + loaded_bytes(*tuple) > most_bytes)
-      return Error{ErrorCode::limit_exceeded, "more than {} bytes", most_bytes};
+    if (Status fits = check_limits(*tuple, bytes, limits); !fits) return fits;
     A3D_ASSIGN(TuplePtr row, loaded(*tuple));
     bytes += heap_bytes(*row);
     return rows.add(std::move(row));
   }));
   const std::size_t count = rows.size();
   ResultTable copy(std::make_shared<MemoryRelation>(tuple_type(), std::move(rows)), count);
+  copy.copied_bytes_ = bytes;
   copy.levels_ = std::move(levels_);
   return copy;
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,6 +50,13 @@ class LevelCache {
   std::deque<Entry> entries_;
 };
 
+/// Limits of a copy of a result.
+struct CopyLimits {
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  std::size_t bytes = kNone;           ///< of all values, as estimated
+  std::size_t value_elements = kNone;  ///< of one value that lies in the database
+};
+
 /// The result of a statement as a table whose rows are numbered from 0: a relation, or a value as one row with the
 /// column `value`. Rows are read on demand and in any order; forward reading is cheapest. Used by one thread, while the
 /// statement that made the relation runs.
@@ -63,10 +71,12 @@ class ResultTable {
   /// The tuple of a row, which must exist. Errors: those of the store.
   Result<TuplePtr> row(std::size_t index);
   /// A copy whose values are loaded, which outlives the statement. It takes `memory`, which must outlive it, and for
-  /// the rest a temporary file. Errors: limit_exceeded for more than `most_bytes` (estimated), in time that does not
-  /// depend on the size of a value; those of the store and of temporary files; interrupted.
+  /// the rest a temporary file. Errors: limit_exceeded beyond the limits, in time that does not depend on the size
+  /// of a value; those of the store and of temporary files; interrupted.
   Result<ResultTable> loaded_copy(const algebra3d::Context& context, algebra3d::WorkMemory& memory,
-                                  std::size_t most_bytes);
+                                  const CopyLimits& limits);
+  /// The size of the rows of a loaded copy, about; else 0.
+  std::size_t copied_bytes() const { return copied_bytes_; }
   /// Data made of its cells, kept for later requests.
   LevelCache& levels() { return levels_; }
 
@@ -75,6 +85,7 @@ class ResultTable {
 
   std::shared_ptr<Relation> relation_;
   std::size_t count_ = 0;
+  std::size_t copied_bytes_ = 0;
   TupleStreamPtr scan_;
   std::size_t next_ = 0;      // row that scan_ gives next
   std::vector<TupleId> ids_;  // of the rows that were read, in a stored relation

@@ -69,8 +69,8 @@ void SessionPool::Worker::work_until_closed(std::promise<Status>& opened) {
 }
 
 SessionPool::SessionPool(const algebra3d::Registry& registry, SessionOptions options, std::filesystem::path file,
-                         std::size_t most, std::size_t idle)
-    : registry_(registry), options_(std::move(options)), file_(std::move(file)), most_(most), most_idle_(idle) {}
+                         const Limits& limits)
+    : registry_(registry), options_(std::move(options)), file_(std::move(file)), limits_(limits) {}
 
 SessionPool::~SessionPool() {
   std::unique_lock lock(mutex_);
@@ -86,9 +86,10 @@ std::size_t SessionPool::working() const {
 }
 
 Status SessionPool::take_place() {
-  const std::lock_guard lock(mutex_);
-  if (places_ >= most_)
-    return Error{ErrorCode::limit_exceeded, "{} statements run or have results; the limit is {}", places_, most_};
+  std::unique_lock lock(mutex_);
+  if (!changed_.wait_for(lock, limits_.patience, [this] { return places_ < limits_.most; }))
+    return Error{ErrorCode::limit_exceeded, "{} statements run or have large results; the limit is {}", places_,
+                 limits_.most};
   ++places_;
   return {};
 }
@@ -113,6 +114,7 @@ Status SessionPool::run(Work work) {
   const std::lock_guard lock(mutex_);
   if (!worker) {
     --places_;
+    changed_.notify_all();
     return std::move(worker).error();
   }
   Worker& its_worker = **worker;
@@ -126,7 +128,7 @@ void SessionPool::put_back(Worker& worker) {
   std::unique_ptr<Worker> surplus;
   const std::lock_guard lock(mutex_);
   const auto place = std::ranges::find_if(working_, [&](const auto& each) { return each.get() == &worker; });
-  if (idle_.size() > most_idle_) {
+  if (idle_.size() > limits_.idle) {
     surplus = std::move(idle_.front());
     idle_.erase(idle_.begin());
   }

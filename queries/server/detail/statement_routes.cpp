@@ -73,6 +73,16 @@ std::string_view without_end(std::string_view command) {
   return command.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
+// The name that a client has given itself; empty for none.
+Reply<std::string> client_of(const HttpRequest& request) {
+  constexpr const char* kHeader = "x-algebra3d-client";
+  const std::size_t count = request.headers.count(kHeader);
+  if (count == 0) return std::string();
+  std::string name = request.header(kHeader);
+  if (count == 1 && is_id(name)) return name;
+  return Refusal::bad_request(fmt::format("the header 'X-Algebra3d-Client': expected {}", kIdForm));
+}
+
 bool wants_events(const HttpRequest& request) {
   return request.header("accept").find("text/event-stream") != std::string::npos;
 }
@@ -80,17 +90,21 @@ bool wants_events(const HttpRequest& request) {
 }  // namespace
 
 Reply<std::shared_ptr<Execution>> Api::start(const HttpRequest& request) {
+  Reply<std::string> client = client_of(request);
+  if (!client) return client.refusal();
   Reply<std::string> body = whole_body(request, limits_.statement_bytes);
   if (!body) return body.refusal();
   if (const Status there = database_.check(); !there) return refusal_of(there.error());
   Reply<StatementRequest> read = read_query_request(*body, registry_, results_);
   if (!read) return read.refusal();
   StatementRequest statement = *std::move(read);
+  statement.client = *std::move(client);
   results_.make_room();
   if (statement.id.empty()) statement.id = running_.new_id();
   const auto execution = std::make_shared<Execution>(std::move(statement), folder_);
   if (!running_.add(execution))
     return Refusal::bad_request(fmt::format("'id': a statement '{}' runs already", execution->request().id));
+  if (sessions_.is_crowded()) results_.release_sessions();
   const Status started = sessions_.run([execution](Session& session) { execution->run(session); });
   if (started) return execution;
   running_.remove(execution->request().id);

@@ -207,7 +207,7 @@ TEST_F(ApiTest, CellsAreParameters) {
 }
 
 TEST_F(ApiTest, ResultsBeyondTheLimitAreGone) {
-  restart({}, {.results = 2});
+  restart({}, {.results_of_client = 2});
   const std::string statement = "query createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))";
   const auto first = "/api/results/" + query(statement)["result"]["id"].get<std::string>();
   const auto second = "/api/results/" + query(statement)["result"]["id"].get<std::string>();

@@ -23,6 +23,8 @@ export interface ClientOptions {
   /** Address of the server up to its `/`; that of the page if empty. */
   readonly base?: string;
   readonly fetch?: typeof fetch;
+  /** Whether shapes are compressed on their way; worth its time on a network, not on loopback. */
+  readonly compressesShapes?: boolean;
 }
 
 interface Request {
@@ -49,15 +51,19 @@ export interface ShapesQuery {
 export class Client {
   /** Sent with every request; "" for none. */
   token = "";
+  /** By which the server tells clients apart; sent with every request, "" for none. */
+  name = "";
   /** Called at each answer of the server. */
   onAnswer: () => void = () => undefined;
   readonly #base: string;
   readonly #fetch: typeof fetch;
+  readonly #encoding: { readonly encoding?: "gzip" };
 
   constructor(options: ClientOptions = {}) {
     this.#base = options.base ?? "";
     // Called without `this`, as browsers demand.
     this.#fetch = options.fetch ?? ((input, init) => fetch(input, init));
+    this.#encoding = options.compressesShapes ? { encoding: "gzip" } : {};
   }
 
   server = (signal?: AbortSignal) => this.#get<ServerInfo>("api/server", { signal });
@@ -124,7 +130,7 @@ export class Client {
   /** The shapes of a column as binary glTF; the response is returned as it is, to be read while it arrives. */
   shapes(result: string, query: ShapesQuery, signal?: AbortSignal): Promise<Response> {
     return this.#send(`api/results/${result}/shapes`, {
-      query: { ...query },
+      query: { ...query, ...this.#encoding },
       signal,
       accept: "model/gltf-binary",
     });
@@ -186,6 +192,7 @@ export class Client {
   #headers(request: Request): Record<string, string> {
     const headers: Record<string, string> = {};
     if (this.token) headers["Authorization"] = `Bearer ${this.token}`;
+    if (this.name) headers["X-Algebra3d-Client"] = this.name;
     if (request.accept) headers["Accept"] = request.accept;
     if (request.json !== undefined) headers["Content-Type"] = "application/json";
     return headers;
@@ -209,6 +216,11 @@ export class Client {
     if (!response.ok) throw errorFromBody(response.status, await response.text().catch(() => ""));
     return response;
   }
+}
+
+/** Whether a name of a host is of this machine, as the server has them by default. */
+export function isLoopback(host: string): boolean {
+  return host === "localhost" || host === "[::1]" || /^127(\.\d+){3}$/.test(host);
 }
 
 /** The error of an event `error`, with or without the member `error` around it. */

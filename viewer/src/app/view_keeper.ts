@@ -5,6 +5,7 @@
 
 import { effect, signal, type ReadonlySignal } from "@preact/signals";
 import { messageOf } from "../api/errors";
+import { tabStorage } from "../state/page_storage";
 import type { LinkView } from "../state/permalink";
 import { ViewHistory } from "../state/view_history";
 import type { App } from "./context";
@@ -36,7 +37,7 @@ export class ViewKeeper {
 
   /** Brings the page to the view of its address, and follows it from then on. */
   async start(): Promise<void> {
-    const left = takeLeaving(location.hash, sessionStorage);
+    const left = takeLeaving(location.hash, tabStorage);
     if (left) await this.#open(left, location.hash);
     else await this.#openAddress();
     if (this.#fragment === "") await this.#showFirst();
@@ -97,7 +98,7 @@ export class ViewKeeper {
   }
 
   async #write(view: LinkView, isNew: boolean): Promise<void> {
-    const fragment = await fragmentOf(view, sessionStorage);
+    const fragment = await fragmentOf(view, tabStorage);
     if (fragment === this.#fragment) return;
     this.#fragment = fragment;
     if (isNew) history.pushState(null, "", fragment);
@@ -110,7 +111,7 @@ export class ViewKeeper {
     if (hash === this.#fragment) return;
     let view: LinkView | null;
     try {
-      view = await viewOfFragment(hash, sessionStorage);
+      view = await viewOfFragment(hash, tabStorage);
     } catch (error) {
       this.#app.store.notices.add("error", messageOf(error));
       return;
@@ -131,7 +132,7 @@ export class ViewKeeper {
   /** What was changed in the last half second is not in the address yet. */
   #leave(): void {
     if (!this.settled.value && !this.#restoring && !pendingView.value)
-      keepLeaving(location.hash, viewOf(this.#app, true).view, sessionStorage);
+      keepLeaving(location.hash, viewOf(this.#app, true).view, tabStorage);
   }
 
   async #travel(step: () => LinkView | null): Promise<void> {

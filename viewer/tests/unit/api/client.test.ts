@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { Client } from "../../../src/api/client";
+import { Client, isLoopback } from "../../../src/api/client";
 import { ApiError, ServerGone } from "../../../src/api/errors";
 import { events, fakeServer, json } from "./fake_server";
 
@@ -9,13 +9,18 @@ test("a query is a POST of JSON with the token", async () => {
   const server = fakeServer(() => json(answer));
   const client = new Client({ fetch: server.fetch });
   client.token = "secret";
+  client.name = "tab-7";
   const parameters = { a: { result: "r1", row: 0, column: "value" } };
   expect(await client.query({ statement: "query volume($a)", parameters })).toEqual(answer);
   expect(server.seen).toEqual([
     {
       method: "POST",
       url: "api/query",
-      headers: { Authorization: "Bearer secret", "Content-Type": "application/json" },
+      headers: {
+        Authorization: "Bearer secret",
+        "X-Algebra3d-Client": "tab-7",
+        "Content-Type": "application/json",
+      },
       body: { statement: "query volume($a)", parameters },
     },
   ]);
@@ -30,6 +35,22 @@ test("parameters of a path are escaped", async () => {
     "api/results/r1/cell?row=3&column=A%26B",
     "api/operators/%3C%3D",
   ]);
+});
+
+test("shapes are compressed where the network is slower than that", async () => {
+  const server = fakeServer(() => new Response("glTF"));
+  for (const compressesShapes of [true, false])
+    await new Client({ fetch: server.fetch, compressesShapes }).shapes("r1", {
+      column: "A",
+      from: 0,
+      count: 1,
+    });
+  expect(server.seen.map((request) => request.url)).toEqual([
+    "api/results/r1/shapes?column=A&from=0&count=1&encoding=gzip",
+    "api/results/r1/shapes?column=A&from=0&count=1",
+  ]);
+  const hosts = ["localhost", "127.0.0.1", "127.9.8.7", "[::1]", "parts.example", "10.0.0.1", "127.example"];
+  expect(hosts.filter(isLoopback)).toEqual(hosts.slice(0, 4));
 });
 
 test("an error of the server keeps its code, place and remedy", async () => {
