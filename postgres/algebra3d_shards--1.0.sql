@@ -164,10 +164,23 @@ END $$;
 CREATE FUNCTION algebra3d_kept_in_transaction(text) RETURNS text AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE PARALLEL RESTRICTED;
 COMMENT ON FUNCTION algebra3d_kept_in_transaction(text) IS 'The text, not NULL, of the last call in this transaction; NULL if there was none.';
 -- Commits over several servers, and the beginnings of reading transactions, exclude each other: these see all of a commit, or nothing.
-CREATE FUNCTION algebra3d_shard_lock_commits() RETURNS void AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE STRICT;
+CREATE FUNCTION algebra3d_shard_take_commits() RETURNS void AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE STRICT;
 CREATE FUNCTION algebra3d_shard_share_commits() RETURNS boolean AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE STRICT;
 CREATE FUNCTION algebra3d_shard_release_commits() RETURNS void AS 'MODULE_PATHNAME' LANGUAGE C VOLATILE STRICT;
--- At the end of a transaction that writes, before any server commits.
+-- At the end of a transaction that writes, before any server commits. It does not wait for ever for one that reads and waits for a server
+-- itself: who begins to read then may see half of the commit, and says so.
+CREATE FUNCTION algebra3d_shard_lock_commits() RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  before text := pg_catalog.current_setting('lock_timeout');
+BEGIN
+  BEGIN
+    PERFORM pg_catalog.set_config('lock_timeout', '2s', true);
+    PERFORM @extschema@.algebra3d_shard_take_commits();
+  EXCEPTION WHEN lock_not_available THEN
+    NULL;
+  END;
+  PERFORM pg_catalog.set_config('lock_timeout', before, true);
+END $$;
 CREATE FUNCTION algebra3d_shard_before_commit() RETURNS trigger LANGUAGE plpgsql AS $$
 BEGIN
   PERFORM @extschema@.algebra3d_shard_lock_commits();

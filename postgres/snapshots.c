@@ -35,9 +35,9 @@ static void tag_of_commits(LOCKTAG* tag) {
   SET_LOCKTAG_ADVISORY(*tag, MyDatabaseId, 0x61336473, 0, 2);
 }
 
-/* shard_lock_commits(): waits. The end of the transaction releases it. */
-PG_FUNCTION_INFO_V1(algebra3d_shard_lock_commits);
-Datum algebra3d_shard_lock_commits(PG_FUNCTION_ARGS) {
+/* shard_take_commits(): waits. The end of the transaction releases it. */
+PG_FUNCTION_INFO_V1(algebra3d_shard_take_commits);
+Datum algebra3d_shard_take_commits(PG_FUNCTION_ARGS) {
   LOCKTAG tag;
   tag_of_commits(&tag);
   LockAcquire(&tag, ExclusiveLock, false, false);
