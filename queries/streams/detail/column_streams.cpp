@@ -125,9 +125,9 @@ class MadeTuples final : public TupleStream {
   Batch batch_;
 };
 
-class FirstTuples final : public TupleStream {
+class LeadingTuples final : public TupleStream {
  public:
-  FirstTuples(TupleStreamPtr tuples, std::size_t count) : tuples_(std::move(tuples)), left_(count) {}
+  LeadingTuples(TupleStreamPtr tuples, std::size_t count) : tuples_(std::move(tuples)), left_(count) {}
 
   Result<TuplePtr> next() override {
     if (left_ == 0) return TuplePtr();
@@ -159,7 +159,7 @@ TupleStreamPtr made_tuples(TupleStreamPtr tuples, AttributeSources sources, cons
 }
 
 TupleStreamPtr first_tuples(TupleStreamPtr tuples, std::size_t count) {
-  return std::make_shared<FirstTuples>(std::move(tuples), count);
+  return std::make_shared<LeadingTuples>(std::move(tuples), count);
 }
 
 }  // namespace queries
