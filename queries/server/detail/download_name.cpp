@@ -11,7 +11,7 @@
 namespace queries {
 namespace {
 
-constexpr std::size_t kLongestName = 120;
+constexpr std::size_t kLongestDownloadName = 120;
 
 bool is_ascii(char c) {
   return static_cast<unsigned char>(c) < 0x80;
@@ -29,7 +29,7 @@ std::string safe_file_name(std::string_view name) {
                kForbidden.find(c) != std::string_view::npos;
       },
       '_');
-  result = algebra3d::utf8_prefix(result, kLongestName);
+  result = algebra3d::utf8_prefix(result, kLongestDownloadName);
   const std::size_t begin = result.find_first_not_of(". ");
   if (begin == std::string::npos) return {};
   return result.substr(begin, result.find_last_not_of(". ") + 1 - begin);
