@@ -60,7 +60,8 @@ BoundOperator same_tuples(std::vector<TypeExpr::Attribute> attributes) {
   AttributeSources sources;
   for (std::size_t index = 0; index < attributes.size(); ++index) sources.push_back({false, index});
   return {TypeExpr::stream(TypeExpr::tuple(std::move(attributes))),
-          [](std::vector<Datum> given, Context&) -> Result<Datum> { return given[0]; }, MakesTuples{std::move(sources)}};
+          [](std::vector<Datum> given, Context&) -> Result<Datum> { return given[0]; },
+          MakesTuples{std::move(sources)}};
 }
 
 Result<BoundOperator> map_rename(std::span<const ArgumentType> arguments) {

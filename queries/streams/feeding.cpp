@@ -140,7 +140,8 @@ Result<BoundOperator> map_count(std::span<const ArgumentType> arguments) {
         "int", [](std::vector<Datum> given, Context&) -> Result<Datum> { return count_nested(given[0].value()); }};
   if (!type.is_relation() && !type.is_stream() && !is_collection(type))
     return check.expected("a relation or a stream", type);
-  return BoundOperator{"int", [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+  return BoundOperator{"int",
+                       [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          if (const auto* relation = std::get_if<RelationPtr>(&given[0].content)) {
                            A3D_ASSIGN(const std::int64_t count, (*relation)->count());
                            return counted(count);

@@ -289,8 +289,8 @@ void register_comparison(Registry& registry) {
             "Points, surfaces and solids are equal if they are the same point set, whatever the triangles.",
         .exactness = Exactness::exact,
         .overloads = comparisons(registry, row.holds, row.kernel),
-        .overload_for = [holds = row.holds, kernel = row.kernel](
-                            const Type& type) { return comparison(type, type, holds, kernel); },
+        .overload_for = [holds = row.holds,
+                         kernel = row.kernel](const Type& type) { return comparison(type, type, holds, kernel); },
         .examples = {{{row.yes[0], row.yes[1]}, "TRUE"},
                      {{row.no[0], row.no[1]}, "FALSE"},
                      {{"1", "(int undefined)"}, "undefined"}},

@@ -43,8 +43,8 @@ struct ContentOfResult<Maybe<T>> {
 template <auto Function, typename Return, typename... Parameters>
 struct KernelMaker {
   using Content = typename ContentOfResult<Return>::Type;
-  static constexpr bool kExists =
-      InColumn<Content> && sizeof...(Parameters) > 0 && (InColumn<std::remove_cvref_t<Parameters>> && ...);
+  static constexpr bool kExists = InColumn<Content> && sizeof...(Parameters) > 0 &&
+                                  (InColumn<std::remove_cvref_t<Parameters>> && ...);
 
   static void run(const KernelCall& call) { run(call, std::index_sequence_for<Parameters...>()); }
 

@@ -228,7 +228,8 @@ struct OverloadMaker {
       overload.rows = implementation;
     } else {
       overload.function = implementation;
-      if constexpr (!kTakesContext && Results::kNeverFails) overload.kernel = kernel_of<Function, Return, Parameters...>();
+      if constexpr (!kTakesContext && Results::kNeverFails)
+        overload.kernel = kernel_of<Function, Return, Parameters...>();
     }
     return overload;
   }

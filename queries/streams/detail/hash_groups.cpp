@@ -1,7 +1,7 @@
 #include "queries/streams/detail/hash_groups.h"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
 #include <utility>
 
 #include "algebra3d/operators/registry/aggregate.h"
@@ -57,10 +57,7 @@ class HashGroups final : public TupleStream {
   /// To be called when all tuples have been taken.
   Status finish() {
     table_.clear();
-    sequence_.resize(groups_.size());
-    std::iota(sequence_.begin(), sequence_.end(), std::uint32_t{0});
-    std::ranges::sort(sequence_,
-                      [&](std::uint32_t a, std::uint32_t b) { return precedes(groups_[a].keys, groups_[b].keys); });
+    sequence_ = in_order();
     if (put_aside_.is_empty()) return {};
     A3D_ASSIGN(TupleStreamPtr in_order, sorted(*put_aside_.scan(), grouping_.order, context_));
     aside_.emplace(std::move(in_order), grouping_.keys);
@@ -126,6 +123,41 @@ class HashGroups final : public TupleStream {
       if (order != 0) return key.is_descending ? order > 0 : order < 0;
     }
     return false;
+  }
+
+  /// A group with the prefixes (Type::order_prefix) of its first keys in the order.
+  struct Prefixed {
+    std::array<std::uint64_t, 2> prefixes = {};
+    std::uint32_t number = 0;
+  };
+
+  bool precedes(const Prefixed& a, const Prefixed& b) const {
+    for (std::size_t i = 0; i < std::min(order_.size(), a.prefixes.size()); ++i) {
+      if (a.prefixes[i] != b.prefixes[i]) return (a.prefixes[i] < b.prefixes[i]) != order_[i].is_descending;
+      if (!says_all(groups_[a.number].keys[order_[i].attribute].type(), a.prefixes[i])) break;
+    }
+    return precedes(groups_[a.number].keys, groups_[b.number].keys);
+  }
+
+  /// Whether values of this prefix are equal. Of ints the two smallest share one.
+  static bool says_all(const algebra3d::Type& type, std::uint64_t prefix) {
+    const bool is_int = &type == &algebra3d::TypeOf<std::int64_t>::type();
+    return type.is_whole_in_prefix() || (is_int && prefix != 1);
+  }
+
+  /// The numbers of the groups in their order.
+  std::vector<std::uint32_t> in_order() const {
+    std::vector<Prefixed> groups(groups_.size());
+    for (std::uint32_t number = 0; number < groups.size(); ++number) {
+      groups[number].number = number;
+      for (std::size_t i = 0; i < std::min(order_.size(), groups[number].prefixes.size()); ++i)
+        groups[number].prefixes[i] = order_prefix(groups_[number].keys[order_[i].attribute]);
+    }
+    std::ranges::sort(groups, [&](const Prefixed& a, const Prefixed& b) { return precedes(a, b); });
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(groups.size());
+    for (const Prefixed& group : groups) numbers.push_back(group.number);
+    return numbers;
   }
 
   Result<TuplePtr> group_aside() {

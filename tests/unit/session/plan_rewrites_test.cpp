@@ -33,7 +33,8 @@ class PlanRewrites : public testing::Test {
 
   std::string key() {
     if (below(8) == 0) return "undefined";
-    return below(20) == 0 ? "9223372036854775807" : std::to_string(below(12) - 3);
+    static const std::vector<std::string> limits{"9223372036854775807", "-9223372036854775808", "-9223372036854775807"};
+    return below(12) == 0 ? one_of(limits) : std::to_string(below(12) - 3);
   }
   std::string word() {
     static const std::vector<std::string> words{"\"\"", "\"a\"", "\"ab\"", "\"b\"", "undefined"};
