@@ -57,7 +57,8 @@ class Kernels : public testing::Test {
     ValueColumn result(*call.overload->result);
     result.restart(kRows);
     Diagnostics notes_of_kernel, notes_of_calls;
-    Context of_kernel{.diagnostics = notes_of_kernel}, of_calls{.diagnostics = notes_of_calls};
+    Context of_kernel{.diagnostics = notes_of_kernel, .folder = {}},
+        of_calls{.diagnostics = notes_of_calls, .folder = {}};
     const std::function<void(const Undefined&)> report = [&](const Undefined& undefined) {
       report_undefined(call, undefined, of_kernel);
     };
@@ -113,7 +114,7 @@ TEST_F(Kernels, aggregates_of_rows_are_those_of_values) {
       for (const SelectedRows rows : {SelectedRows{nullptr, kRows}, {some.data(), some.size()}, {}}) {
         const ValueColumn column = random_column(*type);
         Diagnostics notes, other_notes;
-        Context context{.diagnostics = notes}, other{.diagnostics = other_notes};
+        Context context{.diagnostics = notes, .folder = {}}, other{.diagnostics = other_notes, .folder = {}};
         Aggregation of_rows(*call), of_values(*call);
         ASSERT_TRUE(of_rows.step_rows(column, rows, context).ok());
         for (std::size_t i = 0; i < rows.count; ++i) ASSERT_TRUE(of_values.step(column.value(rows[i]), other).ok());
