@@ -23,7 +23,10 @@
 /* Of private use, as pg_statistic.h has it. The numbers: rows of the sample, those of them with an empty value, then
  * the groups. */
 #define STATISTIC_KIND_BOXES 21300
-#define GROUPS_PER_TARGET 5
+#define GROUPS_PER_TARGET 15
+/* Of few rows there are fewer groups: the planner looks at each pair of groups of a join. */
+#define FEW_GROUPS 64
+#define ROWS_OF_GROUP 8
 /* The least checksums of different boxes, and before them the share of different boxes among all rows. By them a join
  * knows which rows are in both tables: rows joined with themselves, and copies. */
 #define STATISTIC_KIND_CHECKSUMS 21301
@@ -146,26 +149,50 @@ static Group group_of(const Sampled* rows, int count) {
   return group;
 }
 
+/* A way to divide rows, and by how much it lessens the sum of rows times extent. */
+typedef struct Division {
+  int axis, first;
+  double gain;
+} Division;
+
+/* Of rows that are sorted along an axis: each part is to have its rows as densely as possible. That is the middle where
+ * they lie evenly, and else the edge of a dense part, or a gap. */
+static Division division_along(const Sampled* rows, int count, int axis) {
+  const double least = rows[0].numbers[axis], greatest = rows[count - 1].numbers[axis];
+  Division best = {axis, count / 2, 0};
+  for (int i = 1; i < count; ++i) {
+    const double sum = i * (rows[i - 1].numbers[axis] - least) + (count - i) * (greatest - rows[i].numbers[axis]);
+    const double gain = count * (greatest - least) - sum;
+    if (gain > best.gain) best = (Division){axis, i, gain};
+  }
+  return best;
+}
+
+static void sort_along(Sampled* rows, int count, int axis) {
+  order_axis = axis;
+  qsort(rows, count, sizeof *rows, compare_sampled);
+}
+
 /* Makes so many groups of the rows, at most. */
 static void divide(Gathered* result, Sampled* rows, int count, int groups) {
-  int widest = 0;
-  double width = -1;
+  Division best = {0, 0, 0};
+  int groups_of_first;
   if (count == 0) return;
-  for (int axis = 0; axis < 6; ++axis) {
-    const double found = spread(rows, count, axis);
-    if (found > width) {
-      width = found;
-      widest = axis;
-    }
+  for (int axis = 0; axis < 6 && groups > 1; ++axis) {
+    Division found;
+    if (count * spread(rows, count, axis) <= best.gain) continue;
+    sort_along(rows, count, axis);
+    found = division_along(rows, count, axis);
+    if (found.gain > best.gain) best = found;
   }
-  if (groups <= 1 || count == 1 || width == 0) {
+  if (best.gain == 0) {
     result->groups[result->count++] = group_of(rows, count);
     return;
   }
-  order_axis = widest;
-  qsort(rows, count, sizeof *rows, compare_sampled);
-  divide(result, rows, count / 2, groups / 2);
-  divide(result, rows + count / 2, count - count / 2, groups - groups / 2);
+  sort_along(rows, count, best.axis);
+  groups_of_first = Max(1, Min(groups - 1, (int)((double)groups * best.first / count + 0.5)));
+  divide(result, rows, best.first, groups_of_first);
+  divide(result, rows + best.first, count - best.first, groups - groups_of_first);
 }
 
 static void compute_statistics(VacAttrStatsP stats, AnalyzeAttrFetchFunc fetch, int row_count, double total) {
@@ -210,7 +237,7 @@ static void compute_statistics(VacAttrStatsP stats, AnalyzeAttrFetchFunc fetch, 
   stats->stadistinct = -1.0F + stats->stanullfrac;
   if (count + empty == 0) return;
   gathered->groups = palloc(gathered->most * sizeof(Group));
-  divide(gathered, rows, count, gathered->most);
+  divide(gathered, rows, count, Min(gathered->most, Max(FEW_GROUPS, count / ROWS_OF_GROUP)));
   numbers = MemoryContextAlloc(stats->anl_context, 2 * sizeof(float4) + gathered->count * sizeof(Group));
   numbers[0] = (float4)(count + empty);
   numbers[1] = (float4)empty;
@@ -307,15 +334,24 @@ static double share_of_pairs(double a, double b, double c, double d, double far)
   return Max(0, share_below(a, b, c, d, far) - share_below(a, b, c, d, -far));
 }
 
+/* Whether no centres of two groups are so near to each other, which is so for most. */
+static inline bool are_apart(const Group* a, const Group* b, const double far[3]) {
+  bool apart = false;
+  for (int axis = 0; axis < 3; ++axis)
+    apart |= (a->min[axis] - b->max[axis] > far[axis]) | (b->min[axis] - a->max[axis] > far[axis]);
+  return apart;
+}
+
 static double share_for_pairs(const Histogram* left, const Histogram* right, StrategyNumber strategy, double limit) {
   double pairs = 0;
   for (int i = 0; i < left->count; ++i)
     for (int j = 0; j < right->count; ++j) {
       const Group *a = &left->groups[i], *b = &right->groups[j];
-      double share = (double)a->rows * b->rows;
+      double share = (double)a->rows * b->rows, far[3];
+      for (int axis = 0; axis < 3; ++axis) far[axis] = reach(strategy, a->half[axis], b->half[axis], limit);
+      if (are_apart(a, b, far)) continue;
       for (int axis = 0; axis < 3 && share > 0; ++axis)
-        share *= share_of_pairs(a->min[axis], a->max[axis], b->min[axis], b->max[axis],
-                                reach(strategy, a->half[axis], b->half[axis], limit));
+        share *= share_of_pairs(a->min[axis], a->max[axis], b->min[axis], b->max[axis], far[axis]);
       pairs += share;
     }
   return left->rows > 0 && right->rows > 0 ? pairs / (left->rows * right->rows) : 0;
