@@ -1,6 +1,6 @@
-/* Statistics of boxes: ANALYZE divides a sample into groups of boxes of similar place and size, by halving along the
- * widest of six extents: that of the centres and that of the sizes, in three dimensions. Within a group centres are
- * taken as evenly distributed, and sizes as equal. */
+/* Statistics of boxes: ANALYZE divides a sample into groups of boxes of similar place and size, along one of six
+ * extents: that of the centres and that of the sizes, in three dimensions. Within a group centres are taken as evenly
+ * distributed, and sizes as equal. */
 #include "statistics.h"
 
 #include <math.h>
