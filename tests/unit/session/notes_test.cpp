@@ -65,8 +65,8 @@ TEST_F(Notes, a_filter_by_an_index_tells_why_its_operand_is_undefined) {
 }
 
 TEST_F(Notes, inquiries_give_integers) {
-  const std::string plan = session_.run("explain query Shapes feed count");
-  EXPECT_TRUE(plan.starts_with("(inquiry (plan ((0 count '((stream (tuple ((No int) (Shape points3d))))) -> int' 1 0 "))
+  const std::string plan = session_.run("explain query Shapes feed sum[No]");
+  EXPECT_TRUE(plan.starts_with("(inquiry (plan ((0 sum '((stream (tuple ((No int) (Shape points3d))))) -> int' 1 0 "))
       << plan;
   EXPECT_NE(plan.find(" 1 5 "), std::string::npos) << plan;
   const std::string counters = session_.run("list counters");
