@@ -5,6 +5,7 @@
 
 The program is the environment variable ALGEBRA3D_PROGRAM, or the first argument of the test.
 """
+import gzip
 import http.client
 import json
 import os
@@ -35,7 +36,8 @@ class Answer:
 
     @property
     def json(self):
-        return json.loads(self.body.decode("utf-8"))
+        packed = self.headers.get("content-encoding") == "gzip"
+        return json.loads((gzip.decompress(self.body) if packed else self.body).decode("utf-8"))
 
     @property
     def error(self):
