@@ -64,6 +64,15 @@ static bool is_simple(Expr* expression) {
   return !contain_volatile_functions((Node*)expression) && !contain_subplans((Node*)expression);
 }
 
+/* Conditions without columns are asked once by a node above joins, but before version 15.4 not above those of others.
+ */
+static bool has_pseudoconstant(List* restrictions) {
+  ListCell* cell;
+  foreach (cell, restrictions)
+    if (lfirst_node(RestrictInfo, cell)->pseudoconstant) return true;
+  return false;
+}
+
 static bool find_condition(PlannerInfo* root, RelOptInfo* outer, RelOptInfo* inner, List* restrictions,
                            BoxCondition* result) {
   ListCell* cell;
@@ -71,7 +80,7 @@ static bool find_condition(PlannerInfo* root, RelOptInfo* outer, RelOptInfo* inn
     RestrictInfo* restriction = lfirst_node(RestrictInfo, cell);
     Expr *first, *second;
     Relids of_first, of_second;
-    if (restriction->pseudoconstant || !is_of_boxes(restriction->clause, &first, &result->is_whole)) continue;
+    if (!is_of_boxes(restriction->clause, &first, &result->is_whole)) continue;
     second = lsecond(arguments_of(restriction->clause));
     of_first = pull_varnos(root, (Node*)first);
     of_second = pull_varnos(root, (Node*)second);
@@ -95,6 +104,7 @@ static bool find_condition(PlannerInfo* root, RelOptInfo* outer, RelOptInfo* inn
 
 /* Reading the box of a value, copying the row, and its place in a tree: some 150 nanoseconds. */
 #define OPERATORS_FOR_EACH_ROW 16
+
 static Cost cost_of(PlannerInfo* root, const List* clauses, double rows) {
   QualCost cost;
   cost_qual_eval(&cost, (List*)clauses, root);
@@ -133,7 +143,7 @@ static List* sorted_conditions(PlannerInfo* root, List* restrictions, const BoxC
   foreach (cell, restrictions) {
     RestrictInfo* each = lfirst_node(RestrictInfo, cell);
     int place = 0;
-    if (each->pseudoconstant || (each == condition->restriction && condition->is_whole)) continue;
+    if (each == condition->restriction && condition->is_whole) continue;
     while (place < list_length(sorted) && !is_before(root, each, list_nth(sorted, place))) ++place;
     sorted = list_insert_nth(sorted, place, each);
   }
@@ -168,6 +178,7 @@ static void offer(PlannerInfo* root, RelOptInfo* joined, RelOptInfo* outer, RelO
   if (!setting_enable_box_join || type != JOIN_INNER || !are_rows_only_read(root)) return;
   if (is_of_other_server(outer) || is_of_other_server(inner) || is_of_other_server(joined)) return;
   if (of_outer == NULL || of_outer->param_info != NULL || of_inner == NULL || of_inner->param_info != NULL) return;
+  if (has_pseudoconstant(extra->restrictlist)) return;
   if (!find_condition(root, outer, inner, extra->restrictlist, &condition)) return;
   further = sorted_conditions(root, extra->restrictlist, &condition);
   path = makeNode(CustomPath);

@@ -16,7 +16,7 @@ Datum algebra3d_support_meet(PG_FUNCTION_ARGS);
 Datum algebra3d_support_near(PG_FUNCTION_ARGS);
 Datum algebra3d_box_join(PG_FUNCTION_ARGS);
 
-/* box_around(value, length), in the schema of the function `predicate`; null if there is none for that type. */
+/* box_around(value, length), in the schema of the function `predicate`; null if that schema has none for the type. */
 Expr* call_of_box_around(Oid predicate, Node* value, Node* length);
 
 /* The name of the node, as EXPLAIN shows it. */

@@ -95,7 +95,7 @@ Result<TupleStreamPtr> selected(Relation& relation, IndexCandidates found) {
       });
 }
 
-/// What is to be read of a relation, and how.
+/// A search in a relation by its indexes, and the attributes that it reads.
 struct IndexReading {
   RelationPtr relation;
   std::vector<IndexChoice> choices;

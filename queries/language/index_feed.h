@@ -28,7 +28,7 @@ class IndexFeedNode final : public TypedNode {
                 SourcePlace place);
   Result<Datum> evaluate(const Frame* frame, Context& context) const override;
 
-  /// The same, if only some attributes of the tuples are read, by their places.
+  /// A node that reads only some attributes, by their places.
   std::shared_ptr<IndexFeedNode> reading(std::vector<bool> read) const;
 
   /// The indexes that it may read by, or, after `describe_plan`, the way in which it would have read then.

@@ -156,7 +156,8 @@ void pair_by_hash(BoundOperator& bound, std::vector<TypedPtr>& arguments) {
     arguments[0] = with_operator(arguments[0], *product, pairs.with_equal(*keys));
 }
 
-/// What the function of a group computes, if it is the number of the tuples or an aggregate of an attribute.
+/// The aggregate that the function of a group computes; nothing if it is neither the number of the tuples nor an
+/// aggregate of an attribute.
 std::optional<GroupAggregate> group_aggregate(const TypedNode& function) {
   const auto view = view_as<FunctionView>(function);
   const auto call = view ? view_as<StreamCallView>(view->body) : std::nullopt;
@@ -248,7 +249,7 @@ class AttributeSearch {
     search(function.body);
     --depth_;
   }
-  // What cannot be seen may read all.
+  // A node without a view may read all attributes.
   void visit(const std::monostate& /*unknown*/) { read_.assign(read_.size(), true); }
   void search_all(std::span<const TypedPtr> nodes) {
     for (const TypedPtr& node : nodes) search(*node);
@@ -301,7 +302,8 @@ std::optional<ReadAttributes> attributes_for(const StreamCallView& call, ReadAtt
   return std::nullopt;
 }
 
-/// The same tuples, of which only some attributes are read: as far down as operators are known, to the scan.
+/// A plan with the tuples of `node`, of which only some attributes are read: scans below it, as far down as operators
+/// have roles, leave the others out.
 TypedPtr reading(const TypedPtr& node, const ReadAttributes& read) {
   if (const auto* index_feed = dynamic_cast<const IndexFeedNode*>(node->unmeasured().get()))
     return node->renewed(index_feed->reading(read));

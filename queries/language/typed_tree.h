@@ -28,7 +28,8 @@ struct Frame {
 class TypedNode;
 using TypedPtr = std::shared_ptr<const TypedNode>;
 
-// What a node of the typed tree is, for rewrites. All pointers and references are valid as long as the node.
+// Views of nodes of the typed tree, for rewrites: the kind of a node, and its parts. All pointers and references are
+// valid as long as the node.
 
 /// `value`: null if it is undefined, or no value.
 struct ConstantView {
@@ -104,7 +105,7 @@ class TypedNode : public std::enable_shared_from_this<TypedNode> {
   virtual TypedPtr renewed(TypedPtr other) const { return other; }
   /// The node in columns, counted and timed as this node is if it is.
   virtual std::shared_ptr<ColumnFunction> measured(std::shared_ptr<ColumnFunction> columns) const { return columns; }
-  /// The same node, neither counted nor timed.
+  /// The node without the counter and clock that `explain` puts around it.
   virtual TypedPtr unmeasured() const { return shared_from_this(); }
 
  protected:

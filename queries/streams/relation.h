@@ -21,7 +21,8 @@ class Relation {
   virtual Result<std::int64_t> count() const = 0;
   /// A stream of all tuples in storage order. It shows the relation as it is at the first `next`.
   virtual Result<TupleStreamPtr> scan() = 0;
-  /// The same in columns, if the relation has them. `read`: by attribute, those that are read; others may be undefined.
+  /// A scan in columns, if the relation has them, else as `scan`. `read`: for each attribute, whether it is read;
+  /// others may be undefined.
   virtual Result<TupleStreamPtr> scan_columns(std::vector<bool> /*read*/) { return scan(); }
   /// The tuple with this id, or null.
   virtual Result<TuplePtr> fetch(TupleId id) = 0;

@@ -44,8 +44,9 @@ struct JoinKeys {
   std::size_t right = 0;
 };
 
-// What an operator does, as far as rewrites of plans use it (queries/language/rewriting.h), and the operators that may
-// stand in its place there: they give the same tuples in the same order.
+// The roles of operators: what an operator does with its operands, as far as rewrites of plans use it
+// (queries/language/rewriting.h). Functions of a role make operators that may stand in its place there: they give the
+// same tuples in the same order.
 
 /// The value of an attribute of the tuple at place 0.
 struct ReadsAttribute {
@@ -67,7 +68,7 @@ struct AggregatesAttribute {
   algebra3d::ResolvedCall call;
   std::size_t attribute = 0;
 };
-/// What is made of the stream at place 0, of which only these attributes count.
+/// A result that depends on these attributes of the stream at place 0 alone.
 struct UsesAttributes {
   std::vector<std::size_t> indices;
 };
@@ -89,12 +90,12 @@ struct SortsTuples {
   /// Gives only the first tuples, this many.
   std::function<BoundOperator(std::size_t count)> of_first;
 };
-/// What an aggregate makes of a group of tuples; without a call the number of tuples.
+/// An aggregate of a group of tuples; without a call the number of tuples.
 struct GroupAggregate {
   std::optional<algebra3d::ResolvedCall> call;
   std::size_t attribute = 0;
 };
-/// What the functions at place 2 make of runs of tuples with equal keys in the stream at place 0.
+/// A tuple for each run of tuples with equal keys in the stream at place 0, made by the functions at place 2.
 struct GroupsTuples {
   std::vector<std::size_t> keys;
   /// Takes tuples in any order, and gives the groups in this one, which is of the keys.

@@ -94,7 +94,7 @@ class Extreme final : public AggregateState {
     if (!best_ || wins(compare(value, *best_))) best_ = value;
     return {};
   }
-  // Of each run of rows only the best value becomes a Value.
+  // Compares in the column: one Value is made for each batch, of its best row.
   Status step_rows(const ValueColumn& column, SelectedRows rows, Context& context) override {
     const auto best = column.visit([&]<typename Element>(const Element* values) -> std::optional<std::size_t> {
       if constexpr (std::is_same_v<Element, Value>) {

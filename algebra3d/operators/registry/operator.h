@@ -112,7 +112,7 @@ struct Overload {
   /// Of a scalar. Arguments have exactly the parameter types, and are undefined only where accepted. Loads arguments as
   /// needed.
   std::function<Result<Outcome>(std::span<const Value>, Context&)> function;
-  /// Of a scalar that never fails: the same on many rows at once; may be null.
+  /// The kernel of a scalar that never fails: calls the function for many rows at once. May be null.
   Kernel kernel = nullptr;
   /// Of an aggregate: the state before the first value.
   std::function<std::unique_ptr<AggregateState>()> start;

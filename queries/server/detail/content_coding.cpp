@@ -85,7 +85,7 @@ class ZlibStream {
       stream_.avail_out = static_cast<uInt>(piece.size());
       outcome = step(&stream_, bytes.empty() ? Z_FINISH : Z_NO_FLUSH);
       result.append(piece.data(), piece.size() - stream_.avail_out);
-      // More room is needed, or more bytes, which is no error.
+      // More room or more bytes are needed; the loop goes on.
       if (outcome == Z_BUF_ERROR && (stream_.avail_out == 0 || (stream_.avail_in == 0 && !bytes.empty())))
         outcome = Z_OK;
     }

@@ -65,8 +65,8 @@ class Execution {
   /// Whether the answer came with a result to be asked.
   bool has_result() const;
 
-  /// Asks the result: `work` runs on the session's thread, or on one of its own where there is no session any more; one
-  /// question at a time. Errors: those of `work`; interrupted if the result is
+  /// The answer of `work` to a question about the result. It runs on the session's thread, or on a thread of its own
+  /// once the session has ended; questions wait for each other. Errors: those of `work`; interrupted if the result is
   /// dropped meanwhile, or the client of `connection` (null: none) has gone.
   template <typename T>
   Result<T> ask(const Connection* connection, std::function<Result<T>(ResultTable&, Context&)> work);
@@ -78,7 +78,7 @@ class Execution {
   bool holds_session() const;
   /// Whether it was asked to leave the database and cannot, since a copy would be large. This does not change.
   bool is_large() const;
-  /// What the statement and its result hold in memory, about.
+  /// Bytes of memory that the statement and its result hold, about.
   std::size_t held_bytes() const { return user_.used(); }
   /// The size of a result that has left the database, about; else 0.
   std::size_t copied_bytes() const { return copied_bytes_; }

@@ -18,7 +18,7 @@ namespace {
 constexpr std::chrono::minutes kLongestUnused(15);
 // As long a result that was not asked yet is kept before others.
 constexpr std::chrono::seconds kFresh(10);
-// What a result holds at least: its entry, and perhaps a file.
+// Bytes that each result counts at least, for its entry, and perhaps a file.
 constexpr std::size_t kLeastHeld = std::size_t{64} << 10U;
 
 // The number in an id; 0 for a text that is not an id.

@@ -94,7 +94,7 @@ class MadeTuples final : public TupleStream {
     auto result = std::make_shared<Tuple>();
     result->attributes.reserve(sources_.size());
     for (const AttributeSource& source : sources_)
-      result->attributes.push_back(source.is_made ? std::move(made[source.index]) : tuple->attributes[source.index]);
+      result->attributes.push_back(source.is_made ? made[source.index] : tuple->attributes[source.index]);
     return TuplePtr(std::move(result));
   }
 

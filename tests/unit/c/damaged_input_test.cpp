@@ -84,7 +84,8 @@ class DamagedInput : public testing::Test {
     return result;
   }
 
-  /// What came of it is refused with an error that a user can be told, or is equal to its copy by the binary form.
+  /// The damaged input is refused with an error that a user can be told, or its value is equal to its copy by the
+  /// binary form.
   void check(const Owner& value, std::string_view type) const {
     if (value == nullptr) {
       EXPECT_TRUE(is_expected(session_.sql_state())) << session_.sql_state() << " " << session_.error();

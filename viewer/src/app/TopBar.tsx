@@ -1,3 +1,4 @@
+import type { ComponentProps } from "preact";
 import { useRef } from "preact/hooks";
 import { useRoving } from "../scene_panels";
 import { useApp, useKeeper } from "./context";
@@ -14,6 +15,30 @@ const themes: readonly { readonly choice: ThemeChoice; readonly label: string }[
   { choice: "dark", label: "Dark theme" },
   { choice: "light", label: "Light theme" },
 ];
+
+/** A button with an icon, and its name where there is room. */
+function NamedButton(props: {
+  readonly icon: ComponentProps<typeof Icon>["name"];
+  readonly name: string;
+  readonly title: string;
+  readonly pressed?: boolean;
+  readonly onClick: () => void;
+}) {
+  const { icon, name, title, pressed, onClick } = props;
+  return (
+    <button
+      type="button"
+      class="btn quiet"
+      title={title}
+      aria-label={name}
+      aria-pressed={pressed}
+      onClick={onClick}
+    >
+      <Icon name={icon} />
+      <span class="wide-only">{name}</span>
+    </button>
+  );
+}
 
 /** Name of the database, state of the connection, and what concerns the whole page. */
 export function TopBar() {
@@ -47,37 +72,25 @@ export function TopBar() {
           disabled={!keeper.canRedo.value}
           onClick={() => void keeper.redo()}
         />
-        <button
-          type="button"
-          class="btn quiet"
+        <NamedButton
+          icon="upload"
+          name="Import"
           title={`Import ${listedFormats(store.catalogue.formats.value)} files`}
-          aria-label="Import"
           onClick={() => workspace.chooseFiles()}
-        >
-          <Icon name="upload" />
-          <span class="wide-only">Import</span>
-        </button>
-        <button
-          type="button"
-          class="btn quiet"
+        />
+        <NamedButton
+          icon="split"
+          name="Compare"
           title="Two meshes side by side"
-          aria-label="Compare"
-          aria-pressed={compare}
+          pressed={compare}
           onClick={() => (mode.value = compare ? "explore" : "compare")}
-        >
-          <Icon name="split" />
-          <span class="wide-only">Compare</span>
-        </button>
-        <button
-          type="button"
-          class="btn quiet"
+        />
+        <NamedButton
+          icon="link"
+          name="Copy link"
           title="Link that restores this view"
-          aria-label="Copy link"
           onClick={() => void copyLink(app)}
-        >
-          <Icon name="link" />
-          <span class="wide-only">Copy link</span>
-        </button>
+        />
         <span class="bar-gap wide-only" />
         <span class="wide-only">
           <IconButton
