@@ -42,6 +42,19 @@ COMMENT ON FUNCTION pair_tile(rect3, rect3, grid, float8) IS 'The one tile in wh
 CREATE FUNCTION is_pair_tile(tile integer, a rect3, b rect3, grid, reach float8 DEFAULT 0) RETURNS boolean AS 'MODULE_PATHNAME', 'algebra3d_is_pair_tile' LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION is_pair_tile(integer, rect3, rect3, grid, float8) IS 'Whether that is this tile; the planner expects it of a third of the pairs.';
 
+---- Sums ----
+
+CREATE FUNCTION exact_sum_add(internal, float8) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_exact_sum_add' LANGUAGE C IMMUTABLE PARALLEL SAFE;
+CREATE FUNCTION exact_sum_add(internal, float8[]) RETURNS internal AS 'MODULE_PATHNAME', 'algebra3d_exact_sum_add_parts' LANGUAGE C IMMUTABLE PARALLEL SAFE;
+CREATE FUNCTION exact_sum_finish(internal) RETURNS float8 AS 'MODULE_PATHNAME', 'algebra3d_exact_sum' LANGUAGE C IMMUTABLE PARALLEL SAFE;
+CREATE FUNCTION exact_sum_parts_finish(internal) RETURNS float8[] AS 'MODULE_PATHNAME', 'algebra3d_exact_sum_parts' LANGUAGE C IMMUTABLE PARALLEL SAFE;
+CREATE AGGREGATE exact_sum(float8) (SFUNC = exact_sum_add, STYPE = internal, SSPACE = 528, FINALFUNC = exact_sum_finish, PARALLEL = SAFE);
+COMMENT ON AGGREGATE exact_sum(float8) IS 'The exact sum, rounded once to the nearest double: the same in any order; NULL if there is no value.';
+CREATE AGGREGATE exact_sum(float8[]) (SFUNC = exact_sum_add, STYPE = internal, SSPACE = 528, FINALFUNC = exact_sum_finish, PARALLEL = SAFE);
+COMMENT ON AGGREGATE exact_sum(float8[]) IS 'The exact sum of parts of sums, rounded once.';
+CREATE AGGREGATE exact_sum_parts(float8) (SFUNC = exact_sum_add, STYPE = internal, SSPACE = 528, FINALFUNC = exact_sum_parts_finish, PARALLEL = SAFE);
+COMMENT ON AGGREGATE exact_sum_parts(float8) IS 'Some doubles whose sum is the exact sum, to be summed further by exact_sum.';
+
 ---- What is known ----
 
 CREATE TABLE algebra3d_shard_relations (
@@ -485,6 +498,16 @@ BEGIN
   END LOOP;
 END $$;
 
+-- How many threads a call may use on a server, from its next connection on.
+CREATE FUNCTION algebra3d_shard_set_threads(server name, threads integer) RETURNS void LANGUAGE plpgsql VOLATILE
+SET search_path = @extschema@, pg_temp AS $$
+DECLARE
+  before text := (SELECT o.option_value FROM pg_foreign_server s, pg_options_to_table(s.srvoptions) o WHERE s.srvname = server AND o.option_name = 'options');
+BEGIN
+  EXECUTE format('ALTER SERVER %I OPTIONS (%s options %L)', server, CASE WHEN before IS NULL THEN 'ADD' ELSE 'SET' END,
+    ltrim(regexp_replace(coalesce(before, ''), '\s*-c *algebra3d\.threads=\d+', '', 'g') || ' -c algebra3d.threads=' || threads));
+END $$;
+
 -- Runs a statement on a server, in the present transaction.
 CREATE FUNCTION algebra3d_shard_execute(server name, statement text) RETURNS void LANGUAGE plpgsql VOLATILE
 SET search_path = @extschema@, pg_temp SET client_min_messages = warning AS $$
@@ -567,7 +590,17 @@ BEGIN
   RETURN counted;
 END $$;
 
--- What makes the view of a relation.
+-- What there is one of for a relation: the name of its view and function, and how it is computed of each tile and of these.
+CREATE FUNCTION algebra3d_shard_totals(known algebra3d_shard_relations) RETURNS TABLE (total text, type text, of_tile text, of_all text) LANGUAGE SQL IMMUTABLE
+BEGIN ATOMIC
+  SELECT t.total, t.type, format(t.of_tile, known.geometry), t.of_all FROM (VALUES
+    ('count', 'bigint', 'count(*)', 'coalesce(sum(part), 0)::bigint', '{volume3d,surface3d,points3d,point3d,mesh3d}'::text[]),
+    ('extent', 'rect3', 'extent(box)', 'extent(part)', '{volume3d,surface3d,points3d,point3d,mesh3d}'),
+    ('area', 'float8', 'exact_sum_parts(area)', 'coalesce(exact_sum(part), 0)', '{volume3d,surface3d}'),
+    ('volume', 'float8', 'exact_sum_parts(volume)', 'coalesce(exact_sum(part), 0)', '{volume3d}'),
+    ('union', 'volume3d', 'union_agg(%I)', 'union_agg(part)', '{volume3d}')) t(total, type, of_tile, of_all, types) WHERE known.geometry_type = ANY (t.types);
+END;
+-- What makes the views of a relation: its rows, and what there is one of, with a function that reads that view.
 CREATE FUNCTION algebra3d_shard_view_script(known algebra3d_shard_relations) RETURNS text[] LANGUAGE SQL STABLE
 RETURN ARRAY[
   format('CREATE OR REPLACE VIEW %1$I.%2$I WITH (security_invoker = true) AS SELECT %4$s, row_id FROM %1$I.%3$I '
@@ -576,7 +609,13 @@ RETURN ARRAY[
   format('CREATE OR REPLACE TRIGGER stamp BEFORE INSERT OR UPDATE OR DELETE ON %1$I.%2$I FOR EACH STATEMENT EXECUTE FUNCTION algebra3d_shard_stamp(%3$L)',
     known.schema_name, known.name, format('%I.%I', known.schema_name, known.name || '_row_id')),
   format('CREATE OR REPLACE TRIGGER write INSTEAD OF INSERT OR UPDATE OR DELETE ON %1$I.%2$I FOR EACH ROW EXECUTE FUNCTION algebra3d_shard_write()',
-    known.schema_name, known.name)];
+    known.schema_name, known.name)] ||
+  ARRAY(SELECT format(made, known.schema_name, known.name || '_' || t.total, known.name || '_tiles', t.of_all, t.total, t.of_tile, known.relation, t.type)
+    FROM algebra3d_shard_totals(known) t, unnest(ARRAY[
+      'CREATE OR REPLACE VIEW %1$I.%2$I WITH (security_invoker = true) AS SELECT %4$s AS %5$I FROM (SELECT tile, %6$s AS part FROM %1$I.%3$I '
+      'WHERE home AND died IS NULL AND tile > (SELECT algebra3d_shard_ready(%7$L)) GROUP BY tile) q',
+      'CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS %8$s LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC SELECT %5$I FROM %1$I.%2$I; END'])
+      WITH ORDINALITY n(made, i) ORDER BY t.total, i);
 
 -- What makes the functions of a relation, which know its grid; they are used by statements that are planned while it is another,
 -- so they do not ask which copy is at home.
@@ -588,29 +627,14 @@ BEGIN
   FOREACH statement IN ARRAY ARRAY[
     'CREATE OR REPLACE FUNCTION %1$I.%7$I(box rect3) RETURNS SETOF %1$I.%2$I LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
     'SELECT %4$s, row_id FROM %1$I.%3$I WHERE tile = ANY (tiles_of($1, %5$L::grid)) AND died IS NULL AND %3$I.%6$I && $1 '
-    'AND is_pair_tile(tile, %3$I.box, $1, %5$L::grid) AND tile > (SELECT algebra3d_shard_ready(%12$L, tiles_of($1, %5$L::grid), %14$s)); END',
-    'CREATE OR REPLACE FUNCTION %1$I.%8$I() RETURNS bigint LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
-    'SELECT coalesce(sum(n), 0)::bigint FROM (SELECT tile, count(*) AS n FROM %1$I.%3$I WHERE home AND died IS NULL '
-    'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END',
-    'CREATE OR REPLACE FUNCTION %1$I.%8$I(box rect3) RETURNS bigint LANGUAGE SQL VOLATILE BEGIN ATOMIC SELECT algebra3d_shard_count(%12$L, $1); END',
-    'CREATE OR REPLACE FUNCTION %1$I.%9$I() RETURNS rect3 LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
-    'SELECT extent(b) FROM (SELECT tile, extent(%3$I.box) AS b FROM %1$I.%3$I WHERE home AND died IS NULL '
-    'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END'] ||
-    CASE WHEN known.geometry_type = 'volume3d' THEN ARRAY[
-    'CREATE OR REPLACE FUNCTION %1$I.%10$I() RETURNS float8 LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
-    'SELECT coalesce(sum(v), 0) FROM (SELECT tile, sum(volume) AS v FROM %1$I.%3$I WHERE home AND died IS NULL '
-    'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END',
-    'CREATE OR REPLACE FUNCTION %1$I.%11$I() RETURNS volume3d LANGUAGE SQL STABLE PARALLEL RESTRICTED BEGIN ATOMIC '
-    'SELECT union_agg(u) FROM (SELECT tile, union_agg(%6$I) AS u FROM %1$I.%3$I WHERE home AND died IS NULL '
-    'AND tile > (SELECT algebra3d_shard_ready(%12$L)) GROUP BY tile) q; END'] ELSE '{}' END ||
-    ARRAY[
-    'CREATE OR REPLACE FUNCTION %1$I.%13$I(place point3d, k integer) RETURNS SETOF %1$I.%2$I LANGUAGE SQL VOLATILE BEGIN ATOMIC '
-    'SELECT n.* FROM algebra3d_shard_near(NULL::%1$I.%2$I, %12$L, $1, $2) n; END']
+    'AND is_pair_tile(tile, %3$I.box, $1, %5$L::grid) AND tile > (SELECT algebra3d_shard_ready(%10$L, tiles_of($1, %5$L::grid), %11$s)); END',
+    'CREATE OR REPLACE FUNCTION %1$I.%8$I(box rect3) RETURNS bigint LANGUAGE SQL VOLATILE BEGIN ATOMIC SELECT algebra3d_shard_count(%10$L, $1); END',
+    'CREATE OR REPLACE FUNCTION %1$I.%9$I(place point3d, k integer) RETURNS SETOF %1$I.%2$I LANGUAGE SQL VOLATILE BEGIN ATOMIC '
+    'SELECT n.* FROM algebra3d_shard_near(NULL::%1$I.%2$I, %10$L, $1, $2) n; END']
   LOOP
     made := made || format(statement, known.schema_name, known.name, known.name || '_tiles',
       (SELECT string_agg(format('%I', c), ', ') FROM unnest(known.columns) c), known.grid, known.geometry,
-      known.name || '_window', known.name || '_count', known.name || '_extent', known.name || '_volume', known.name || '_union',
-      known.relation, known.name || '_near', @extschema@.tile_count(known.grid));
+      known.name || '_window', known.name || '_count', known.name || '_near', known.relation, @extschema@.tile_count(known.grid));
   END LOOP;
   RETURN made;
 END $$;
@@ -663,7 +687,7 @@ BEGIN
 END $$;
 
 -- What divides a table, but for loading its rows; and its relation.
-CREATE FUNCTION algebra3d_shard_set_up(relation text, grid grid, servers text[], reach float8, OUT known algebra3d_shard_relations, OUT statements text[])
+CREATE FUNCTION algebra3d_shard_set_up(relation text, grid grid, servers text[], reach float8, threads integer, OUT known algebra3d_shard_relations, OUT statements text[])
 LANGUAGE plpgsql STABLE SET search_path = @extschema@, pg_temp AS $$
 DECLARE
   source regclass;
@@ -682,6 +706,9 @@ BEGIN
   END IF;
   IF NOT (reach >= 0 AND reach < 'infinity') THEN
     RAISE 'a reach of %, expected a distance from 0', reach USING ERRCODE = 'invalid_parameter_value';
+  END IF;
+  IF threads < 1 THEN
+    RAISE '% threads, expected at least 1', threads USING ERRCODE = 'invalid_parameter_value';
   END IF;
   known.relation := format('%I.%I', known.schema_name, known.name);
   known.grid := grid;
@@ -703,30 +730,31 @@ BEGIN
       format('ALTER TABLE %I.%I RENAME TO %I', known.schema_name, known.name, known.name || '_local'),
       format('CREATE SEQUENCE %I.%I', known.schema_name, known.name || '_row_id')] ||
     algebra3d_shard_tiles_script(known, servers, definitions, bytes, known.name) ||
+    ARRAY(SELECT DISTINCT format('SELECT algebra3d_shard_set_threads(%L, %s)', server, threads) FROM unnest(servers) server WHERE threads IS NOT NULL ORDER BY 1) ||
     algebra3d_shard_view_script(known) || algebra3d_shard_functions_script(known) ||
     ARRAY[format('ALTER DATABASE %I SET enable_partitionwise_join = on', current_database()),
       format('ALTER DATABASE %I SET enable_partitionwise_aggregate = on', current_database())];
 END $$;
 
-CREATE FUNCTION algebra3d_shard_create(relation text, grid grid, servers text[], reach float8 DEFAULT 0) RETURNS bigint LANGUAGE plpgsql VOLATILE
+CREATE FUNCTION algebra3d_shard_create(relation text, grid grid, servers text[], reach float8 DEFAULT 0, threads integer DEFAULT NULL) RETURNS bigint LANGUAGE plpgsql VOLATILE
 SET search_path = @extschema@, pg_temp AS $$
 DECLARE
   set_up record;
 BEGIN
-  SELECT * INTO set_up FROM algebra3d_shard_set_up(relation, grid, servers, reach);
+  SELECT * INTO set_up FROM algebra3d_shard_set_up(relation, grid, servers, reach, threads);
   PERFORM algebra3d_shard_run_all(set_up.statements);
   RETURN algebra3d_shard_load((set_up.known).relation, format('%I.%I', (set_up.known).schema_name, (set_up.known).name || '_local')::regclass);
 END $$;
-COMMENT ON FUNCTION algebra3d_shard_create(text, grid, text[], float8) IS 'Divides a table into the tiles of a grid, on servers of postgres_fdw in turns, and loads its rows; the number of rows. The table itself becomes R_local, and R a view over the tiles.';
+COMMENT ON FUNCTION algebra3d_shard_create(text, grid, text[], float8, integer) IS 'Divides a table into the tiles of a grid, on servers of postgres_fdw in turns, and loads its rows; the number of rows. The table itself becomes R_local, and R a view over the tiles. reach: the greatest distance of a distance join; threads: of a call on each server, NULL: as set there.';
 
-CREATE FUNCTION algebra3d_shard_script(relation text, grid grid, servers text[], reach float8 DEFAULT 0) RETURNS SETOF text LANGUAGE SQL STABLE
+CREATE FUNCTION algebra3d_shard_script(relation text, grid grid, servers text[], reach float8 DEFAULT 0, threads integer DEFAULT NULL) RETURNS SETOF text LANGUAGE SQL STABLE
 BEGIN ATOMIC
-  SELECT line || ';' FROM algebra3d_shard_set_up(relation, grid, servers, reach) s, unnest(
+  SELECT line || ';' FROM algebra3d_shard_set_up(relation, grid, servers, reach, threads) s, unnest(
     '{BEGIN,SET LOCAL search_path = @extschema@,SET LOCAL client_min_messages = warning}'::text[] || s.statements ||
     ARRAY[format('SELECT algebra3d_shard_load(%L, %L)', (s.known).relation, format('%I.%I', (s.known).schema_name, (s.known).name || '_local')), 'COMMIT'])
     WITH ORDINALITY n(line, place) ORDER BY place;
 END;
-COMMENT ON FUNCTION algebra3d_shard_script(text, grid, text[], float8) IS 'The statements that algebra3d_shard_create runs, a line each.';
+COMMENT ON FUNCTION algebra3d_shard_script(text, grid, text[], float8, integer) IS 'The statements that algebra3d_shard_create runs, a line each.';
 
 -- -1, or an error for a distance for which the copies do not reach.
 CREATE FUNCTION algebra3d_shard_within_reach(distance float8, reach float8) RETURNS integer LANGUAGE plpgsql IMMUTABLE AS $$
@@ -785,6 +813,8 @@ DECLARE
   one record;
 BEGIN
   EXECUTE format('GRANT %s ON %I.%I, %2$I.%4$I TO %5$I', rights, known.schema_name, known.name, known.name || '_tiles', role);
+  PERFORM algebra3d_shard_run_all(ARRAY(SELECT format('GRANT SELECT ON %I.%I TO %I', known.schema_name, known.name || '_' || t.total, role)
+    FROM algebra3d_shard_totals(known) t));
   FOR one IN SELECT t.tile, t.server FROM algebra3d_shard_tiles t WHERE t.relation = known.relation LOOP
     EXECUTE format('GRANT %s ON %I.%I TO %I', rights, known.schema_name, known.name || '_' || one.tile, role);
     EXECUTE format('GRANT %s ON %s TO %I', CASE WHEN writes THEN 'SELECT, UPDATE' ELSE 'SELECT' END, algebra3d_shard_generations_of(one.server), role);
@@ -1085,7 +1115,7 @@ BEGIN
   PERFORM @extschema@.algebra3d_shard_execute(t.server, format('ANALYZE %I.%I', new_one.schema_name, @extschema@.algebra3d_shard_tile_name(new_one, t.tile)))
     FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = new_one.relation ORDER BY t.tile;
 
-  PERFORM @extschema@.algebra3d_shard_lock(ARRAY[parent], ARRAY[view_name]);
+  PERFORM @extschema@.algebra3d_shard_lock(ARRAY[parent], view_name || ARRAY(SELECT format('%I.%I', known.schema_name, known.name || '_' || t.total) FROM @extschema@.algebra3d_shard_totals(known) t));
   SELECT array_agg(t.server ORDER BY t.tile), array_agg(t.tile ORDER BY t.tile) INTO old_servers, old_tiles
     FROM @extschema@.algebra3d_shard_tiles t WHERE t.relation = known.relation;
   EXECUTE format('ALTER TABLE %s RENAME TO %I', parent, known.name || '_tiles_before');
