@@ -93,6 +93,32 @@ TEST(RepairedSolid, turns_whole_bodies_right_side_out) {
   }
 }
 
+// A prism over a line that crosses itself: the winding numbers of its halves are 1 and -1, so the walls of one of them,
+// which end in walls of the other, are turned.
+TEST(RepairedSolid, of_a_wall_that_crosses_itself_half_is_turned) {
+  const std::array<Vec3, 4> line{Vec3{0, 0, 0}, {4, 4, 0}, {4, 0, 0}, {0, 4, 0}};
+  const Vec3 up{0, 0, 1}, crossing{2, 2, 0};
+  TriangleSoup soup;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3 &a = line[i], &b = line[(i + 1) % 4];
+    soup.triangles.push_back({a, b, b + up});
+    soup.triangles.push_back({a, b + up, a + up});
+  }
+  for (const auto& [a, b] : {std::pair{line[2], line[1]}, {line[0], line[3]}}) {
+    soup.triangles.push_back({a, b, crossing});
+    soup.triangles.push_back({b + up, a + up, crossing + up});
+  }
+  // Of the file and of its reverse together each triangle is turned once: 12, of which four edges are split.
+  std::uint64_t flipped = 0;
+  for (const TriangleSoup& given : {soup, turned(soup)}) {
+    const SolidFromSoup made = repaired(given);
+    EXPECT_EQ(volume_of(made), Rational(8)) << made.status();
+    EXPECT_GT(count_of(*made.repair, RepairStep::flipped_triangles), 0U) << made.status();
+    flipped += count_of(*made.repair, RepairStep::flipped_triangles);
+  }
+  EXPECT_EQ(flipped, 16U);
+}
+
 TEST(RepairedSolid, shells_that_are_there_several_times_count_once) {
   for (int kind = 0; kind < kBodyCount; ++kind) {
     SCOPED_TRACE("body " + std::to_string(kind));

@@ -1,6 +1,7 @@
 #include "algebra3d/kernel/repair/detail/repair_attempt.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/topology.h"
 #include "algebra3d/kernel/repair/detail/convex_polygon.h"
+#include "algebra3d/kernel/repair/detail/inside_test.h"
 #include "algebra3d/kernel/repair/detail/manifold_patches.h"
 #include "algebra3d/kernel/repair/detail/shell_filter.h"
 #include "algebra3d/kernel/repair/detail/winding_segmentation.h"
@@ -321,7 +323,7 @@ Status RepairAttempt::report_division() {
              classify_triangles(soup_.mesh(), solid_, report.largest_move(), monitor_.silent()));
   report_divided(classes);
   report_outside(classes);
-  return {};
+  return report_turned();
 }
 
 void RepairAttempt::report_divided(const TriangleClasses& classes) {
@@ -329,19 +331,76 @@ void RepairAttempt::report_divided(const TriangleClasses& classes) {
     if (met_others_[f] && classes.are_divided[f]) soup_.report().add(RepairStep::intersections, soup_.soup().middle(f));
 }
 
-/// Not triangles of covers, and no more than the file has: triangles may have been split since they were read.
+/// No more than the file has: triangles may have been split since they were read.
 void RepairAttempt::report_outside(const TriangleClasses& classes) {
-  const std::vector<Triangle3> covers = soup_.report().cover_triangles();
   std::uint64_t left = soup_.report().amounts->left_out.triangle_count;
-  const IndexedSoup& soup = soup_.soup();
-  for (const FaceId f : soup.triangles.ids()) {
+  for (const FaceId f : triangles_of_file()) {
     if (!classes.are_outside[f] || lost_.is_in_closed_one[f] || left == 0) continue;
-    Triangle3 key{soup.corner(f, 0), soup.corner(f, 1), soup.corner(f, 2)};
-    std::ranges::sort(key);
-    if (std::ranges::binary_search(covers, key)) continue;
-    soup_.report().add(RepairStep::outer_triangles, soup.middle(f));
+    soup_.report().add(RepairStep::outer_triangles, soup_.soup().middle(f));
     --left;
   }
+}
+
+/// Counts the flipped triangles again, with those that have the inside in front of them and the outside behind: the
+/// boundary of what has a negative winding number has its faces the other way.
+Status RepairAttempt::report_turned() {
+  if (is_balanced(soup_.mesh()) && !soup_.strategy().keeps_negative) return {};
+  const IndexedSoup& soup = soup_.soup();
+  const std::vector<FaceId> triangles = triangles_of_file();
+  std::vector<Vec3> places;  // for each triangle one in front of its middle, and one behind
+  for (const FaceId f : triangles) {
+    const Vec3 normal = cross(soup.corner(f, 1) - soup.corner(f, 0), soup.corner(f, 2) - soup.corner(f, 0));
+    const double size = length(normal);
+    const Vec3 step = size > 0 ? (1e-6 / std::sqrt(size)) * normal : Vec3{};
+    places.push_back(soup.middle(f) + step);
+    places.push_back(soup.middle(f) - step);
+  }
+  A3D_ASSIGN(const std::vector<bool> are_inside, InsideTest(solid_).are_inside(places, monitor_.silent()));
+  // Where whole shells were turned, their triangles are not counted.
+  const bool has_turned_shells = has(RepairStep::flipped_shells);
+  const std::vector<bool> were_flipped =
+      has_turned_shells ? std::vector<bool>(triangles.size()) : are_flipped_so_far(triangles);
+  if (!has_turned_shells) soup_.report().forget(RepairStep::flipped_triangles);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if ((are_inside[2 * i] && !are_inside[2 * i + 1]) != were_flipped[i])
+      soup_.report().add(RepairStep::flipped_triangles, soup.middle(triangles[i]));
+  return {};
+}
+
+/// Whether the soup has these triangles the other way than the file; false for those that the file does not have.
+std::vector<bool> RepairAttempt::are_flipped_so_far(const std::vector<FaceId>& triangles) const {
+  const auto as_listed = [](const Triangle3& corners) {
+    Triangle3 result = corners;
+    std::ranges::rotate(result, std::ranges::min_element(result));
+    return result;
+  };
+  std::vector<Triangle3> given;
+  const TriangleMesh& file = *given_->mesh();
+  for (const FaceId f : faces(file)) {
+    const TriangleRef corners = file.corners(f);
+    given.push_back(as_listed({corners[0].approx, corners[1].approx, corners[2].approx}));
+  }
+  std::ranges::sort(given);
+  std::vector<bool> result;
+  for (const FaceId f : triangles) {
+    const Triangle3 here = as_listed({soup_.soup().corner(f, 0), soup_.soup().corner(f, 1), soup_.soup().corner(f, 2)});
+    const Triangle3 back{here[0], here[2], here[1]};
+    result.push_back(!std::ranges::binary_search(given, here) && std::ranges::binary_search(given, back));
+  }
+  return result;
+}
+
+/// The triangles of the soup that are not those of covers.
+std::vector<FaceId> RepairAttempt::triangles_of_file() const {
+  const std::vector<Triangle3> covers = soup_.report().cover_triangles();
+  const IndexedSoup& soup = soup_.soup();
+  std::vector<FaceId> result;
+  for (const FaceId f : soup.triangles.ids()) {
+    Triangle3 key{soup.corner(f, 0), soup.corner(f, 1), soup.corner(f, 2)};
+    std::ranges::sort(key);
+    if (!std::ranges::binary_search(covers, key)) result.push_back(f);
+  }
+  return result;
 }
 
 /// Leaves out shells that the options do not want.

@@ -91,6 +91,9 @@ class RepairAttempt {
   Status report_division();
   void report_divided(const TriangleClasses& classes);
   void report_outside(const TriangleClasses& classes);
+  Status report_turned();
+  std::vector<bool> are_flipped_so_far(const std::vector<FaceId>& triangles) const;
+  std::vector<FaceId> triangles_of_file() const;
   Status filter();
   void complete_report();
   Result<bool> is_proved(const FaceSet& known) const;
