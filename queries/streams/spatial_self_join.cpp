@@ -21,8 +21,8 @@ using algebra3d::Registry;
 /// The joined pairs of a stream for which `test` holds.
 Result<Datum> self_joined(const SpatialOperands& join, const std::vector<Datum>& given, WindowOfBox window,
                           PairTest test, const Context& context) {
-  A3D_ASSIGN(PairStreamPtr pairs, box_pairs_within({given[0].tuples(), join.left_key}, std::move(window), context));
-  return Datum{refined_join(std::move(pairs), {join.left_key, join.left_key}, std::move(test), context)};
+  return Datum{refined_join(box_pairs_within({given[0].tuples(), join.left_key}, std::move(window), context),
+                            {join.left_key, join.left_key}, std::move(test), context)};
 }
 
 TypeMapping map_spatial_self_join(const Registry& registry) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/propagate.h"
+#include "queries/streams/detail/tuple_pair.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/tuple_buffer.h"
 
@@ -39,11 +40,6 @@ class StreamBlocks final : public TupleStream {
  private:
   TupleStreamPtr source_;
   TuplePtr pending_;  // the first tuple of the next block
-};
-
-/// Two tuples that belong together; null on both sides at the end of the pairs.
-struct TuplePair {
-  TuplePtr build, probe;
 };
 
 /// The pairs of a block nested-loop join of two streams. The build side is read into a table, block by block; the probe

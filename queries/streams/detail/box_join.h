@@ -6,7 +6,7 @@
 
 #include "algebra3d/base/box3.h"
 #include "queries/streams/datum.h"
-#include "queries/streams/detail/block_join.h"
+#include "queries/streams/detail/tuple_pair.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -32,13 +32,14 @@ class PairStream {
 using PairStreamPtr = std::shared_ptr<PairStream>;
 
 /// The pairs of tuples of both sides such that the box of the first (the build side) meets the window of the second
-/// (the probe side), in the order of the second stream. The first side is held in memory with an R-tree over it, part
-/// by part if it exceeds the work memory (block_join.h). Interruptible.
+/// (the probe side), in the order of the second stream, and for each of its tuples in that of the first. The first side
+/// is held in memory with an R-tree over it; if it does not fit, both sides are divided by space (partitioned_boxes.h).
+/// Interruptible.
 PairStreamPtr box_pairs(JoinSide build, JoinSide probe, WindowOfBox window, const Context& context);
 
 /// The pairs of different tuples of one stream that meet in this way, each once: the earlier tuple first, in the order
-/// of the later ones. The stream is read to its end. Errors: those of the stream.
-Result<PairStreamPtr> box_pairs_within(const JoinSide& side, WindowOfBox window, const Context& context);
+/// of the later ones, and for each of these in that of the earlier ones. As above.
+PairStreamPtr box_pairs_within(JoinSide side, WindowOfBox window, const Context& context);
 
 /// The tuples of pairs, concatenated.
 TupleStreamPtr concatenated_pairs(PairStreamPtr pairs);

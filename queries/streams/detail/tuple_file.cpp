@@ -103,6 +103,20 @@ Result<TuplePtr> TupleFile::Scan::next() {
   return TuplePtr(std::move(tuple));
 }
 
+Result<TuplePtr> TupleFile::Scan::at(std::uint64_t position) {
+  constexpr std::size_t kFarBytes = 2048;
+  const std::uint64_t begin = next_ - position_;  // of the buffer
+  if (position >= begin && position < begin + buffer_.size()) {
+    position_ = position - begin;
+  } else {
+    read_ahead_ = position == next_ ? kBufferBytes : kFarBytes;
+    buffer_.clear();
+    position_ = 0;
+  }
+  next_ = position;
+  return next();
+}
+
 /// The next `count` bytes of the file; they live until the next call.
 Result<std::string_view> TupleFile::Scan::bytes(std::uint64_t count) {
   if (buffer_.size() - position_ < count) A3D_TRY(refill(count));
@@ -113,7 +127,7 @@ Result<std::string_view> TupleFile::Scan::bytes(std::uint64_t count) {
 }
 
 Status TupleFile::Scan::refill(std::uint64_t count) {
-  const std::uint64_t wanted = std::min(end_ - next_, std::max<std::uint64_t>(count, kBufferBytes));
+  const std::uint64_t wanted = std::min(end_ - next_, std::max<std::uint64_t>(count, read_ahead_));
   if (next_ + wanted > file_->file_->size()) A3D_TRY(file_->flush());
   if (buffer_.capacity() > 4 * wanted) buffer_ = std::string();  // of a large tuple
   buffer_.resize(wanted);

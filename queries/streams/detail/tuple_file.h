@@ -56,6 +56,9 @@ class TupleFile::Scan final : public TupleStream {
   Result<TuplePtr> next() override;
   /// The position where the next tuple begins.
   std::uint64_t position() const { return next_; }
+  /// The tuple that begins at a position; `next` goes on behind it. Cost: that of reading a few kilobytes, unless it
+  /// was read with the tuple before.
+  Result<TuplePtr> at(std::uint64_t position);
 
  private:
   Result<std::string_view> bytes(std::uint64_t count);
@@ -67,6 +70,7 @@ class TupleFile::Scan final : public TupleStream {
   std::uint64_t end_;
   std::string buffer_;
   std::size_t position_ = 0;
+  std::size_t read_ahead_ = kBufferBytes;
 };
 
 }  // namespace queries
