@@ -45,8 +45,7 @@ algebra3d_dependency(sqlite3 VERSION 3.37 DEBIAN libsqlite3-dev PKG_CONFIG sqlit
                      VERSION_MACROS SQLITE_VERSION)
 algebra3d_dependency(edit VERSION 2.11 DEBIAN libedit-dev PKG_CONFIG libedit HEADER histedit.h LIBRARY edit
                      VERSION_MACROS LIBEDIT_MAJOR LIBEDIT_MINOR)
-algebra3d_dependency(httplib VERSION 0.10 DEBIAN libcpp-httplib-dev PKG_CONFIG cpp-httplib HEADER httplib.h LIBRARY cpp-httplib
-                     VERSION_MACROS CPPHTTPLIB_VERSION)
+algebra3d_dependency(boost VERSION 1.74 DEBIAN libboost-dev PACKAGE Boost TARGET Boost::headers)
 
 # What algebra3d_dependency said of a library; empty for a name that is none.
 function(algebra3d_dependency_property result name key)
