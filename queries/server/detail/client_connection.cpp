@@ -57,6 +57,11 @@ bool ClientConnection::is_gone() const {
   return poll(&asked, 1, 0) > 0 && (asked.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
 }
 
+bool ClientConnection::has_come_within(std::chrono::milliseconds time) const {
+  pollfd asked{socket_, POLLIN, 0};
+  return poll(&asked, 1, static_cast<int>(time.count())) > 0;
+}
+
 bool ClientConnection::is_unread() const {
   char byte = 0;
   return recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) > 0;

@@ -30,6 +30,8 @@ class ClientConnection final : public Connection {
   std::size_t read(char* bytes, std::size_t size);
   /// Sends all bytes. `goes_on`: more follow at once. False: the client has closed, or is late.
   bool write(std::string_view bytes, bool goes_on = false);
+  /// True if bytes, or the end, come in this time.
+  bool has_come_within(std::chrono::milliseconds time) const;
   /// True if bytes have come that were not read.
   bool is_unread() const;
   /// True if the client was silent for too long, or others needed its place.
