@@ -1,6 +1,7 @@
 #include "queries/server/serve_command.h"
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <iostream>
 
 #include "queries/server/server.h"
@@ -58,6 +59,8 @@ CLI::App* add_serve_command(CLI::App& app, ServerOptions& options) {
 }
 
 int run_serve(const ServerOptions& options, const algebra3d::Registry& registry, const std::atomic<bool>& stop) {
+  // A terminal that was closed does not end the server.
+  std::signal(SIGPIPE, SIG_IGN);
   const auto ready = [&](const std::string& url) {
     std::cout << "Serving " << options.database.string() << (options.read_only ? " (read-only)" : "") << " at\n\n    "
               << url << "\n\nOpen this address in a browser. Ctrl-C ends the server." << std::endl;

@@ -356,6 +356,43 @@ int status_after_output(int status) {
   return status == kOk ? kFailed : status;
 }
 
+int run_in_memory(const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc& failure) {
+    std::cerr << "error: " << algebra3d::memory_error(failure).message << "\n";
+    return kFailed;
+  }
+}
+
+// How deep expressions and calls may be nested is fixed, and must not depend on the user's `ulimit -s`: the work is
+// done on a thread with a stack of its own, and so is that of all further threads.
+int on_own_stack(const std::function<int()>& work) {
+  algebra3d::StackThread::make_default();
+  // Signals are for that thread: they end its waiting for a key.
+  const algebra3d::SignalBlock block;
+  int status = kFailed;
+  const auto work_with_signals = [&] {
+    pthread_sigmask(SIG_SETMASK, &block.before(), nullptr);
+    status = run_in_memory(work);
+  };
+  algebra3d::StackThread thread;
+  if (!thread.start(work_with_signals)) work_with_signals();  // no room for the stack
+  thread.join();
+  return status;
+}
+
+// All operators. Made before the thread of the work, whose heap grows by a page at a time, and kept: to make and free
+// them is a large part of a short run.
+const algebra3d::Registry& all_operators() {
+  static const algebra3d::Registry* const kept = [] {
+    auto* registry = new algebra3d::Registry(algebra3d::make_registry());  // NOLINT(*-owning-memory)
+    register_stream_operators(*registry);
+    return registry;
+  }();
+  return *kept;
+}
+
 int run_arguments(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
   Options options;
@@ -399,56 +436,32 @@ int run_arguments(int argc, char** argv) {
       server_options.memory_megabytes = options.memory_megabytes;
     const std::size_t limit = memory_limit_of(server_options);
     algebra3d::ProcessMemory::set_limit(limit, limit / 8);
-    algebra3d::Registry registry = algebra3d::make_registry();
-    register_stream_operators(registry);
-    return run_serve(server_options, registry, Interruption::flag());
+    const algebra3d::Registry& registry = all_operators();
+    return on_own_stack([&] { return run_serve(server_options, registry, Interruption::flag()); });
   }
-  const std::size_t given = options.memory_megabytes << 20U;
-  algebra3d::MemoryUser user(given > 0 ? given : algebra3d::ProcessMemory::default_limit());
-  const algebra3d::MemoryUserScope scope(&user);
-  const MeshConsole console{std::cout, std::cerr, &Interruption::flag()};
-  if (const auto status = until_interrupted(console, [&] { return meshes.run(console); })) return *status;
-  algebra3d::Registry registry = algebra3d::make_registry();
-  register_stream_operators(registry);
-  if (import->parsed()) return run_import(import_options, registry, &Interruption::flag());
-  if (push->parsed()) return run_push(transfer_options, registry, &Interruption::flag());
-  if (pull->parsed()) return run_pull(transfer_options, registry, &Interruption::flag());
-  if (test->parsed()) return run_tests(options, registry);
-  if (help->parsed()) return run_help(app, options, registry);
-  if (const auto status = until_interrupted(console, [&] { return take_files(options, console); })) return *status;
-  return run_session(app, options, registry);
-}
-
-// How deep expressions and calls may be nested is fixed, and must not depend on the user's `ulimit -s`: the work is
-// done on a thread with a stack of its own, and so is that of all further threads.
-int on_own_stack(const std::function<int()>& work) {
-  algebra3d::StackThread::make_default();
-  // Signals are for that thread: they end its waiting for a key.
-  const algebra3d::SignalBlock block;
-  int status = kFailed;
-  const auto work_with_signals = [&] {
-    pthread_sigmask(SIG_SETMASK, &block.before(), nullptr);
-    status = work();
-  };
-  algebra3d::StackThread thread;
-  if (!thread.start(work_with_signals)) work_with_signals();  // no room for the stack
-  thread.join();
-  return status;
+  if (app.get_subcommands().empty()) (void)all_operators();
+  return on_own_stack([&] {
+    const std::size_t given = options.memory_megabytes << 20U;
+    algebra3d::MemoryUser user(given > 0 ? given : algebra3d::ProcessMemory::default_limit());
+    const algebra3d::MemoryUserScope scope(&user);
+    const MeshConsole console{std::cout, std::cerr, &Interruption::flag()};
+    if (const auto status = until_interrupted(console, [&] { return meshes.run(console); })) return *status;
+    const algebra3d::Registry& registry = all_operators();
+    if (import->parsed()) return run_import(import_options, registry, &Interruption::flag());
+    if (push->parsed()) return run_push(transfer_options, registry, &Interruption::flag());
+    if (pull->parsed()) return run_pull(transfer_options, registry, &Interruption::flag());
+    if (test->parsed()) return run_tests(options, registry);
+    if (help->parsed()) return run_help(app, options, registry);
+    if (const auto status = until_interrupted(console, [&] { return take_files(options, console); })) return *status;
+    return run_session(app, options, registry);
+  });
 }
 
 }  // namespace
 
 int run_program(int argc, char** argv) {
   const Interruption interruption;
-  const auto run = [&] {
-    try {
-      return run_arguments(argc, argv);
-    } catch (const std::bad_alloc& failure) {
-      std::cerr << "error: " << algebra3d::memory_error(failure).message << "\n";
-      return kFailed;
-    }
-  };
-  return status_after_output(on_own_stack(run));
+  return status_after_output(run_in_memory([&] { return run_arguments(argc, argv); }));
 }
 
 }  // namespace queries

@@ -141,13 +141,13 @@ class Served:
         return connection
 
     def send(self, content, timeout=30):
-        """Sends bytes as they are; all that comes back, as an Answer, or None if nothing does."""
+        """Sends bytes as they are; the first answer, or None if nothing comes back."""
         with self.connect(timeout) as connection:
             try:
                 connection.sendall(content)
             except (BrokenPipeError, ConnectionResetError):
                 pass  # an early answer may be there all the same
-            return answer_of(received(connection))
+            return first_answer(connection)
 
     def request_text(self, method, path, *headers, body=b""):
         """The text of a request with the right Host and the header lines given."""
@@ -197,6 +197,28 @@ def received(connection):
     except ConnectionResetError:
         pass
     return content
+
+
+def first_answer(connection):
+    """The next answer of a connection that may stay open, or None if it ends without one."""
+    content = b""
+    try:
+        while not is_whole(content) and (piece := connection.recv(1 << 16)):
+            content += piece
+    except ConnectionResetError:
+        pass
+    return answer_of(content)
+
+
+def is_whole(content):
+    """Whether the bytes are a whole answer, by the length that it gives, or its last chunk."""
+    while content.startswith(b"HTTP/1.1 100") and b"\r\n\r\n" in content:
+        content = content.partition(b"\r\n\r\n")[2]
+    head, end, body = content.partition(b"\r\n\r\n")
+    length = re.search(rb"(?i)\r\ncontent-length: (\d+)", head)
+    if b"transfer-encoding: chunked" in head.lower():
+        return body.endswith(b"0\r\n\r\n")
+    return bool(end) and (len(body) >= int(length.group(1)) if length else head[9:12] in (b"204", b"304"))
 
 
 def answer_of(content):

@@ -37,7 +37,7 @@ class Body {
   virtual Outcome read(std::size_t limit, const std::function<bool(std::string_view)>& take) = 0;
 };
 
-/// A request: what the library that reads it from the network has found.
+/// A request as it was read from the network.
 struct HttpRequest {
   std::string method;
   std::string path;  ///< as it was sent: its parts are percent-encoded
@@ -50,6 +50,13 @@ struct HttpRequest {
   std::string header(const std::string& name) const {
     const auto found = headers.find(name);
     return found == headers.end() ? std::string() : found->second;
+  }
+  /// The headers of this name as one list, joined by commas.
+  std::string list(const std::string& name) const {
+    std::string result;
+    const auto [first, last] = headers.equal_range(name);
+    for (auto each = first; each != last; ++each) result += (each == first ? "" : ",") + each->second;
+    return result;
   }
 };
 
@@ -65,7 +72,7 @@ struct HttpAnswer {
   std::vector<std::pair<std::string, std::string>> headers = {};
   /// Whether the body is compressed for clients that take gzip; JSON is without being asked.
   bool is_compressible = false;
-  /// If set, produces the body in pieces instead; must not throw.
+  /// If set, produces the body in pieces instead; must not throw. Called once, also where the client is gone already.
   std::function<void(const SendPiece&)> stream = {};
 };
 

@@ -1,205 +1,125 @@
-// With connection_stream the only source that knows the library for HTTP.
+// The only source that knows the library for sockets.
 #include "queries/server/detail/http_listener.h"
 
-#include <fcntl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <cstring>
-#include <limits>
+#include <iterator>
+#include <list>
 #include <map>
 #include <mutex>
-#include <optional>
+#include <new>
 #include <set>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 
 #include "base/memory_limit.h"
 #include "base/propagate.h"
-#include "queries/server/detail/acceptor.h"
-#include "queries/server/detail/answer_text.h"
-#include "queries/server/detail/connection_stream.h"
+#include "queries/server/detail/client_connection.h"
 #include "queries/server/detail/connection_threads.h"
 #include "queries/server/detail/content_coding.h"
-#include "queries/server/detail/http_library.h"
-#include "queries/server/detail/lower_case.h"
-#include "queries/server/detail/refusal.h"
+#include "queries/server/detail/request_head.h"
 
 namespace queries {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using algebra3d::Error;
 using algebra3d::ErrorCode;
+using boost::asio::ip::tcp;
+using SystemCode = boost::system::error_code;
+using Clock = std::chrono::steady_clock;
 
-// A body must arrive at a tenth of a megabyte per second, after a start of some seconds.
-constexpr double kSlowestBytesPerSecond = 1e5;
-constexpr std::chrono::seconds kBodyStart(20);
-// Connections that wait to be accepted; each request has one of its own.
+// Until a head is complete, from the connection or, on one that stayed open, from its first byte.
+constexpr std::chrono::seconds kHeadTime(10);
+// Until the next request of a connection.
+constexpr std::chrono::seconds kIdleTime(60);
+// Until a client has taken its answer and closed, and what it may send until then.
+constexpr std::chrono::seconds kDrainTime(20);
+constexpr std::size_t kDrainBytes = std::size_t{64} << 20U;
+// Connections that wait to be accepted.
 constexpr int kBacklog = 511;
+// The bytes that a slow reader must take before it counts as silent; the system would let it grow to megabytes.
+constexpr int kSendBytes = 1 << 18;
 // Requests that wait for a thread; beyond them no connection is accepted.
 constexpr std::size_t kMostWaiting = 1024;
 // A client for whom a thread has waited for so long gives way when other requests wait.
 constexpr std::chrono::seconds kPatience(1);
+// A client that sends its next request so soon keeps its thread.
+constexpr std::chrono::milliseconds kHaste(3);
+constexpr std::chrono::milliseconds kRound(1000);
+constexpr std::chrono::milliseconds kBusyRound(50);
 
-/// A body of announced length that the library reads piece by piece. The Acceptor drains the unread rest, if the body
-/// is too large or the request is refused.
-class ListenerBody final : public Body {
- public:
-  ListenerBody(const httplib::ContentReader& reader, std::uint64_t size, const ConnectionStream& stream)
-      : reader_(reader), size_(size), stream_(stream) {}
+// Answers that nobody takes must not keep the memory of others.
+bool is_memory_short() {
+  return algebra3d::ProcessMemory::used() > algebra3d::ProcessMemory::limit() / 4 * 3;
+}
 
-  Outcome read(std::size_t limit, const std::function<bool(std::string_view)>& take) override {
-    if (size_ > limit) return Outcome::too_large;
-    Outcome outcome = Outcome::complete;
-    std::size_t bytes = 0;
-    const auto start = Clock::now();
-    const bool is_whole = reader_([&](const char* data, std::size_t size) {
-      bytes += size;
-      const std::chrono::duration<double> elapsed = Clock::now() - start;
-      if (elapsed > kBodyStart && static_cast<double>(bytes) < elapsed.count() * kSlowestBytesPerSecond)
-        outcome = Outcome::too_slow;
-      else if (!take({data, size}))
-        outcome = Outcome::refused;
-      return outcome == Outcome::complete;
-    });
-    if (is_whole || outcome != Outcome::complete) return outcome;
-    return stream_.is_late() ? Outcome::too_slow : Outcome::broken;
-  }
+bool is_out_of_descriptors(const SystemCode& code) {
+  return code.value() == EMFILE || code.value() == ENFILE || code.value() == ENOBUFS || code.value() == ENOMEM;
+}
 
- private:
-  const httplib::ContentReader& reader_;
-  const std::uint64_t size_;
-  const ConnectionStream& stream_;
+/// A connection, and its place among those that no thread answers.
+struct OpenConnection {
+  explicit OpenConnection(tcp::socket accepted) : socket(std::move(accepted)), client(socket.native_handle()) {}
+
+  tcp::socket socket;
+  ClientConnection client;
+  RequestHead head = RequestHead();
+  Clock::time_point deadline = Clock::now() + kHeadTime;
+  bool is_idle = false;      // answered a request, and got nothing since
+  bool is_draining = false;  // got its last answer
+  std::size_t drained = 0;
+  std::list<std::shared_ptr<OpenConnection>>::iterator place = {};
 };
-
-// The header under which `Accept-Encoding` is hidden from the library.
-constexpr const char* kAcceptEncoding = "Algebra3d-Accept-Encoding";
-
-HttpRequest request_of(const httplib::Request& request) {
-  HttpRequest result;
-  result.method = request.method;
-  result.path = request.target.substr(0, request.target.find('?'));
-  for (const auto& [name, value] : request.params) result.query.emplace(name, value);
-  for (const auto& [name, value] : request.headers)
-    result.headers.emplace(name == kAcceptEncoding ? "accept-encoding" : in_lower_case(name), value);
-  return result;
-}
-
-// The announced length of the body; nothing for a text that is not a number.
-std::optional<std::uint64_t> length_of(const httplib::Request& request) {
-  const std::string text = request.get_header_value("Content-Length");
-  if (text.empty()) return 0;
-  constexpr std::size_t kMostDigits = 18;
-  const bool is_number =
-      text.size() <= kMostDigits && std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c) != 0; });
-  return is_number ? std::optional<std::uint64_t>(std::stoull(text)) : std::nullopt;
-}
-
-// The refusal of requests that the library would misunderstand, or take without a limit.
-std::optional<Refusal> refuse_form(const httplib::Request& request) {
-  const bool has_control = std::ranges::any_of(request.path, [](unsigned char c) { return c < ' ' || c == 0x7F; });
-  if (has_control || !request.target.starts_with('/')) return Refusal::bad_request("the request has no valid path");
-  if (request.has_header("Transfer-Encoding"))
-    return Refusal{411, "bad_request", "expected a body with the header 'Content-Length'"};
-  if (request.get_header_value_count("Content-Length") > 1 || !length_of(request))
-    return Refusal::bad_request("the header 'Content-Length' is not a number, or there are several");
-  if (request.is_multipart_form_data())
-    return Refusal{415, "bad_request", "expected JSON or the bytes of a file, got a form of several parts"};
-  return std::nullopt;
-}
-
-/// Sends the pieces; the library may ask for a part of the whole, for a request with a range.
-void give_pieces(HttpAnswer answer, httplib::Response& response) {
-  std::size_t size = 0;
-  for (const std::string& piece : answer.pieces) size += piece.size();
-  response.set_content_provider(
-      size, answer.type,
-      [pieces = std::move(answer.pieces)](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
-        for (const std::string_view piece : pieces) {
-          if (offset < piece.size()) {
-            const std::string_view part = piece.substr(offset, length);
-            return sink.write(part.data(), part.size());
-          }
-          offset -= piece.size();
-        }
-        return false;
-      });
-}
-
-void give(HttpAnswer answer, httplib::Response& response) {
-  response.status = answer.status;
-  for (const auto& [name, value] : answer.headers) response.set_header(name, value);
-  if (answer.stream) {
-    response.set_chunked_content_provider(
-        answer.type, [stream = std::move(answer.stream)](std::size_t, httplib::DataSink& sink) {
-          stream([&](std::string_view piece) { return sink.write(piece.data(), piece.size()); });
-          sink.done();
-          return true;
-        });
-    return;
-  }
-  if (answer.status == 204 || answer.status == 304) return;
-  if (!answer.pieces.empty()) return give_pieces(std::move(answer), response);
-  // One copy less than set_content: files may have hundreds of megabytes.
-  response.body = std::move(answer.body);
-  response.set_header("Content-Type", answer.type);
-}
-
-// The library does not compress answers. Several lines of the header are one list.
-void forget_wishes(httplib::Request& request) {
-  request.headers.erase(kAcceptEncoding);
-  std::vector<std::string> wishes;
-  const auto [first, last] = request.headers.equal_range("Accept-Encoding");
-  for (auto each = first; each != last; ++each) wishes.push_back(each->second);
-  if (!wishes.empty()) request.set_header(kAcceptEncoding, fmt::format("{}", fmt::join(wishes, ",")));
-  request.headers.erase("Accept-Encoding");
-}
-
-// Gives a body to refusals of the library itself, perhaps before the wishes of the request were forgotten.
-void explain(const httplib::Request& request, httplib::Response& response) {
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the library's own object, which it made as a variable
-  forget_wishes(const_cast<httplib::Request&>(request));
-  if (!response.body.empty()) return;
-  Refusal refusal{response.status, "bad_request", "the request has no valid address"};
-  if (response.status == 404) refusal = Refusal::not_found("there is no path '" + request.path + "'");
-  if (response.status == 413) refusal = {413, "too_large", "the body is too large"};
-  give(refusal.answer(), response);
-}
+using OpenPointer = std::shared_ptr<OpenConnection>;
 
 /// The requests that are being answered.
-class OpenStreams {
+class AnsweredClients {
  public:
-  void add(ConnectionStream& stream) {
-    const std::lock_guard lock(mutex_);
-    streams_.insert(&stream);
-    if (is_ending_) stream.shut(SHUT_RD);
-  }
-  void remove(ConnectionStream& stream) {
-    const std::lock_guard lock(mutex_);
-    streams_.erase(&stream);
-  }
-  /// Gives up the streams, at most `count`, whose clients have been waited for longest, if longer than kPatience.
+  /// One of them, while it lives.
+  class Entry {
+   public:
+    Entry(AnsweredClients& clients, ClientConnection& client) : clients_(clients), client_(client) {
+      const std::lock_guard lock(clients_.mutex_);
+      clients_.clients_.insert(&client_);
+      if (clients_.is_ending_) client_.shut(SHUT_RD);
+    }
+    ~Entry() {
+      const std::lock_guard lock(clients_.mutex_);
+      clients_.clients_.erase(&client_);
+    }
+    Entry(const Entry&) = delete;
+    Entry& operator=(const Entry&) = delete;
+
+   private:
+    AnsweredClients& clients_;
+    ClientConnection& client_;
+  };
+
+  /// Gives up the clients, at most `count`, that have been waited for longest, if longer than kPatience.
   void give_up_slowest(std::size_t count) {
     const std::lock_guard lock(mutex_);
-    std::multimap<Clock::time_point, ConnectionStream*> slow;
+    std::multimap<Clock::time_point, ClientConnection*> slow;
     const auto latest = Clock::now() - kPatience;
-    for (ConnectionStream* stream : streams_)
-      if (const auto since = stream->waits_since(); since && *since < latest) slow.emplace(*since, stream);
+    for (ClientConnection* client : clients_)
+      if (const auto since = client->waits_since(); since && *since < latest) slow.emplace(*since, client);
     for (auto each = slow.begin(); each != slow.end() && count > 0; ++each, --count) each->second->give_up();
   }
-  /// Ends all: those that wait for a request at once, those that still write an answer after a while.
+  /// Ends all: those that wait for a body at once, those that still write an answer after a while.
   void end() {
     constexpr std::chrono::milliseconds kWhile(500);
-    shut(SHUT_RD);
-    for (const auto end = Clock::now() + kWhile; Clock::now() < end && shut(SHUT_RD) > 0;)
+    for (const auto end = Clock::now() + kWhile; shut(SHUT_RD) > 0 && Clock::now() < end;)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     shut(SHUT_RDWR);
   }
@@ -208,163 +128,266 @@ class OpenStreams {
   std::size_t shut(int how) {
     const std::lock_guard lock(mutex_);
     is_ending_ = true;
-    for (const ConnectionStream* stream : streams_) stream->shut(how);
-    return streams_.size();
+    for (const ClientConnection* client : clients_) client->shut(how);
+    return clients_.size();
   }
 
   std::mutex mutex_;  // guards what follows
-  std::set<ConnectionStream*> streams_;
+  std::set<ClientConnection*> clients_;
   bool is_ending_ = false;
 };
 
-/// The library's server, which binds the address and understands requests; connections are ours.
-class Library final : public httplib::Server {
- public:
-  using Handle = std::function<void(const httplib::Request&, httplib::Response&, Body*, const Connection*)>;
+// Also called for a client that is gone: the stream then ends what it tells about.
+bool send_streamed(ClientConnection& client, const HttpAnswer& answer, bool in_chunks, bool is_sent) {
+  answer.stream([&](std::string_view piece) {
+    if (!in_chunks) return is_sent = is_sent && client.write(piece);
+    // An empty chunk would be the end.
+    if (!piece.empty()) is_sent = is_sent && client.write(fmt::format("{:x}\r\n{}\r\n", piece.size(), piece));
+    return is_sent;
+  });
+  return is_sent && (!in_chunks || client.write("0\r\n\r\n"));
+}
 
-  Library(const Headers& common, Handle handle) : handle_(std::move(handle)) {
-    set_default_headers({common.begin(), common.end()});
-    // Without SO_REUSEPORT, which would let two servers share a port.
-    set_socket_options([](int socket) {
-      const int yes = 1;
-      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
-      // The bytes that a slow reader must take before it counts as silent; the system would let it grow to megabytes.
-      const int send_bytes = 1 << 18;
-      setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &send_bytes, sizeof(send_bytes));
-    });
-    set_error_handler(Handler(explain));
-    set_exception_handler([](const httplib::Request&, httplib::Response& response, const std::exception_ptr&) {
-      give(Refusal{500, "internal", "the request could not be answered"}.answer(), response);
-    });
-    set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
-      const auto refusal = refuse_form(request);
-      if (refusal) give(refusal->answer(), response);
-      return refusal ? HandlerResponse::Handled : HandlerResponse::Unhandled;
-    });
-    const char* const any = R"([\s\S]*)";
-    const auto without_body = [this](const httplib::Request& request, httplib::Response& response) {
-      handle_(request, response, nullptr, current());
-    };
-    const auto with_body = [this](const httplib::Request& request, httplib::Response& response,
-                                  const httplib::ContentReader& reader) {
-      const std::uint64_t size = *length_of(request);
-      if (size == 0) return handle_(request, response, nullptr, current());
-      ListenerBody body(reader, size, *current());
-      handle_(request, response, &body, current());
-    };
-    Get(any, without_body).Options(any, without_body);
-    Post(any, with_body).Put(any, with_body).Patch(any, with_body).Delete(any, with_body);
-  }
+bool send_answer(ClientConnection& client, const HttpAnswer& answer, const Headers& common, const AnswerForm& form,
+                 bool is_without_body) {
+  const bool has_more = !is_without_body && has_body(answer);
+  const bool is_sent = client.write(answer_head(answer, common, form), has_more && !answer.stream);
+  if (answer.stream && has_more) return send_streamed(client, answer, form.in_chunks, is_sent);
+  if (!is_sent || !has_more) return is_sent;
+  if (answer.pieces.empty()) return client.write(answer.body);
+  return std::ranges::all_of(answer.pieces, [&](const std::string& piece) { return client.write(piece); });
+}
 
-  /// Starts to listen; the socket.
-  int listening() const {
-    const int socket = svr_sock_;
-    ::listen(socket, kBacklog);
-    ::fcntl(socket, F_SETFL, O_NONBLOCK);  // NOLINT(*-vararg)
-    return socket;
-  }
-  void close() {
-    if (const int socket = svr_sock_.exchange(INVALID_SOCKET); socket != INVALID_SOCKET) ::close(socket);
-  }
-
-  /// Answers the request of a connection. One request on each: the unread rest of a refused body can never be taken for
-  /// the next request.
-  void answer(ConnectionStream& stream) {
-    current() = &stream;
-    bool is_closed = false;
-    process_request(stream, true, is_closed, [&stream](httplib::Request& request) {
-      forget_wishes(request);
-      const bool is_endless = request.has_header("Transfer-Encoding") || !length_of(request);
-      stream.expect_body(is_endless ? std::numeric_limits<std::uint64_t>::max() : *length_of(request));
-    });
-    current() = nullptr;
-  }
-
- private:
-  // The connection of the request that this thread answers.
-  static ConnectionStream*& current() {
-    thread_local ConnectionStream* stream = nullptr;
-    return stream;
-  }
-
-  const Handle handle_;
-};
-
+/// One thread accepts connections, reads the heads of requests and waits for clients that have their last answer, so
+/// that clients that are slow with these hold no thread. A request whose head is complete gets a thread, which waits
+/// for its client by itself.
 class Listener final : public HttpListener {
  public:
-  Listener(const ListenerLimits& limits, const Headers& common)
-      : library_(common,
-                 [this](const httplib::Request& request, httplib::Response& response, Body* body,
-                        const Connection* connection) {
-                   HttpRequest given = request_of(request);
-                   given.body = body;
-                   given.connection = connection;
-                   HttpAnswer answer = answer_(given);
-                   encode(answer, given.header("accept-encoding"));
-                   give(std::move(answer), response);
-                 }),
-        acceptor_(
-            {.connections = limits.unanswered}, common,
-            [this](auto socket, auto bytes) { take(std::move(socket), std::move(bytes)); }, [this] { return load(); }),
-        threads_(limits.requests) {}
-  ~Listener() override { library_.close(); }
+  Listener(const ListenerLimits& limits, Headers common)
+      : limits_(limits), common_(std::move(common)), threads_(limits.requests) {}
+  ~Listener() override = default;
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
   algebra3d::Status bind_to(const std::string& address, int port) {
-    const bool is_bound =
-        port == 0 ? (port_ = library_.bind_to_any_port(address)) > 0 : library_.bind_to_port(address, port);
-    if (!is_bound)
-      return Error{ErrorCode::io_error, "cannot listen on {} port {}: {}", address, port, std::strerror(errno)};
-    if (port != 0) port_ = port;
-    listening_ = library_.listening();
+    SystemCode code;
+    const auto found = tcp::resolver(sockets_).resolve(address, std::to_string(port), tcp::resolver::passive, code);
+    const tcp::endpoint endpoint = code ? tcp::endpoint() : found.begin()->endpoint();
+    if (!code) acceptor_.open(endpoint.protocol(), code);
+    // Not SO_REUSEPORT, which would let two servers share a port. Connections inherit the others.
+    if (!code) acceptor_.set_option(boost::asio::socket_base::reuse_address(true), code);
+    if (!code) acceptor_.set_option(boost::asio::socket_base::send_buffer_size(kSendBytes), code);
+    if (!code) acceptor_.set_option(tcp::no_delay(true), code);
+    if (!code) acceptor_.bind(endpoint, code);
+    if (!code) acceptor_.listen(kBacklog, code);
+    if (code) return Error{ErrorCode::io_error, "cannot listen on {} port {}: {}", address, port, code.message()};
+    port_ = acceptor_.local_endpoint().port();
     return {};
   }
 
   int port() const override { return port_; }
   void run(Answer answer) override {
     answer_ = std::move(answer);
-    acceptor_.run(listening_);
-    library_.close();
+    for (bool is_over = false; !is_over;) {
+      try {
+        begin_round();
+        sockets_.run();
+        is_over = true;
+      } catch (const std::bad_alloc&) {
+        // There is no memory for this connection; the others go on.
+      }
+    }
     threads_.shutdown();
   }
   void stop() override {
-    acceptor_.stop();
-    streams_.end();
+    is_stopping_ = true;
+    boost::asio::post(sockets_, [this] {
+      SystemCode ignored;
+      acceptor_.close(ignored);
+      while (!waiting_.empty()) close(waiting_.front());
+      sockets_.stop();
+    });
+    answered_.end();
   }
 
  private:
-  void take(algebra3d::Descriptor socket, std::string bytes) {
-    const auto stream = std::make_shared<ConnectionStream>(std::move(socket), std::move(bytes));
-    threads_.start([this, stream] {
-      streams_.add(*stream);
-      library_.answer(*stream);
-      streams_.remove(*stream);
-      if (algebra3d::Descriptor unread = stream->end(); unread.number() >= 0) acceptor_.drain(std::move(unread));
+  // Closes who is late, and makes room where it is scarce.
+  void begin_round() {
+    is_busy_ = threads_.waiting() > 0 || is_memory_short();
+    round_.expires_after(is_busy_ ? kBusyRound : kRound);
+    round_.async_wait([this](const SystemCode& code) {
+      if (!code) begin_round();
+    });
+    if (is_busy_) answered_.give_up_slowest(std::max<std::size_t>(threads_.waiting(), 1));
+    close_late();
+    if (!is_accepting_) accept();
+  }
+
+  void accept() {
+    is_accepting_ = threads_.waiting() < kMostWaiting;
+    if (!is_accepting_) return;
+    acceptor_.async_accept([this](const SystemCode& code, tcp::socket socket) {
+      is_accepting_ = false;
+      if (is_stopping_) return;
+      if (code && is_out_of_descriptors(code)) {
+        if (waiting_.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        close_oldest();
+      }
+      if (!code) {
+        while (waiting_.size() >= limits_.unanswered) close_oldest();
+        await(std::make_shared<OpenConnection>(std::move(socket)));
+      }
+      accept();
     });
   }
 
-  // Answers that nobody takes must not keep the memory of others.
-  static bool is_memory_short() { return algebra3d::ProcessMemory::used() > algebra3d::ProcessMemory::limit() / 4 * 3; }
-
-  // Clients that are slow with a body, or in taking an answer, hold a thread each; where these are too few, they go.
-  Acceptor::Load load() {
-    const std::size_t waiting = threads_.waiting();
-    if (is_memory_short()) {
-      streams_.give_up_slowest(1);
-      return Acceptor::Load::heavy;
-    }
-    if (waiting == 0) return Acceptor::Load::light;
-    streams_.give_up_slowest(waiting);
-    return waiting < kMostWaiting ? Acceptor::Load::heavy : Acceptor::Load::full;
+  void await(const OpenPointer& open) {
+    open->place = waiting_.insert(waiting_.end(), open);
+    await_bytes(open);
   }
 
-  Library library_;
+  void await_bytes(const OpenPointer& open) {
+    open->socket.async_wait(tcp::socket::wait_read, [this, open](const SystemCode& code) {
+      if (!code) take_bytes(open);
+    });
+  }
+
+  void take_bytes(const OpenPointer& open) {
+    std::array<char, std::size_t{64} << 10U> piece;  // NOLINT(*-member-init): written by the system
+    const ssize_t count = ::recv(open->client.socket(), piece.data(), piece.size(), MSG_DONTWAIT);
+    if (count < 0 && (errno == EAGAIN || errno == EINTR)) return await_bytes(open);
+    if (count <= 0) return close(open);
+    if (open->is_draining) {
+      open->drained += static_cast<std::size_t>(count);
+      return open->drained > kDrainBytes ? close(open) : await_bytes(open);
+    }
+    if (std::exchange(open->is_idle, false)) open->deadline = Clock::now() + kHeadTime;
+    switch (open->head.add({piece.data(), static_cast<std::size_t>(count)})) {
+      case RequestHead::State::incomplete:
+        return await_bytes(open);
+      case RequestHead::State::refused:
+        refuse(open, open->head.refusal());
+        return await_bytes(open);
+      case RequestHead::State::complete:
+        waiting_.erase(open->place);
+        threads_.start([this, open] { answer(open); });
+        if (!is_busy_ && (threads_.waiting() > 0 || is_memory_short())) begin_round();
+    }
+  }
+
+  // On a thread of its own, which stays with a client that sends the next request at once.
+  void answer(const OpenPointer& open) {
+    auto next = RequestHead::State::complete;
+    bool stays_open = true;
+    {
+      const AnsweredClients::Entry entry(answered_, open->client);
+      while (next == RequestHead::State::complete && stays_open) {
+        stays_open = answer_request(open->head, open->client);
+        open->head = RequestHead();
+        if (stays_open) next = read_next(open->head, open->client);
+      }
+    }
+    boost::asio::post(sockets_, [this, open, stays_open, next] {
+      if (!stays_open) {
+        open->client.shut(SHUT_WR);
+        drain(open);
+      } else if (next == RequestHead::State::refused) {
+        refuse(open, open->head.refusal());
+      } else {
+        open->is_idle = open->head.is_empty();
+        open->deadline = Clock::now() + (open->is_idle ? kIdleTime : kHeadTime);
+      }
+      await(open);
+    });
+  }
+
+  // What comes within kHaste, as far as it comes at once, unless others wait for the thread.
+  RequestHead::State read_next(RequestHead& head, ClientConnection& client) {
+    if (threads_.waiting() > 0 || !client.has_come_within(kHaste)) return RequestHead::State::incomplete;
+    std::array<char, std::size_t{16} << 10U> piece;  // NOLINT(*-member-init): written by the system
+    const ssize_t count = ::recv(client.socket(), piece.data(), piece.size(), MSG_DONTWAIT);
+    // An end is found again by whoever waits for the client next.
+    return count > 0 ? head.add({piece.data(), static_cast<std::size_t>(count)}) : RequestHead::State::incomplete;
+  }
+
+  // False: the connection ends.
+  bool answer_request(RequestHead& head, ClientConnection& client) {
+    ClientBody body(client, head.body_bytes(), head.take_rest(), head.expects_continue());
+    HttpRequest request = head.request();
+    request.body = head.body_bytes() > 0 ? &body : nullptr;
+    request.connection = &client;
+    HttpAnswer answer;
+    try {
+      answer = answer_(request);
+      encode(answer, request.list("accept-encoding"));
+    } catch (const std::exception&) {
+      answer = Refusal{500, "internal", "the request could not be answered"}.answer();
+    }
+    // What is left of a body, or has come too early, must never be taken for the next request.
+    const bool stays_open = head.keeps_connection() && body.is_at_end() && !client.is_late() && !is_stopping_;
+    const AnswerForm form{.stays_open = stays_open, .in_chunks = head.is_of_version_1_1()};
+    return send_answer(client, answer, common_, form, head.is_of_head_method()) && stays_open;
+  }
+
+  // A connection closed at once would be reset if its client still sends, and the client might lose the answer.
+  static void drain(const OpenPointer& open) {
+    open->is_draining = true;
+    open->deadline = Clock::now() + kDrainTime;
+  }
+
+  // The refusal is short, and nothing was sent before: the system takes it at once.
+  void refuse(const OpenPointer& open, const Refusal& refusal) {
+    const HttpAnswer answer = refusal.answer();
+    const std::string text = answer_head(answer, common_, {}) + (open->head.is_of_head_method() ? "" : answer.body);
+    (void)!::send(open->client.socket(), text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    open->client.shut(SHUT_WR);
+    drain(open);
+  }
+
+  void close(const OpenPointer& open) {
+    const OpenPointer kept = open;
+    SystemCode ignored;
+    kept->socket.close(ignored);
+    waiting_.erase(kept->place);
+  }
+
+  // A connection on which nothing was sent is closed without a word: browsers open some in advance, and would take an
+  // answer for that of their next request.
+  static bool is_told(const OpenConnection& open) { return !open.is_draining && !open.head.is_empty(); }
+
+  void close_late() {
+    const auto now = Clock::now();
+    for (auto each = waiting_.begin(); each != waiting_.end();) {
+      const OpenPointer open = *each++;
+      if (open->deadline > now) continue;
+      if (is_told(*open))
+        refuse(open, {408, "timeout", "the head of the request did not arrive in time"});
+      else
+        close(open);
+    }
+  }
+
+  // A client whose head is whole within the round is never the oldest for long; those that send none are.
+  void close_oldest() {
+    if (waiting_.empty()) return;
+    const OpenPointer open = waiting_.front();
+    if (is_told(*open))
+      refuse(open, {408, "timeout", "the head of the request had not arrived when others needed the place"});
+    close(open);
+  }
+
+  const ListenerLimits limits_;
+  const Headers common_;
   Answer answer_;
-  int listening_ = -1;
   int port_ = 0;
-  OpenStreams streams_;
-  Acceptor acceptor_;
+  std::atomic<bool> is_stopping_ = false;
+  boost::asio::io_context sockets_{1};
+  tcp::acceptor acceptor_{sockets_};
+  boost::asio::steady_timer round_{sockets_};
+  bool is_accepting_ = false;
+  bool is_busy_ = false;            // requests wait, or memory is short
+  std::list<OpenPointer> waiting_;  // connections that no thread answers, oldest first
+  AnsweredClients answered_;
   ConnectionThreads threads_;
 };
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "queries/server/detail/answer_text.h"
+#include "queries/server/detail/answer_head.h"
 #include "queries/server/detail/http.h"
 
 namespace queries {
@@ -15,7 +15,8 @@ struct ListenerLimits {
   std::size_t unanswered = 1024;  ///< whose request has not come, or whose client has not taken its answer
 };
 
-/// Answers HTTP requests on a TCP port, each on a connection of its own.
+/// Answers HTTP requests on a TCP port. A connection stays open for further requests, each of which comes when the one
+/// before it is answered.
 class HttpListener {
  public:
   using Answer = std::function<HttpAnswer(const HttpRequest&)>;
