@@ -76,8 +76,8 @@ export interface ShapeSource extends ColumnRef {
 
 /** How far the loading of a column is. */
 export interface LoadProgress extends ColumnRef {
-  /** `coarse` first picture, `fine` better levels of detail, `done`, or `failed`. */
-  readonly phase: "coarse" | "fine" | "done" | "failed";
+  /** `coarse` first picture, `fine` better levels of detail, `done`, `failed`, or `stopped` by a person. */
+  readonly phase: "coarse" | "fine" | "done" | "failed" | "stopped";
   readonly rowsLoaded: number;
   readonly rows: number;
   readonly bytes: number;
@@ -219,6 +219,10 @@ export interface SceneView {
   /** Reads the shapes again, as after a change of the value; the old ones are drawn until then. */
   reloadResult(column: ColumnRef): void;
   readonly results: readonly ShapeSource[];
+  /** Loads no more of a column; what is there stays. */
+  stopLoading(column: ColumnRef): void;
+  /** Goes on where `stopLoading` ended. */
+  resumeLoading(column: ColumnRef): void;
   /** Shows or hides a result (without row) or an object. */
   setVisible(what: ColumnRef & { readonly row?: number }, visible: boolean): void;
   isVisible(what: ColumnRef & { readonly row?: number }): boolean;

@@ -159,6 +159,14 @@ export class View implements api.SceneView {
     this.contents.reload(ref);
   }
 
+  stopLoading(ref: api.ColumnRef): void {
+    this.contents.stopLoading(ref);
+  }
+
+  resumeLoading(ref: api.ColumnRef): void {
+    this.contents.resumeLoading(ref);
+  }
+
   private shapesCame(column: Column, came: "first" | "more" | "finer"): void {
     this.contents.applyFocus(this.state.focus);
     this.contentChanged();

@@ -208,7 +208,11 @@ test("the cheat sheet lists the shortcuts, is searched, and carries them out", a
   const columnsOfGroups = await sheet
     .locator("section")
     .evaluateAll((groups) =>
-      groups.map((group) => new Set([...group.children].flatMap((part) => [...part.getClientRects()].map(({ left }) => left))).size),
+      groups.map(
+        (group) =>
+          new Set([...group.children].flatMap((part) => [...part.getClientRects()].map(({ left }) => left)))
+            .size,
+      ),
     );
   expect(columnsOfGroups.length).toBeGreaterThan(3);
   expect(new Set(columnsOfGroups)).toEqual(new Set([1])); // a heading is in the column of all its keys

@@ -275,7 +275,7 @@ test("a running step is stopped, and what was there stays", async () => {
   await load("right", "Ball");
   await side("right").getByLabel("Steps", { exact: true }).fill("8");
   await press("right", "Subdivide");
-  await side("right").getByRole("button", { name: "Stop" }).click();
+  await side("right").getByRole("button", { name: "Stop", exact: true }).click();
   await side("right").getByText("Stopped.").waitFor({ timeout: 60_000 });
   expect(await session.stepsOf("right")).toContain("Ball");
   await side("right").locator('[data-fact="Faces"]').waitFor({ timeout: 60_000 });
