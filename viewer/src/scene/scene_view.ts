@@ -269,6 +269,11 @@ export class View implements api.SceneView {
     return this.coloring.legend;
   }
 
+  elementColorsChanged(): void {
+    this.coloring.forgetElementColors();
+    this.coloringChanged();
+  }
+
   // State ---------------------------------------------------------------------------------------------------------
 
   update(patch: api.ScenePatch): void {
