@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { ComponentChildren } from "preact";
-import { createSceneView } from "../scene";
+import { effect, untracked, type ReadonlySignal } from "@preact/signals";
+import { createSceneView, hasMeshes } from "../scene";
 import type { SceneView } from "../scene/api";
 import {
   SceneModel,
@@ -32,6 +33,19 @@ interface Props {
   readonly children?: ComponentChildren;
 }
 
+/** Draws meshes in the colours of materials as soon as these are told. */
+function followMaterials(view: SceneView, materials: ReadonlySignal<unknown>): () => void {
+  let isFirst = true;
+  return effect(() => {
+    void materials.value;
+    untracked(() => {
+      if (!isFirst && hasMeshes(view)) view.update({ appearance: { scheme: { by: "elements" } } });
+      if (!isFirst) view.elementColorsChanged();
+      isFirst = false;
+    });
+  });
+}
+
 /** A scene with its bar, its readouts and messages: the same for the results and for each side of the split screen. */
 export function SceneFrame({ label, testId, busy, hint, bind, onModel, told, onFocus, children }: Props) {
   const app = useApp();
@@ -43,11 +57,13 @@ export function SceneFrame({ label, testId, busy, hint, bind, onModel, told, onF
     const view = createSceneView(place.current);
     const made = new SceneModel(view, database);
     const end = bind(view);
+    const endMaterials = followMaterials(view, app.store.materials);
     setModel(made);
     onModel(made);
     return () => {
       onModel(null);
       end();
+      endMaterials();
       made.dispose();
       view.dispose();
     };

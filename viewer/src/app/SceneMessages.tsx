@@ -48,6 +48,7 @@ export function SceneMessages({ view, told }: Props) {
   const shown = progress.filter(
     (each) =>
       each.phase !== "done" &&
+      each.phase !== "stopped" &&
       (each.phase !== "failed" || (view.isVisible(each) && told?.(each.result) !== false)),
   );
   return (
@@ -55,10 +56,11 @@ export function SceneMessages({ view, told }: Props) {
       {shown.length > 0 && (
         <div class="scene-loading" role="status" data-testid="scene-loading">
           {shown.map((each) => (
-            <LoadingLine key={`${each.result}/${each.column}`} progress={each} />
+            <LoadingLine key={`${each.result}/${each.column}`} view={view} progress={each} />
           ))}
         </div>
       )}
+      <StoppedLines view={view} progress={progress} />
       <FarLine view={view} />
     </>
   );
@@ -88,13 +90,36 @@ function FarLine({ view }: { view: SceneView }) {
   );
 }
 
-function LoadingLine({ progress }: { progress: LoadProgress }) {
+/** Says what was not loaded because a person stopped it, and goes on on demand. */
+function StoppedLines({ view, progress }: { view: SceneView; progress: readonly LoadProgress[] }) {
+  const stopped = progress.filter((each) => each.phase === "stopped" && view.isVisible(each));
+  if (stopped.length === 0) return null;
+  return (
+    <div class="scene-loading" role="status" data-testid="scene-stopped">
+      {stopped.map((each) => (
+        <div key={`${each.result}/${each.column}`} class="row">
+          <span class="muted grow">{each.text}</span>
+          <button type="button" class="btn small" onClick={() => view.resumeLoading(each)}>
+            Load the rest
+          </button>
+        </div>
+      ))}
+    </div>
+  );
+}
+
+function LoadingLine({ view, progress }: { view: SceneView; progress: LoadProgress }) {
   const { phase, text, rows, rowsLoaded, fraction } = progress;
   if (phase === "failed") return <div class="error-text">{text}</div>;
   const share = rows > 1 ? rowsLoaded / rows : fraction;
   return (
     <div>
-      <div class="muted">{text}</div>
+      <div class="row">
+        <div class="muted grow">{text}</div>
+        <button type="button" class="btn small danger" onClick={() => view.stopLoading(progress)}>
+          <Icon name="stop" /> Stop loading
+        </button>
+      </div>
       <div class={`progress${share === null ? " unknown" : ""}`}>
         <div style={share === null ? undefined : { width: `${Math.round(share * 100)}%` }} />
       </div>

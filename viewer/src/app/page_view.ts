@@ -164,7 +164,7 @@ function drawn(scene: SceneView, step: Step): Promise<void> {
   const { result } = cellOf(step);
   const hasFailed = () =>
     scene.problem !== null ||
-    scene.progress.some((progress) => progress.result === result && progress.phase === "failed");
+    scene.progress.some((progress) => progress.result === result && /failed|stopped/.test(progress.phase));
   return new Promise((resolve) => {
     const ends = [scene.on("shapes", look), scene.on("problem", look), scene.on("progress", look)];
     function look(): void {

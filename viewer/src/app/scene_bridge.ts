@@ -10,7 +10,7 @@ export function bindScene(view: SceneView, app: App): () => void {
   const { store, workspace } = app;
   const { results, theme } = store;
   const ends = [
-    effect(() => showResults(view, results.list.value, store.client)),
+    effect(() => showResults(view, results.list.value, store)),
     effect(() => {
       const cells = selectedCells(app);
       untracked(() => {
@@ -37,7 +37,7 @@ export function bindScene(view: SceneView, app: App): () => void {
 }
 
 /** Adds, removes, shows and hides columns. A column is added when it is shown for the first time. */
-function showResults(view: SceneView, outcomes: readonly Outcome[], client: App["store"]["client"]): void {
+function showResults(view: SceneView, outcomes: readonly Outcome[], store: App["store"]): void {
   const wanted = new Map<string, { outcome: Outcome; shown: ReadonlySet<string> }>();
   for (const outcome of outcomes)
     if (outcome.resultId !== null) wanted.set(outcome.resultId, { outcome, shown: outcome.shown.value });
@@ -51,7 +51,7 @@ function showResults(view: SceneView, outcomes: readonly Outcome[], client: App[
       for (const column of shown) {
         const isThere = view.results.some((source) => source.result === result && source.column === column);
         if (isThere) view.setVisible({ result, column }, true);
-        else view.addResult(shapeSource(client, outcome, column));
+        else view.addResult(shapeSource(store, outcome, column));
       }
   });
 }

@@ -1,6 +1,6 @@
 /** What the actions of shortcuts.ts do; the group "Application" is handed on as events. */
 
-import type { Appearance, ColorScheme, DisplayState, FocusState, StandardView, Tool } from "./api";
+import type { Appearance, ColorScheme, DisplayState, FocusState, SceneView, StandardView, Tool } from "./api";
 import { orbit, pan, zoom } from "./camera";
 import type { View } from "./scene_view";
 import { kShortcuts } from "./shortcuts";
@@ -137,11 +137,17 @@ function nextOf<T>(values: readonly T[], value: T): T {
   return values[(values.indexOf(value) + 1) % values.length]!;
 }
 
-/** One colour, by position, gradient, then each attribute. */
+/** Whether any object may have colours of its elements. */
+export function hasMeshes(view: Pick<SceneView, "shapes">): boolean {
+  return view.shapes().some(({ kind, visible }) => visible && kind === "mesh3d");
+}
+
+/** One colour, by position, those of the file, gradient, then each attribute. */
 function nextScheme(view: View): ColorScheme {
   const schemes: ColorScheme[] = [
     { by: "one" },
     { by: "position" },
+    ...(hasMeshes(view) ? [{ by: "elements" } as const] : []),
     { by: "gradient", from: "#2b6cb0", to: "#f2b134" },
     ...view.attributes.map(({ name }) => ({ by: "attribute", attribute: name, palette: "viridis" }) as const),
   ];

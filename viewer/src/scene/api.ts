@@ -45,6 +45,21 @@ export interface ShapeRequest {
   readonly onBytes?: (received: number, total: number | null) => void;
 }
 
+/** What a mesh says of the colours of its vertices or faces, in the order of their numbers. */
+export type ElementColors =
+  | {
+      readonly elements: "vertex" | "face";
+      /** Red, green and blue of each, from 0 to 1, as files have them (sRGB). */
+      readonly rgb: Float32Array;
+    }
+  | {
+      readonly elements: "face";
+      /** The name of the material of each, "" for none. */
+      readonly materials: readonly string[];
+      /** By name, as far as they are known. */
+      readonly colors: Readonly<Record<string, Color>>;
+    };
+
 export interface ShapeBatch {
   /** The binary glTF of docs/http-api.md. The view keeps it and draws from it without a copy. */
   readonly bytes: ArrayBuffer;
@@ -70,14 +85,16 @@ export interface ShapeSource extends ColumnRef {
     count: number,
     signal: AbortSignal,
   ): Promise<readonly AttributeValue[]>;
+  /** Of the mesh of a row; null if it has none. */
+  elementColors?(row: number, signal: AbortSignal): Promise<ElementColors | null>;
   /** What the server is doing for this column (GET .../progress), '' if nothing. */
   progress?(signal: AbortSignal): Promise<string>;
 }
 
 /** How far the loading of a column is. */
 export interface LoadProgress extends ColumnRef {
-  /** `coarse` first picture, `fine` better levels of detail, `done`, or `failed`. */
-  readonly phase: "coarse" | "fine" | "done" | "failed";
+  /** `coarse` first picture, `fine` better levels of detail, `done`, `failed`, or `stopped` by a person. */
+  readonly phase: "coarse" | "fine" | "done" | "failed" | "stopped";
   readonly rowsLoaded: number;
   readonly rows: number;
   readonly bytes: number;
@@ -219,6 +236,10 @@ export interface SceneView {
   /** Reads the shapes again, as after a change of the value; the old ones are drawn until then. */
   reloadResult(column: ColumnRef): void;
   readonly results: readonly ShapeSource[];
+  /** Loads no more of a column; what is there stays. */
+  stopLoading(column: ColumnRef): void;
+  /** Goes on where `stopLoading` ended. */
+  resumeLoading(column: ColumnRef): void;
   /** Shows or hides a result (without row) or an object. */
   setVisible(what: ColumnRef & { readonly row?: number }, visible: boolean): void;
   isVisible(what: ColumnRef & { readonly row?: number }): boolean;
@@ -242,6 +263,8 @@ export interface SceneView {
   /** Takes the parts back to what they are in a new view; a camera means the standard view. */
   reset(...parts: (keyof SceneState)[]): void;
   readonly legend: Legend | null;
+  /** Asks for the colours of the elements of meshes again. */
+  elementColorsChanged(): void;
   /** What differs from a new view, for permanent links. */
   toJSON(): unknown;
   /** Takes over what toJSON() gave; what is not understood is left out, and listed in the answer. */

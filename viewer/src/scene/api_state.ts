@@ -62,6 +62,8 @@ export type ColorScheme =
   | { readonly by: "one" }
   /** Red, green and blue for x, y and z, over the box of all that is seen; objects have no other colours then. */
   | { readonly by: "position" }
+  /** Those that meshes bring along: of their vertices, faces or materials. */
+  | { readonly by: "elements" }
   | { readonly by: "gradient"; readonly from: Color; readonly to: Color }
   | { readonly by: "attribute"; readonly attribute: string; readonly palette: PaletteName };
 

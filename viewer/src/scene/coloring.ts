@@ -6,6 +6,8 @@ import type { SheetLabel } from "./arrangement";
 import { AttributeValues } from "./attribute_values";
 import { categoryColor, mix, scaleOf } from "./colors";
 import type { ColorScale } from "./colors";
+import { ElementColorCache, meanColor } from "./element_colors";
+import type { DrawnColors } from "./element_colors";
 import { kGhostOpacity } from "./look";
 import type { Look } from "./look";
 import { cellKey } from "./shape_store";
@@ -16,6 +18,8 @@ const kWhite: Color = "#ffffff";
 
 export class Coloring {
   private readonly values: AttributeValues;
+  private readonly elementColors: ElementColorCache;
+  private hasElementColors = false;
   private scale: ColorScale | null = null;
   /** Names below the cells of a contact sheet. */
   labels: readonly SheetLabel[] = [];
@@ -26,9 +30,11 @@ export class Coloring {
     changed: () => void,
   ) {
     this.values = new AttributeValues(changed);
+    this.elementColors = new ElementColorCache(changed);
   }
 
   get legend(): Legend | null {
+    if (this.hasElementColors) return this.elementColors.legend(this.store.visibleRecords());
     return this.scale?.legend ?? null;
   }
 
@@ -43,22 +49,27 @@ export class Coloring {
     const { cells, others } = state.focus;
     const seen = new Set(others === "ghosted" ? cells.map(cellKey) : []);
     const isGhost = (key: string): boolean => seen.size > 0 && !seen.has(key);
+    this.hasElementColors = state.appearance.scheme.by === "elements";
     const byPosition = state.appearance.scheme.by === "position";
     for (const record of this.store.records()) {
       const key = cellKey(record.cell);
       const override = overrides.get(key);
+      const elements =
+        this.hasElementColors && !override?.color && record.visible ? this.elementColors.of(record) : null;
       const look: Look = {
-        color: byPosition ? kWhite : (override?.color ?? this.colorOf(record, state)),
+        color: byPosition ? kWhite : (override?.color ?? this.colorOf(record, state, elements)),
         opacity: (override?.opacity ?? state.appearance.opacity) * (isGhost(key) ? kGhostOpacity : 1),
         pointSize: override?.pointSize ?? state.appearance.pointSize,
         selected: selected.has(key),
         offset: arrangement.offsetOf(record),
+        elements,
       };
       this.store.setLook(record, look);
     }
   }
 
-  private colorOf(record: ShapeRecord, state: SceneState): Color {
+  private colorOf(record: ShapeRecord, state: SceneState, elements: DrawnColors | null): Color {
+    if (elements) return meanColor(elements);
     const { scheme, color } = state.appearance;
     const { column } = record;
     if (scheme.by === "gradient") {
@@ -85,6 +96,11 @@ export class Coloring {
 
   forget(column: Column): void {
     this.values.forget(column);
+    this.elementColors.forget((record) => record.column === column);
+  }
+
+  forgetElementColors(): void {
+    this.elementColors.forget();
   }
 
   /** The first text of the row of an object, else the number of the row. */

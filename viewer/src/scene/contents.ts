@@ -50,6 +50,16 @@ export class Contents {
     this.loader.start(column);
   }
 
+  stopLoading(ref: ColumnRef): void {
+    const column = this.store.column(ref);
+    if (column) this.loader.halt(column);
+  }
+
+  resumeLoading(ref: ColumnRef): void {
+    const column = this.store.column(ref);
+    if (column) this.loader.resume(column);
+  }
+
   /** Shows or hides a column; it, if it was hidden until now. `refreshVisibility` is to follow. */
   setVisible(ref: ColumnRef, visible: boolean): Column | null {
     const column = this.store.column(ref);

@@ -42,6 +42,8 @@ export function drawAxes(overlay: Overlay, camera: CameraState, height: number):
   }
 }
 
+const leastScaleBar = (width: number) => Math.min(120, width / 5);
+
 /** A bar of a round length; with perspective it holds at the distance of the target. */
 export function drawScaleBar(
   overlay: Overlay,
@@ -51,7 +53,7 @@ export function drawScaleBar(
 ): void {
   const { width, height } = projector.size;
   const unit = camera.height / height;
-  const length = roundStep(unit * Math.min(120, width / 5));
+  const length = roundStep(unit * leastScaleBar(width));
   const pixels = length / unit;
   const [right, y] = [width - 20, height - 22];
   const left = right - pixels;
@@ -156,10 +158,11 @@ export class Grid {
     for (const { from, to, text } of this.numbers) {
       const [a, b] = [projector.project(from), projector.project(to)];
       const place = a.visible && b.visible ? entryPoint(a, b, projector.size, 20) : null;
-      if (!place || taken.some((other) => Math.hypot(other.x - place.x, (other.y - place.y) * 2) < 36))
-        continue;
+      if (!place || isInCorner(place, projector.size)) continue;
+      if (taken.some((other) => Math.hypot(other.x - place.x, (other.y - place.y) * 2) < 36)) continue;
       taken.push(place);
-      overlay.text(text, place.x, place.y, { color: theme.muted });
+      // On a plate, so that it can be read over objects.
+      overlay.text(text, place.x, place.y, { color: theme.muted, plate: theme.plate });
     }
   }
 
@@ -174,6 +177,14 @@ export class Grid {
 interface Place {
   readonly x: number;
   readonly y: number;
+}
+
+/** Whether a text at this place would lie over the axes or the scale bar. */
+export function isInCorner({ x, y }: Place, { width, height }: Size): boolean {
+  const isAtAxes = x < 2 * kAxisMargin + 20 && y > height - 2 * kAxisMargin - 10;
+  // Round lengths grow by 2.5 at most.
+  const isAtScaleBar = x > width - 2.5 * leastScaleBar(width) - 40 && y > height - 50;
+  return isAtAxes || isAtScaleBar;
 }
 
 /** Where the segment from a to b comes into the view without its border, or null if it does not. */

@@ -35,6 +35,7 @@ export * from "./statements";
 export { kMeasures, measureInfo, questionOf } from "./measures";
 export { facingEye } from "./section";
 export { kDefaultState } from "./state";
+export { hasMeshes } from "./actions";
 export { kPaletteNames, paletteStops } from "./colors";
 export { newLight } from "./lights";
 export { overridden } from "./coloring";

@@ -46,6 +46,8 @@ interface Wish {
 interface Job {
   readonly abort: AbortController;
   coarseDone: boolean;
+  /** The row with which the first picture goes on. */
+  next: number;
   failed: boolean;
   bytes: number;
 }
@@ -66,9 +68,30 @@ export class Loader {
   ) {}
 
   start(column: Column): void {
-    const job: Job = { abort: new AbortController(), coarseDone: false, failed: false, bytes: 0 };
+    const job: Job = { abort: new AbortController(), coarseDone: false, next: 0, failed: false, bytes: 0 };
     this.jobs.set(column, job);
     void this.loadCoarse(column, job);
+  }
+
+  /** Ends the loading of a column; what is there stays, and `resume` goes on. */
+  halt(column: Column): void {
+    const job = this.jobs.get(column);
+    if (!job || job.abort.signal.aborted || this.latest.get(column)?.phase === "done") return;
+    this.report(column, job, "stopped", null, "");
+    job.abort.abort();
+  }
+
+  resume(column: Column): void {
+    const halted = this.jobs.get(column);
+    if (!halted?.abort.signal.aborted) return;
+    const job: Job = { ...halted, abort: new AbortController() };
+    this.jobs.set(column, job);
+    if (!job.coarseDone) {
+      void this.loadCoarse(column, job);
+      return;
+    }
+    this.report(column, job, "fine", null, "");
+    void this.refine();
   }
 
   stop(column: Column): void {
@@ -98,7 +121,8 @@ export class Loader {
 
   private async loadCoarse(column: Column, job: Job): Promise<void> {
     try {
-      let from: number | null = 0;
+      this.report(column, job, "coarse", null, "");
+      let from: number | null = job.next;
       const triangles = coarseTriangles(column.source.count);
       while (from !== null && from < column.source.count) {
         const next: number | null = await this.loadRows(
@@ -111,6 +135,7 @@ export class Loader {
         );
         if (job.abort.signal.aborted) return;
         from = next;
+        job.next = next ?? column.source.count;
       }
       job.coarseDone = true;
       this.report(column, job, "fine", null, "");
@@ -150,9 +175,12 @@ export class Loader {
       if (this.isStopped(job)) return null;
       job.bytes += byteLength;
       const before = column.records.size;
-      if (!(await this.addShapes(column, job, shapes))) return null;
+      const isWhole = await this.addShapes(column, job, shapes);
+      if (this.jobs.get(column) !== job) return null;
       const more = column.records.size > before;
+      // Also of what came until it was stopped.
       this.events.changed(column, !more ? "finer" : before === 0 ? "first" : "more");
+      if (!isWhole) return null;
       this.report(column, job, phase, null, "");
       const last = shapes.at(-1)?.row;
       return batch.next !== null && last !== undefined && batch.next <= last ? last + 1 : batch.next;
@@ -229,6 +257,7 @@ export class Loader {
     const before = records.map(({ shown }) => shown);
     try {
       const next = await this.loadRows(first.column, job, first.row, records.length, triangles, "fine");
+      if (this.isStopped(job)) return;
       // A server that has no finer level must not be asked for ever.
       if (triangles === kMiddleTriangles) this.hasMiddle.add(first);
       else
@@ -237,6 +266,7 @@ export class Loader {
           if (came && record.shown <= before[index]!) this.finished.add(record);
         });
     } catch (error) {
+      if (this.isStopped(job)) return;
       for (const record of records) this.finished.add(record);
       this.fail(first.column, job, error);
     }
@@ -315,7 +345,12 @@ export class Loader {
 
   private isWanted(record: ShapeRecord): boolean {
     const job = this.jobs.get(record.column);
-    return !!job?.coarseDone && record.shown < record.triangles && !this.finished.has(record);
+    return (
+      !!job?.coarseDone &&
+      !this.isStopped(job) &&
+      record.shown < record.triangles &&
+      !this.finished.has(record)
+    );
   }
 
   /** Frees the finest levels of large objects that are not selected while there are too many triangles. */
@@ -378,7 +413,8 @@ export function coarseTriangles(rows: number): number {
 function describe(source: ShapeSource, rows: number, phase: LoadProgress["phase"], bytes: number): string {
   const objects = source.count === 1 ? "1 object" : `${rows} of ${source.count} objects`;
   const size = bytes < 1e6 ? `${Math.ceil(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
-  return phase === "fine" ? `${objects}, ${size}, loading details` : `${objects}, ${size}`;
+  const doing = { coarse: "", fine: ", loading details", done: "", failed: "", stopped: ", stopped" };
+  return `${objects}, ${size}${doing[phase]}`;
 }
 
 /** 0.42 of "levels of detail, 42 %". */

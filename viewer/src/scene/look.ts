@@ -3,6 +3,7 @@
 import type { Plane } from "three";
 
 import type { Appearance, Color, DisplayState, Vec3 } from "./api";
+import type { DrawnColors } from "./element_colors";
 
 /** Of one object. */
 export interface Look {
@@ -12,6 +13,8 @@ export interface Look {
   readonly selected: boolean;
   /** By which it is moved, as in an exploded picture. */
   readonly offset: Vec3;
+  /** In place of the colour, where it is drawn by itself; null: one colour. */
+  readonly elements: DrawnColors | null;
 }
 
 export function isSameLook(a: Look, b: Look): boolean {
@@ -20,6 +23,7 @@ export function isSameLook(a: Look, b: Look): boolean {
     a.opacity === b.opacity &&
     a.pointSize === b.pointSize &&
     a.selected === b.selected &&
+    a.elements === b.elements &&
     a.offset.every((part, axis) => part === b.offset[axis])
   );
 }

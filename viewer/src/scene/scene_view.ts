@@ -159,6 +159,14 @@ export class View implements api.SceneView {
     this.contents.reload(ref);
   }
 
+  stopLoading(ref: api.ColumnRef): void {
+    this.contents.stopLoading(ref);
+  }
+
+  resumeLoading(ref: api.ColumnRef): void {
+    this.contents.resumeLoading(ref);
+  }
+
   private shapesCame(column: Column, came: "first" | "more" | "finer"): void {
     this.contents.applyFocus(this.state.focus);
     this.contentChanged();
@@ -259,6 +267,11 @@ export class View implements api.SceneView {
   get legend(): api.Legend | null {
     this.applyColoring();
     return this.coloring.legend;
+  }
+
+  elementColorsChanged(): void {
+    this.coloring.forgetElementColors();
+    this.coloringChanged();
   }
 
   // State ---------------------------------------------------------------------------------------------------------

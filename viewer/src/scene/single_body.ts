@@ -25,6 +25,7 @@ import {
   triangleEdges,
   wideLines,
 } from "./geometry";
+import { coloredFaces } from "./element_colors";
 import { featureLines } from "./features";
 import { FrontFaces, isWorthChoosing } from "./front_faces";
 import type { EyeFrom, PlaneBudget } from "./front_faces";
@@ -49,6 +50,8 @@ export class SingleBody implements Body {
   /** Of the faces, all of them. */
   private readonly whole: BufferGeometry | null;
   private fronts: FrontFaces | null = null;
+  /** The faces in the colours of their elements. */
+  private colored: BufferGeometry | null = null;
   private allEdges: LineSegments | null = null;
   private readonly boundary: Object3D | null;
   private readonly nonManifold: Object3D | null;
@@ -105,10 +108,12 @@ export class SingleBody implements Body {
   }
 
   setLook(look: Look): void {
+    const before = this.look?.elements ?? null;
     this.look = look;
     this.place();
+    if (look.elements !== before) this.colorElements(look.elements);
     if (this.faces) {
-      this.faces.material.color.set(look.color);
+      this.faces.material.color.set(this.colored ? "#ffffff" : look.color);
       this.faces.material.opacity = look.opacity;
       bringForward(this.faces.material, look.selected);
       if (look.selected) this.faces.layers.enable(kOutlineLayer);
@@ -118,6 +123,17 @@ export class SingleBody implements Body {
     if (this.points) this.points.material.color.copy(thin);
     if (this.lines) this.lines.material.color.copy(thin);
     this.refresh();
+  }
+
+  private colorElements(elements: Look["elements"]): void {
+    const { faces, whole } = this;
+    if (!faces || !whole) return;
+    this.dropFronts();
+    this.colored?.dispose();
+    this.colored = elements && coloredFaces(this.shape, elements, sphereOf(this.shape));
+    faces.geometry = this.colored ?? whole;
+    faces.material.vertexColors = this.colored !== null;
+    faces.material.needsUpdate = true;
   }
 
   setPreview(preview: Preview | null): void {
@@ -146,8 +162,9 @@ export class SingleBody implements Body {
   chooseFronts(eyeFrom: EyeFrom | null, budget: PlaneBudget): void {
     const { faces, whole } = this;
     if (!faces || !whole || !this.group.visible || !faces.visible) return;
-    const fronts = eyeFrom && faces.material.side === FrontSide ? this.frontFaces(whole, budget) : null;
-    faces.geometry = fronts?.geometry ?? whole;
+    const fronts =
+      eyeFrom && !this.colored && faces.material.side === FrontSide ? this.frontFaces(whole, budget) : null;
+    faces.geometry = fronts?.geometry ?? this.colored ?? whole;
     if (fronts && eyeFrom) fronts.choose(eyeFrom(this.group.position));
   }
 
@@ -250,6 +267,7 @@ export class SingleBody implements Body {
 
   positionsChanged(): void {
     this.dropFronts();
+    this.colorElements(this.look?.elements ?? null);
     for (const child of this.group.children) {
       const attribute = geometryOfChild(child).getAttribute("position");
       if (attribute instanceof BufferAttribute) attribute.needsUpdate = true;
@@ -257,7 +275,7 @@ export class SingleBody implements Body {
   }
 
   private dropFronts(): void {
-    if (this.faces && this.whole) this.faces.geometry = this.whole;
+    if (this.faces && this.whole) this.faces.geometry = this.colored ?? this.whole;
     this.fronts?.dispose();
     this.fronts = null;
   }
@@ -265,6 +283,7 @@ export class SingleBody implements Body {
   dispose(): void {
     this.parent.remove(this.group);
     this.dropFronts();
+    this.whole?.dispose();
     for (const child of this.group.children) geometryOfChild(child).dispose();
     this.faces?.material.dispose();
     this.points?.material.dispose();

@@ -44,7 +44,7 @@ const hasFields =
 const kLight = { on: isBoolean, color: isColor, brightness: isNumber(0, 100) };
 
 const isScheme: Check = (value) =>
-  hasFields({ by: isOneOf("one", "position") })(value) ||
+  hasFields({ by: isOneOf("one", "position", "elements") })(value) ||
   hasFields({ by: isOneOf("gradient"), from: isColor, to: isColor })(value) ||
   hasFields({
     by: isOneOf("attribute"),

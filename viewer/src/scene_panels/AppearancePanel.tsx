@@ -1,4 +1,4 @@
-import { kDefaultState, kPaletteNames } from "../scene";
+import { hasMeshes, kDefaultState, kPaletteNames } from "../scene";
 import type { Appearance, ColorScheme, PaletteName, SceneView } from "../scene";
 import { Check, Choice, ColorField, Section, Segments, Slider } from "./fields";
 import { useSceneEvents, useSceneState } from "./hooks";
@@ -95,7 +95,7 @@ function SchemeFields({ view, scheme }: { view: SceneView; scheme: ColorScheme }
   const attributes = view.attributes;
   const first = attributes[0];
   const choose = (by: ColorScheme["by"]): void => {
-    if (by === "one" || by === "position") set({ by });
+    if (by === "one" || by === "position" || by === "elements") set({ by });
     else if (by === "gradient") set(kGradient);
     else if (first) set({ by, attribute: first.name, palette: "viridis" });
   };
@@ -107,6 +107,9 @@ function SchemeFields({ view, scheme }: { view: SceneView; scheme: ColorScheme }
         options={[
           { id: "one", title: "One colour" },
           { id: "position", title: "By position" },
+          ...(hasMeshes(view) || scheme.by === "elements"
+            ? [{ id: "elements", title: "As in the file" } as const]
+            : []),
           { id: "gradient", title: "Gradient over the rows" },
           ...(first ? [{ id: "attribute", title: "By an attribute" } as const] : []),
         ]}

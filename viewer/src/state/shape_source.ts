@@ -1,11 +1,24 @@
+import type { ReadonlySignal } from "@preact/signals";
 import type { Client } from "../api/client";
 import type { AttributeValue, ShapeBatch, ShapeRequest, ShapeSource } from "../scene/api";
 import type { Json } from "../api/types";
+import { readElementColors, type MaterialColors } from "./element_colors";
 import type { Outcome } from "./outcome";
 import { titleOf } from "./outcome";
 
+export interface ShapeServer {
+  readonly client: Client;
+  /** Colours of materials, as files of materials told them. */
+  readonly materials: ReadonlySignal<MaterialColors>;
+}
+
 /** The geometry of a column of an outcome, for a scene. */
-export function shapeSource(client: Client, outcome: Outcome, column: string, title?: string): ShapeSource {
+export function shapeSource(
+  { client, materials }: ShapeServer,
+  outcome: Outcome,
+  column: string,
+  title?: string,
+): ShapeSource {
   const result = outcome.resultId;
   if (result === null || !outcome.table) throw new Error("This outcome has no result on the server.");
   return {
@@ -19,6 +32,8 @@ export function shapeSource(client: Client, outcome: Outcome, column: string, ti
       .map(({ name, type }) => ({ name, type })),
     load: (request, signal) => loadShapes(client, result, column, request, signal),
     values: (attribute, from, count, signal) => readValues(client, result, attribute, from, count, signal),
+    elementColors: (row, signal) =>
+      readElementColors(client, { result, row, column }, materials.peek(), signal),
     progress: (signal) => client.resultProgress(result, signal),
   };
 }

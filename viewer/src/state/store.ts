@@ -5,6 +5,7 @@ import { Catalogue } from "./catalogue";
 import { Connection } from "./connection";
 import { largestRelation, sheetStatement } from "./first_page";
 import { helpSubject, helpText } from "./help";
+import { isMaterialColors } from "./element_colors";
 import { History } from "./history";
 import { makeLayout, type Layout, type Mode } from "./layout";
 import { Notices } from "./notices";
@@ -40,6 +41,8 @@ export class Store {
   readonly layout: Layout;
   readonly theme: Theme;
   readonly editorText;
+  /** Colours of materials by their names, of the files of materials that were dropped in this tab. */
+  readonly materials;
   readonly mode = signal<Mode>("explore");
   /** The latest failure, until the next statement or its closing. */
   readonly failure = signal<ShownFailure | null>(null);
@@ -64,6 +67,7 @@ export class Store {
     this.history = new History(storage);
     this.layout = makeLayout(storage);
     this.editorText = keptSignal(storage, "editor", "", isString);
+    this.materials = keptSignal(tabStorage, "materials", {}, isMaterialColors);
     this.#tabStorage = tabStorage;
     this.loaded = new Promise((resolve) => {
       this.connection.onOnline = () =>

@@ -3,6 +3,7 @@ import { isAbort, messageOf } from "../api/errors";
 import type { Row } from "../api/types";
 import { uploadFile } from "../api/upload";
 import { decodeShapes, type Shape } from "../glb/shapes";
+import { readMaterialFile } from "./material_file";
 import { importerOf, listedFormats, unreadFormat } from "./mesh_formats";
 import { meshDifference, type MeshDifference } from "./mesh_difference";
 import type { Outcome } from "./outcome";
@@ -71,7 +72,8 @@ export class Uploads {
     const batch = { batch: ++this.#batches, isOfMany: files.length > 1 };
     for (const file of files) {
       const problem = this.#problemOf(file);
-      if (problem) this.#refuse(file, batch, problem);
+      if (/\.mtl$/i.test(file.name)) await this.#takeMaterials(file);
+      else if (problem) this.#refuse(file, batch, problem);
       else if (this.#importerOf(file.name)) await this.#review(file, batch);
       else await this.#uploadOnly(file);
     }
@@ -127,6 +129,17 @@ export class Uploads {
 
   #importerOf(fileName: string): string | null {
     return importerOf(this.#store.catalogue.formats.value, fileName);
+  }
+
+  /** The colours of materials are kept for the tab; the file is not sent. */
+  async #takeMaterials(file: File): Promise<void> {
+    const { colors, textures } = readMaterialFile(await file.text());
+    const { materials, notices } = this.#store;
+    const count = Object.keys(colors).length;
+    if (count > 0) materials.value = { ...materials.value, ...colors };
+    const text = count === 1 ? "the colour of 1 material" : `the colours of ${count} materials`;
+    const detail = textures > 0 ? `Pictures on materials are not shown: ${textures}.` : "";
+    notices.add(count > 0 ? "success" : "error", `${file.name} has ${text}.`, { detail });
   }
 
   async #uploadOnly(file: File): Promise<void> {

@@ -34,6 +34,9 @@ const session = new Session({
     "let Open = [const surface3d value (((0 0 0) (2 0 0) (0 0 2)) ((2 0 0) (2 0 2) (0 0 2)))]",
     // Three triangles at one edge.
     "let Fan = [const mesh3d value (((0 0 0) (0 0 2) (1 0 1) (-1 0 1) (0 1 1)) ((0 1 2) (0 1 3) (0 1 4)))]",
+    // Seen from the front: the left half red, the right half blue, each of two triangles.
+    'let Painted = [const mesh3d value (((0 0 0) (1 0 0) (2 0 0) (0 0 2) (1 0 2) (2 0 2)) ((0 1 4 3) (1 2 5 4)) ((face "Colour" vector ((1 0 0) (0 0 1)))))]',
+    'let Faded = [const mesh3d value (((0 0 0) (2 0 0) (2 0 2) (0 0 2)) ((0 1 2 3)) ((vertex "Colour" vector ((1 0 0) (0 0 1) (0 0 1) (1 0 0)))))]',
     "let Cloud = [const points3d value ((0 0 0) (1 0 0) (0 0 1) (1 0 1) (0.5 0 0.5))]",
   ],
 });
@@ -211,6 +214,34 @@ test("colours by position go from corner to corner, and without light they are t
   expect(lowRight[0]).toBeGreaterThan(lowLeft[0] + 100);
   expect(highLeft[2]).toBeGreaterThan(lowLeft[2] + 100);
   expect(Math.abs(highLeft[1] - lowRight[1])).toBeLessThan(10);
+});
+
+test("meshes have the colours of their faces and vertices, as files give them", async () => {
+  const columnsOf = async (name: string) => {
+    await show(`query ${name}`);
+    await choose(page, "appearance", "Edges", "None");
+    await choose(page, "appearance", "Shading", "No light");
+    await field(page, "appearance", "Colouring").selectOption({ label: "As in the file" });
+    await page.getByTestId("legend").waitFor();
+    const picture = await stillScene(page);
+    await takePicture(page, `scene-elements-${name}`);
+    const half = halfSide(await sceneSize(page));
+    return [-0.9, -0.1, 0.1, 0.9].map((part) =>
+      picture.at(Math.round(picture.width / 2 + part * half), Math.round(picture.height / 2)),
+    );
+  };
+  const painted = await columnsOf("Painted");
+  expect(painted.map((pixel) => [isReddish(pixel), isBluish(pixel)])).toEqual([
+    [true, false],
+    [true, false],
+    [false, true],
+    [false, true],
+  ]);
+  const faded = await columnsOf("Faded");
+  expect([isReddish(faded[0]!), isBluish(faded[3]!)]).toEqual([true, true]);
+  const reds = faded.map(([red]) => red);
+  expect(reds).toEqual([...reds].sort((a, b) => b - a)); // it changes bit by bit
+  expect(reds[1]).toBeGreaterThan(reds[2]!);
 });
 
 test("points have the chosen size and colour", async () => {

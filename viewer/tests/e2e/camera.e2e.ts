@@ -205,6 +205,17 @@ test("the cheat sheet lists the shortcuts, is searched, and carries them out", a
   const sheet = page.getByRole("dialog", { name: "Keyboard shortcuts" });
   await sheet.waitFor();
   await takePicture(page, "cheat-sheet");
+  const columnsOfGroups = await sheet
+    .locator("section")
+    .evaluateAll((groups) =>
+      groups.map(
+        (group) =>
+          new Set([...group.children].flatMap((part) => [...part.getClientRects()].map(({ left }) => left)))
+            .size,
+      ),
+    );
+  expect(columnsOfGroups.length).toBeGreaterThan(3);
+  expect(new Set(columnsOfGroups)).toEqual(new Set([1])); // a heading is in the column of all its keys
   await sheet.getByRole("searchbox").fill("grid");
   const titles = await sheet.getByRole("listitem").allInnerTexts();
   expect(titles.map((title) => title.split("\n")[0])).toContain("Grid");

@@ -110,6 +110,16 @@ test("of files in one folder the table shows what tells them apart, and all colu
   expect(solid.x + solid.width).toBeLessThanOrEqual(table.x + table.width + 1);
 });
 
+test("the times of explain are in sight", async () => {
+  const { page } = session;
+  await run(page, "explain query Row feed filter[volume(.Solid) > 3.0] extend[A: area(.Solid)] count");
+  const [table, last] = [
+    await boxOf(page, '[data-testid="table"]'),
+    await boxOf(page, '.column-head[title^="Milliseconds"]'),
+  ];
+  expect(last.x + last.width).toBeLessThanOrEqual(table.x + table.width + 1);
+});
+
 test("a legend of many names is in the order of numbers, and says what grey is", async () => {
   const { page } = session;
   await run(page, "query Row");

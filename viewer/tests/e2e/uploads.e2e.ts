@@ -5,6 +5,7 @@ import { afterAll, beforeAll, beforeEach, expect, test } from "vitest";
 import type { Page } from "playwright-core";
 import { expectNoErrors, ready, stillScene } from "./support/actions";
 import { Browser, takePicture } from "./support/browser";
+import { isGreenish } from "./support/scene";
 import { Server } from "./support/server";
 
 let server: Server;
@@ -95,6 +96,22 @@ test("a file without faces is not called a valid solid", async () => {
   expect(text).toContain("The file has no faces");
   expect(text).not.toContain("No defects");
   await takePicture(page, "uploads-nothing");
+});
+
+test("an OBJ file is drawn in the colours of its materials, which come from its file of materials", async () => {
+  const vertices = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 2\n";
+  const obj = `mtllib roof.mtl\n${vertices}usemtl floor\nf 4 3 2 1\nusemtl roof\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n`;
+  await choose(file("roof.obj", obj));
+  await page.locator('[data-testid="review"][data-phase="ready"]').waitFor();
+  const plain = await stillScene(page);
+  expect(plain.count(isGreenish)).toBe(0);
+  await choose(file("roof.mtl", "newmtl roof\nKd 0 1 0\nnewmtl floor\nKd 1 0 0\nmap_Kd floor.png\n"));
+  await page.getByText("roof.mtl has the colours of 2 materials.").waitFor();
+  expect(await page.getByText("Pictures on materials are not shown: 1.").count()).toBe(1);
+  const legend = page.getByTestId("legend");
+  await expect.poll(() => legend.innerText()).toMatch(/floor\s*1\s*roof\s*4/);
+  expect((await stillScene(page)).count(isGreenish)).toBeGreaterThan(2000);
+  await takePicture(page, "uploads-materials");
 });
 
 test("nothing is stored of a file that is gone, and its card stays", async () => {

@@ -113,7 +113,7 @@ function showStep(view: SceneView, step: Step | null, side: Side, store: Store):
   }
   const cell = cellOf(step);
   if (!view.results.some(({ result }) => result === cell.result))
-    view.addResult(shapeSource(store.client, step.outcome, cell.column, step.label));
+    view.addResult(shapeSource(store, step.outcome, cell.column, step.label));
   view.update({ overrides: [{ cell, color: colors[side.name] }] });
   const { drag } = view.state.tools;
   if (drag) view.update({ tools: { drag: { ...drag, cell } } });

@@ -70,14 +70,16 @@ export function fittedWidths(
   columns: readonly Column[],
   available: number,
 ): readonly number[] {
-  const isText = ({ type }: Column) => type === "string" || type === "text";
-  const texts = widths.filter((_, index) => columns[index] && isText(columns[index]));
+  // Columns of an inquiry have no type; those of texts are seen by their width.
+  const isText = ({ type }: Column, width: number) =>
+    type === "string" || type === "text" || (type === "" && width > leastTextWidth);
+  const texts = widths.filter((width, index) => columns[index] && isText(columns[index], width));
   const sum = texts.reduce((total, width) => total + width, 0);
   const others = widths.reduce((total, width) => total + width, 0) - sum;
   if (sum === 0) return widths;
   const factor = (available - others) / sum;
   return widths.map((width, index) => {
-    if (!columns[index] || !isText(columns[index])) return width;
+    if (!columns[index] || !isText(columns[index], width)) return width;
     const wanted = Math.floor(width * factor);
     return factor < 1 ? Math.max(Math.min(width, leastTextWidth), wanted) : Math.min(2 * width, wanted);
   });

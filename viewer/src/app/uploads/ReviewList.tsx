@@ -69,7 +69,12 @@ function ReviewCard({ review }: { review: Review }) {
         {phase === "failed" && <p class="error-text">{review.problem.value}</p>}
         {phases[phase] && (
           <div>
-            <div class="muted">{phases[phase]}…</div>
+            <div class="row">
+              <div class="muted grow">{phases[phase]}…</div>
+              <button type="button" class="btn small danger" onClick={review.stop}>
+                <Icon name="stop" /> Stop
+              </button>
+            </div>
             <div class={`progress${phase === "sending" ? "" : " unknown"}`}>
               <div style={phase === "sending" ? { width: `${review.sent.value * 100}%` } : undefined} />
             </div>

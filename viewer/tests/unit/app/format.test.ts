@@ -72,6 +72,11 @@ test("columns of texts give way so that all are seen, and take the room that the
   expect(fittedWidths([230], [columns[1]!], 900)).toEqual([230]);
 });
 
+test("wide columns of an inquiry, which have no type, give way to its numbers", () => {
+  const columns = ["Signature", "Milliseconds"].map((name) => ({ name, type: "", shape: false }));
+  expect(fittedWidths([420, 110], columns, 400)).toEqual([290, 110]);
+});
+
 test("the folder in which all files lie is left out", () => {
   const columns = [{ name: "File", type: "text", shape: false }];
   const rows = ["parts/bolts/long/a.stl", "parts/bolts/long/b.stl"].map((File) => ({ File }));

@@ -15,6 +15,7 @@ class TestSource implements ShapeSource {
   readonly attributes = [];
   readonly requests: ShapeRequest[] = [];
   failAt: number | null = null;
+  atRequest: (index: number) => unknown = () => undefined;
 
   constructor(
     readonly sizes: readonly number[],
@@ -27,6 +28,7 @@ class TestSource implements ShapeSource {
 
   load(request: ShapeRequest): ReturnType<ShapeSource["load"]> {
     this.requests.push(request);
+    this.atRequest(this.requests.length - 1);
     const { from, count, triangles } = request;
     if (this.requests.length - 1 === this.failAt) return Promise.reject(new Error("result r1 was dropped"));
     const rows = Math.min(count, this.rowsPerAnswer, this.sizes.length - from);
@@ -74,6 +76,25 @@ async function loaded(
   loader.start(store.addColumn(source));
   await done;
   return { store, events, loader, finer };
+}
+
+/** A loader that has begun with a column. */
+function started(source: TestSource, budget?: number, interval = 0) {
+  const store = new ShapeStore(new SharedMaterials());
+  const events: LoadProgress[] = [];
+  const loader = new Loader(
+    store,
+    { progress: (progress) => events.push(progress), changed: () => undefined },
+    budget,
+    interval,
+  );
+  const column = store.addColumn(source);
+  loader.start(column);
+  return { store, events, loader, column };
+}
+
+async function until(isTrue: () => boolean): Promise<void> {
+  while (!isTrue()) await new Promise((resolve) => setTimeout(resolve));
 }
 
 describe("Loader", () => {
@@ -153,6 +174,34 @@ describe("Loader", () => {
     await new Promise((resolve) => setTimeout(resolve, 50));
     expect(first!.levels).toHaveLength(2);
     expect(second!.levels).toHaveLength(1);
+  });
+
+  it("stops in the first picture, keeps what came, and goes on with the next row", async () => {
+    const source = new TestSource([8, 8, 8, 8, 8, 8, 8]);
+    const { events, store, loader, column } = started(source);
+    source.atRequest = (index) => index === 1 && loader.halt(column);
+    await until(() => events.at(-1)?.phase === "stopped");
+    await new Promise((resolve) => setTimeout(resolve, 30));
+    expect([...store.records()]).toHaveLength(3); // the answer that came later is not taken
+    expect(events.at(-1)).toMatchObject({ phase: "stopped", rowsLoaded: 3, rows: 7 });
+    loader.resume(column);
+    await until(() => events.at(-1)?.phase === "done");
+    expect([...store.records()]).toHaveLength(7);
+    expect(source.requests.map(({ from }) => from)).toEqual([0, 3, 3, 6]);
+  });
+
+  it("stops in a refinement, which goes on later", async () => {
+    const source = new TestSource([60_000, 60_000]);
+    const { events, store, loader, column } = started(source);
+    source.atRequest = (index) => index === 1 && loader.halt(column);
+    await until(() => events.at(-1)?.phase === "stopped");
+    await new Promise((resolve) => setTimeout(resolve, 30));
+    const shown = () => [...store.records()].map((record) => record.shown);
+    expect(shown()).toEqual([19_400, 19_400]);
+    loader.resume(column);
+    await until(() => events.at(-1)?.phase === "done");
+    expect(shown()).toEqual([60_000, 60_000]);
+    expect(source.requests.map(({ triangles }) => triangles)).toEqual([20_000, 0, 0]);
   });
 
   it("says why it failed, and keeps what came", async () => {

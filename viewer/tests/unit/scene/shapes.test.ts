@@ -11,7 +11,14 @@ import { buildGlb } from "./support/glb_builder";
 import { cube, points, sphere } from "./support/solids";
 import { sceneOf } from "./support/store";
 
-const look: Look = { color: "#ff0000", opacity: 1, pointSize: 4, selected: false, offset: [0, 0, 0] };
+const look: Look = {
+  color: "#ff0000",
+  opacity: 1,
+  pointSize: 4,
+  selected: false,
+  offset: [0, 0, 0],
+  elements: null,
+};
 
 describe("geometries", () => {
   it("draw from the bytes of the server", () => {

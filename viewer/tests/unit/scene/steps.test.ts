@@ -1,6 +1,6 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, test } from "vitest";
 
-import { entryPoint } from "../../../src/scene/furniture";
+import { entryPoint, isInCorner } from "../../../src/scene/furniture";
 import { formatStep, multiples, roundStep } from "../../../src/scene/steps";
 
 describe("round steps", () => {
@@ -39,4 +39,12 @@ describe("entryPoint", () => {
     expect(entryPoint({ x: 50, y: 20 }, { x: 50, y: 500 }, size, 10)).toEqual({ x: 50, y: 20 });
     expect(entryPoint({ x: 50, y: 60 }, { x: 70, y: 90 }, size, 0)).toBeNull();
   });
+});
+
+test("numbers of the grid are not written over the axes and the scale bar", () => {
+  const size = { width: 1000, height: 500 };
+  expect(isInCorner({ x: 46, y: 454 }, size)).toBe(true);
+  expect(isInCorner({ x: 900, y: 470 }, size)).toBe(true);
+  expect(isInCorner({ x: 500, y: 480 }, size)).toBe(false);
+  expect(isInCorner({ x: 20, y: 200 }, size)).toBe(false);
 });

@@ -15,7 +15,14 @@ import { buildGlb } from "./glb_builder";
 import type { TestShape } from "./glb_builder";
 
 /** What is drawn without a look of its own. */
-const kWhite: Look = { color: "#ffffff", opacity: 1, pointSize: 4, selected: false, offset: [0, 0, 0] };
+const kWhite: Look = {
+  color: "#ffffff",
+  opacity: 1,
+  pointSize: 4,
+  selected: false,
+  offset: [0, 0, 0],
+  elements: null,
+};
 
 export const kSize = { width: 1000, height: 800 };
 
