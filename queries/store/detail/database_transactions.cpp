@@ -92,7 +92,7 @@ Status Database::begin(bool writes) {
   if (writes && is_read_only_)
     return Error{ErrorCode::database_read_only, "the database was opened for reading only"}.about(file_.string());
   if (is_explicit_) return begin_within_transaction();
-  A3D_TRY(connection_->execute(writes ? "BEGIN IMMEDIATE" : "BEGIN"));
+  A3D_TRY(connection_->execute_again(writes ? "BEGIN IMMEDIATE" : "BEGIN"));
   Status status = notice_other_processes();
   if (status) return start_statement();
   rollback();
@@ -101,7 +101,7 @@ Status Database::begin(bool writes) {
 
 Status Database::begin_within_transaction() {
   if (lost_transaction_) return *lost_transaction_;
-  A3D_TRY(connection_->execute(kBeginStatement));
+  A3D_TRY(connection_->execute_again(kBeginStatement));
   return start_statement();
 }
 
@@ -203,7 +203,7 @@ Status Database::restore_order(const IndexPlace& place) {
 // After it has met damage, SQLite refuses to commit. Where an index was damaged and its answer came from the rows, a
 // statement that has only read has nothing to commit.
 Status Database::end_in_sqlite() {
-  Status status = connection_->execute(is_explicit_ ? kEndStatement : "COMMIT");
+  Status status = connection_->execute_again(is_explicit_ ? kEndStatement : "COMMIT");
   const bool may_go_back = !is_explicit_ && !has_written_;
   if (status || !may_go_back || status.error().code != ErrorCode::database_corrupt) return status;
   return connection_->in_transaction() ? connection_->execute("ROLLBACK") : Status();

@@ -160,6 +160,11 @@ Status SqliteConnection::execute(std::string_view sql) {
   }
 }
 
+Status SqliteConnection::execute_again(std::string_view sql) {
+  A3D_ASSIGN(SqliteStatement statement, use(sql));
+  return statement.run();
+}
+
 Result<SqliteStatement> SqliteConnection::use(std::string_view sql) {
   const std::lock_guard lock(mutex_);
   const auto known = prepared_.find(std::string(sql));

@@ -54,6 +54,8 @@ class SqliteConnection {
 
   /// Runs a statement and ignores its rows.
   algebra3d::Status execute(std::string_view sql);
+  /// Runs a statement without rows that each transaction has, and keeps it prepared.
+  algebra3d::Status execute_again(std::string_view sql);
   /// The prepared statement of this text; it is prepared at first use.
   algebra3d::Result<SqliteStatement> use(std::string_view sql);
   /// The first column of the first row, an integer. Error if there is no row.

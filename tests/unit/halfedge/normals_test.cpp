@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <optional>
 #include <random>
+#include <tuple>
 
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/detail/angles.h"
+#include "algebra3d/kernel/halfedge/detail/face_normal.h"
 #include "base/scheduler.h"
 #include "polygon_lists.h"
 #include "support/to_cgal.h"
@@ -70,6 +73,32 @@ TEST(FaceNormals, of_slivers_and_of_huge_and_tiny_faces_are_good) {
     const TriangleMesh mesh(points, Triangles{{0, 1, 2}});
     expect_near(face_normals(mesh)[0], {0, -2 / std::sqrt(5.0), 1 / std::sqrt(5.0)}, 1e-9);
   }
+}
+
+// Rounding the corners is allowed only where it is good enough: of faces that are small beside their coordinates, and
+// of slivers, the exact corners decide.
+TEST(FaceNormals, of_corners_that_are_no_doubles_are_by_doubles_where_that_is_good_enough) {
+  std::mt19937_64 random(3);
+  std::uniform_int_distribution<int> number(-1000, 1000);
+  const auto coordinate = [&](double base, int unit) { return Rational(base) + Rational(number(random), unit); };
+  for (const std::uint32_t degree : {3U, 4U})
+    for (const auto& [base, unit, is_always_quick] :
+         {std::tuple{0.0, 3, true}, {1e3, 7, true}, {1e9, 3'000'000, false}, {1e15, 3, false}}) {
+      std::vector<std::uint32_t> corners(degree);
+      std::iota(corners.begin(), corners.end(), 0U);
+      int quick_count = 0;
+      for (int i = 0; i < 200; ++i) {
+        PointArray points;
+        for (std::uint32_t corner = 0; corner < degree; ++corner)
+          points.push_back(ExactPoint(
+              RationalVec3(coordinate(base, unit), coordinate(base, unit), coordinate(i % 4 == 0 ? 0 : base, unit))));
+        const std::optional<Vec3> quick = detail::quick_normal(points, corners);
+        if (!quick) continue;
+        ++quick_count;
+        expect_near(*quick, nearest_vector_area(points, corners).normal, 1e-9);
+      }
+      EXPECT_TRUE(is_always_quick ? quick_count >= 198 : quick_count == 0) << base << " " << quick_count;
+    }
 }
 
 /// An L of height 0 and its normal, though the first corner and its neighbours turn the other way.
