@@ -119,9 +119,7 @@ class IndexedTuples final : public TupleStream {
   Result<const Batch*> next_batch(std::size_t most) override {
     A3D_TRY(context_.check_cancelled());
     if (tuples_ == nullptr) A3D_TRY(open());
-    if (tuples_->has_batches()) return tuples_->next_batch(most);
-    if (!found_) found_.emplace(reading_.relation->tuple_type(), reading_.read);
-    return found_->next(*tuples_, most);
+    return batches_->next(most);
   }
 
  private:
@@ -129,6 +127,7 @@ class IndexedTuples final : public TupleStream {
     A3D_ASSIGN(auto found, found_by_index(*reading_.relation, reading_.choices, reading_.questions, objects_));
     A3D_ASSIGN(tuples_, found ? selected(*reading_.relation, std::move(found->tuples))
                               : reading_.relation->scan_columns(reading_.read));
+    batches_.emplace(*tuples_, reading_.read);
     return {};
   }
 
@@ -136,7 +135,7 @@ class IndexedTuples final : public TupleStream {
   ObjectSource& objects_;
   const Context& context_;
   TupleStreamPtr tuples_;
-  std::optional<BatchOfTuples> found_;
+  std::optional<BatchReader> batches_;  // of the tuples
   std::uint32_t step_ = 0;
 };
 
