@@ -14,35 +14,52 @@ namespace queries {
 namespace {
 
 /// Adds the range of a lower bound and an upper one on the same index.
-void add_closed_ranges(std::vector<IndexChoice>& choices) {
-  std::vector<IndexChoice> ranges;
-  for (const IndexChoice& low : choices) {
-    const auto is_upper_bound = [&](const IndexChoice& other) {
-      return other.use == IndexUse::at_most && other.index.name == low.index.name;
+void add_closed_ranges(std::vector<IndexSearch>& searches) {
+  std::vector<IndexSearch> ranges;
+  for (const IndexSearch& lower : searches) {
+    const IndexChoice& low = lower.front();
+    const auto is_upper_bound = [&](const IndexSearch& other) {
+      return other.size() == 1 && other.front().use == IndexUse::at_most && other.front().index.name == low.index.name;
     };
-    if (low.use != IndexUse::at_least) continue;
-    const auto high = std::ranges::find_if(choices, is_upper_bound);
-    if (high != choices.end()) ranges.push_back({low.index, IndexUse::between, low.operand, high->operand});
+    if (lower.size() > 1 || low.use != IndexUse::at_least) continue;
+    const auto high = std::ranges::find_if(searches, is_upper_bound);
+    if (high != searches.end()) ranges.push_back({{low.index, IndexUse::between, low.operand, high->front().operand}});
   }
-  std::ranges::move(ranges, std::back_inserter(choices));
+  std::ranges::move(ranges, std::back_inserter(searches));
 }
 
-/// The indexes of a relation that serve a part of a predicate.
-Result<std::vector<IndexChoice>> index_choices(const std::string& relation, const TypedNode& predicate,
-                                               const RewriteContext& rewriting) {
-  std::vector<IndexChoice> choices;
-  const std::vector<IndexCondition> conditions = index_conditions(predicate);
-  if (conditions.empty()) return choices;
-  A3D_ASSIGN(const auto indexes, rewriting.objects.indexes_of(relation));
-  for (const IndexCondition& condition : conditions)
-    for (const auto& index : indexes) {
-      const TypeExpr limit = condition.limit == nullptr ? TypeExpr() : condition.limit->type();
-      if (index.attribute == condition.attribute &&
-          can_serve(index.type, condition.use, condition.operand->type(), limit, rewriting.registry))
-        choices.push_back({index, condition.use, condition.operand, condition.limit});
-    }
-  add_closed_ranges(choices);
+/// The indexes that serve a condition.
+IndexSearch serving(const IndexCondition& condition, const std::vector<ObjectSource::IndexName>& indexes,
+                    const RewriteContext& rewriting) {
+  IndexSearch choices;
+  const TypeExpr limit = condition.limit == nullptr ? TypeExpr() : condition.limit->type();
+  for (const auto& index : indexes)
+    if (index.attribute == condition.attribute &&
+        can_serve(index.type, condition.use, condition.operand->type(), limit, rewriting.registry))
+      choices.push_back({index, condition.use, condition.operand, condition.limit});
   return choices;
+}
+
+/// The searches in indexes of a relation that serve a part of a predicate.
+Result<std::vector<IndexSearch>> index_searches(const std::string& relation, const TypedNode& predicate,
+                                                const RewriteContext& rewriting) {
+  std::vector<IndexSearch> searches;
+  const std::vector<IndexConditions> conditions = index_conditions(predicate);
+  if (conditions.empty()) return searches;
+  A3D_ASSIGN(const auto indexes, rewriting.objects.indexes_of(relation));
+  for (const IndexConditions& alternatives : conditions) {
+    IndexSearch all;
+    for (const IndexCondition& condition : alternatives) {
+      IndexSearch choices = serving(condition, indexes, rewriting);
+      if (alternatives.size() == 1)
+        for (IndexChoice& choice : choices) searches.push_back({std::move(choice)});
+      else if (!choices.empty())
+        all.push_back(std::move(choices.front()));
+    }
+    if (alternatives.size() > 1 && all.size() == alternatives.size()) searches.push_back(std::move(all));
+  }
+  add_closed_ranges(searches);
+  return searches;
 }
 
 }  // namespace
@@ -54,9 +71,9 @@ Status read_by_index(const BoundOperator& bound, std::vector<TypedPtr>& argument
   if (!scan || !function) return {};
   const std::string relation = scanned_relation(*scan);
   if (relation.empty()) return {};
-  A3D_ASSIGN(std::vector<IndexChoice> choices, index_choices(relation, function->body, rewriting));
-  if (choices.empty()) return {};
-  const auto node = std::make_shared<IndexFeedNode>(arguments[0]->type(), std::move(choices), scan->arguments[0],
+  A3D_ASSIGN(std::vector<IndexSearch> searches, index_searches(relation, function->body, rewriting));
+  if (searches.empty()) return {};
+  const auto node = std::make_shared<IndexFeedNode>(arguments[0]->type(), std::move(searches), scan->arguments[0],
                                                     rewriting.objects, arguments[0]->place());
   std::optional<std::uint64_t> estimate;
   if (rewriting.is_explained && !rewriting.is_in_function) estimate = node->describe_plan(rewriting.context);

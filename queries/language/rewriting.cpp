@@ -6,6 +6,7 @@
 
 #include "base/propagate.h"
 #include "queries/language/column_pruning.h"
+#include "queries/language/filter_placement.h"
 #include "queries/language/hash_rewrites.h"
 #include "queries/language/index_rewrites.h"
 #include "queries/language/plan_views.h"
@@ -48,7 +49,9 @@ void count_without_reading(BoundOperator& bound, std::vector<TypedPtr>& argument
 
 }  // namespace
 
-Status rewrite(BoundOperator& bound, std::vector<TypedPtr>& arguments, const RewriteContext& rewriting) {
+Status rewrite(const algebra3d::Operator& op, BoundOperator& bound, std::vector<TypedPtr>& arguments,
+               const RewriteContext& rewriting) {
+  A3D_TRY(move_conditions_down(op, bound, arguments, rewriting));
   A3D_TRY(read_by_index(bound, arguments, rewriting));
   keep_first(bound, arguments);
   pair_by_hash(bound, arguments);

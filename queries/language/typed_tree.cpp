@@ -268,7 +268,7 @@ class FunctionNode final : public TypedNode {
         written_(std::move(written)),
         height_(height) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override;
-  NodeView view() const override { return FunctionView{*body_}; }
+  NodeView view() const override { return FunctionView{*body_, written_, height_}; }
   const TypedNode& body() const { return *body_; }
   const NestedList& written() const { return written_; }
   int height() const { return height_; }
