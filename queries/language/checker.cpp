@@ -152,7 +152,7 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
   if (const auto* attribute = std::get_if<ReadsAttribute>(&bound->role))
     return make_attribute(bound->type, std::move(nodes[0]), attribute->index, place);
   if (objects_.rewrites_plans())
-    A3D_TRY(rewrite(*bound, nodes, {registry_, objects_, context_, recorder_ != nullptr, !scopes_.empty()}));
+    A3D_TRY(rewrite(op, *bound, nodes, {registry_, objects_, context_, recorder_ != nullptr, !scopes_.empty()}));
   return make_stream_call(op, std::move(bound).value(), std::move(nodes), place);
 }
 

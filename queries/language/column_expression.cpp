@@ -153,7 +153,8 @@ class DecidedColumn final : public ColumnFunction {
 
 class ColumnCompiler {
  public:
-  ColumnCompiler(const Frame* outer, Context& context) : outer_(outer), context_(context) {}
+  ColumnCompiler(std::size_t left_count, const Frame* outer, Context& context)
+      : left_count_(left_count), outer_(outer), context_(context) {}
 
   ColumnFunctionPtr compile(const TypedNode& node) {
     ColumnFunctionPtr function = compile_plain(node);
@@ -171,8 +172,8 @@ class ColumnCompiler {
   ColumnFunctionPtr compile_view(const AttributeView& use) {
     const NodeView tuple = use.tuple.view();
     const auto* parameter = std::get_if<ParameterView>(&tuple);
-    if (parameter == nullptr || parameter->level != 0 || parameter->index != 0) return nullptr;
-    return std::make_shared<AttributeColumn>(use.index);
+    if (parameter == nullptr || parameter->level != 0) return nullptr;
+    return std::make_shared<AttributeColumn>(parameter->index * left_count_ + use.index);
   }
   ColumnFunctionPtr compile_view(const ConversionView& conversion) {
     return converted(conversion.argument, conversion.to);
@@ -207,14 +208,15 @@ class ColumnCompiler {
     return is_real ? std::make_shared<RealColumn>(std::move(function)) : nullptr;
   }
 
+  std::size_t left_count_;
   const Frame* outer_;
   Context& context_;
 };
 
 }  // namespace
 
-ColumnFunctionPtr column_function(const TypedNode& body, const Frame* outer, Context& context) {
-  return ColumnCompiler(outer, context).compile(body);
+ColumnFunctionPtr column_function(const TypedNode& body, std::size_t left_count, const Frame* outer, Context& context) {
+  return ColumnCompiler(left_count, outer, context).compile(body);
 }
 
 }  // namespace queries

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -62,22 +64,63 @@ std::optional<std::string> attribute_in(const TypedNode& expression) {
   return use->tuple.type().attributes()[use->index].name;
 }
 
-std::optional<IndexCondition> index_condition(const TypedNode& condition) {
-  const NodeView view = condition.view();
-  const auto* call = std::get_if<ValueCallView>(&view);
-  const auto known = call == nullptr ? std::nullopt : index_uses(*call->call.op);
+/// The condition that an operator on two operands, or three with a limit, makes.
+std::optional<IndexCondition> index_condition(const ValueCallView& call) {
+  const auto known = index_uses(*call.call.op);
   if (!known) return std::nullopt;
   const bool has_limit = known->of_first == IndexUse::is_near;
-  if (call->arguments.size() != (has_limit ? 3U : 2U)) return std::nullopt;
-  if (has_limit && !is_same_for_all_tuples(*call->arguments[2])) return std::nullopt;
+  if (call.arguments.size() != (has_limit ? 3U : 2U)) return std::nullopt;
+  if (has_limit && !is_same_for_all_tuples(*call.arguments[2])) return std::nullopt;
   for (const std::size_t own : {0U, 1U}) {
-    const TypedPtr& other = call->arguments[1 - own];
-    auto attribute = attribute_in(*call->arguments[own]);
+    const TypedPtr& other = call.arguments[1 - own];
+    auto attribute = attribute_in(*call.arguments[own]);
     if (!attribute || !is_same_for_all_tuples(*other)) continue;
     return IndexCondition{own == 0 ? known->of_first : known->of_second, *std::move(attribute), other->unmeasured(),
-                          has_limit ? call->arguments[2]->unmeasured() : nullptr};
+                          has_limit ? call.arguments[2]->unmeasured() : nullptr};
   }
   return std::nullopt;
+}
+
+/// `.A between[low, high]`
+std::optional<IndexCondition> range_condition(const ValueCallView& call) {
+  auto attribute = attribute_in(*call.arguments[0]);
+  if (!attribute || !is_same_for_all_tuples(*call.arguments[1]) || !is_same_for_all_tuples(*call.arguments[2]))
+    return std::nullopt;
+  return IndexCondition{IndexUse::between, *std::move(attribute), call.arguments[1]->unmeasured(),
+                        call.arguments[2]->unmeasured()};
+}
+
+/// What holds where a condition on an ordered index is FALSE, the equal values included; nothing if an index does not
+/// help then.
+IndexConditions negated(IndexCondition condition) {
+  if (condition.use == IndexUse::at_least || condition.use == IndexUse::at_most) {
+    condition.use = condition.use == IndexUse::at_least ? IndexUse::at_most : IndexUse::at_least;
+    return {std::move(condition)};
+  }
+  if (condition.use != IndexUse::between) return {};
+  IndexCondition above{IndexUse::at_least, condition.attribute, condition.limit};
+  return {{IndexUse::at_most, condition.attribute, condition.operand}, std::move(above)};
+}
+
+/// What indexes may answer of a condition or, if `is_negated`, of its being FALSE; empty if they cannot.
+IndexConditions alternatives(const TypedNode& condition, bool is_negated) {
+  const NodeView view = condition.view();
+  const auto* call = std::get_if<ValueCallView>(&view);
+  if (call == nullptr) return {};
+  const std::string& name = call->call.op->name;
+  if (name == "not") return alternatives(*call->arguments[0], !is_negated);
+  if (name == "and" || name == "or") {
+    IndexConditions first = alternatives(*call->arguments[0], is_negated);
+    IndexConditions second = alternatives(*call->arguments[1], is_negated);
+    // Of a conjunction one part suffices.
+    if ((name == "and") != is_negated) return first.empty() ? second : first;
+    if (first.empty() || second.empty()) return {};
+    std::ranges::move(second, std::back_inserter(first));
+    return first;
+  }
+  auto single = name == "between" && call->arguments.size() == 3 ? range_condition(*call) : index_condition(*call);
+  if (!single) return {};
+  return is_negated ? negated(*std::move(single)) : IndexConditions{*std::move(single)};
 }
 
 void add_conjuncts(const TypedNode& predicate, std::vector<TypedPtr>& conditions) {
@@ -119,10 +162,10 @@ std::vector<TypedPtr> conjuncts(const TypedNode& predicate) {
   return conditions;
 }
 
-std::vector<IndexCondition> index_conditions(const TypedNode& predicate) {
-  std::vector<IndexCondition> conditions;
+std::vector<IndexConditions> index_conditions(const TypedNode& predicate) {
+  std::vector<IndexConditions> conditions;
   for (const TypedPtr& each : conjuncts(predicate))
-    if (auto condition = index_condition(*each)) conditions.push_back(*std::move(condition));
+    if (IndexConditions found = alternatives(*each, false); !found.empty()) conditions.push_back(std::move(found));
   return conditions;
 }
 

@@ -14,8 +14,11 @@ struct IndexCondition {
   IndexUse use;
   std::string attribute;
   TypedPtr operand;          ///< the same for all tuples
-  TypedPtr limit = nullptr;  ///< of `is_near`
+  TypedPtr limit = nullptr;  ///< of `is_near` and `between`
 };
+
+/// Conditions of which whatever tuple fulfils a predicate fulfils at least one.
+using IndexConditions = std::vector<IndexCondition>;
 
 /// True if the value of an expression in the function of a filter does not depend on the tuple that is filtered: it has
 /// no parameters of that function, and only pure operators on values.
@@ -24,7 +27,7 @@ bool is_same_for_all_tuples(const TypedNode& expression);
 /// The conditions of which a predicate is the conjunction by `and`, in their order.
 std::vector<TypedPtr> conjuncts(const TypedNode& predicate);
 
-/// The conjuncts of a filter's predicate that an index may answer, in their order.
-std::vector<IndexCondition> index_conditions(const TypedNode& predicate);
+/// What indexes may answer of a filter's predicate: for each of its conjuncts, in their order, if they can.
+std::vector<IndexConditions> index_conditions(const TypedNode& predicate);
 
 }  // namespace queries

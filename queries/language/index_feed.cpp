@@ -54,52 +54,99 @@ int rank(IndexUse use) {
   }
 }
 
-/// What an index finds, and its name.
+/// The smaller, the fewer tuples a search is likely to find.
+int rank_of(const IndexSearch& search) {
+  int result = static_cast<int>(search.size()) - 1;
+  for (const IndexChoice& choice : search) result = std::max(result, rank(choice.use));
+  return result;
+}
+
+/// "R_K and R_W"
+std::string names_of(const IndexSearch& search) {
+  std::vector<std::string> names;
+  for (const IndexChoice& choice : search)
+    if (std::ranges::find(names, choice.index.name) == names.end()) names.push_back(choice.index.name);
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+/// The questions of a search: nothing for those whose operands cannot be evaluated.
+using IndexQuestions = std::vector<std::optional<IndexQuestion>>;
+
+/// What a search finds: the tuples of each index, and all their ids.
 struct Found {
-  IndexCandidates tuples;
-  std::string index;
+  std::vector<IndexCandidates> by_index;
+  std::vector<TupleId> ids;  // ascending
+  std::string names;
 };
 
-/// The tuples that the first index finds that pays; nothing if all tuples are to be read.
-Result<std::optional<Found>> found_by_index(const Relation& relation, const std::vector<IndexChoice>& choices,
-                                            const std::vector<std::optional<IndexQuestion>>& questions,
-                                            ObjectSource& objects) {
+/// Asks the indexes of a search; nothing if one of them cannot decide.
+Result<std::optional<Found>> found_by(const IndexSearch& search, const IndexQuestions& questions,
+                                      std::uint64_t tuple_count, ObjectSource& objects) {
+  Found found;
+  for (std::size_t i = 0; i < search.size(); ++i) {
+    if (!questions[i]) return std::optional<Found>();
+    // An index that cannot be read is passed over: the relation is there.
+    const Result<Datum> index = objects.current_index(search[i].index.name);
+    if (!index) return std::optional<Found>();
+    A3D_ASSIGN(auto tuples, index_candidates(*index, search[i].index.type, *questions[i], tuple_count));
+    if (!tuples) return std::optional<Found>();
+    found.ids.insert(found.ids.end(), tuples->ids.begin(), tuples->ids.end());
+    tuples->ids = {};
+    found.by_index.push_back(*std::move(tuples));
+  }
+  if (search.size() > 1) {
+    std::ranges::sort(found.ids);
+    found.ids.erase(std::unique(found.ids.begin(), found.ids.end()), found.ids.end());
+  }
+  found.names = names_of(search);
+  return std::optional(std::move(found));
+}
+
+/// The tuples that the first search finds that pays; nothing if all tuples are to be read.
+Result<std::optional<Found>> found_by_index(const Relation& relation, const std::vector<IndexSearch>& searches,
+                                            const std::vector<IndexQuestions>& questions, ObjectSource& objects) {
   A3D_ASSIGN(const std::int64_t count, relation.count());
   const auto tuple_count = static_cast<std::uint64_t>(count);
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (!questions[i]) continue;
-    // An index that cannot be read is passed over: the relation is there.
-    const Result<Datum> index = objects.current_index(choices[i].index.name);
-    if (!index) continue;
-    A3D_ASSIGN(auto tuples, index_candidates(*index, choices[i].index.type, *questions[i], tuple_count));
-    if (tuples && pays(tuples->ids.size(), tuple_count))
-      return std::optional(Found{*std::move(tuples), choices[i].index.name});
+  for (std::size_t i = 0; i < searches.size(); ++i) {
+    A3D_ASSIGN(auto found, found_by(searches[i], questions[i], tuple_count, objects));
+    if (found && pays(found->ids.size(), tuple_count)) return found;
   }
   return std::optional<Found>();
 }
 
-/// The tuples of a relation that an index has found. Each must be as the index says: the filter would pass over one
+/// Whether the values of a tuple are ones that an index can have found.
+bool is_as_found(const Tuple& tuple, const std::vector<IndexCandidates>& by_index,
+                 const std::vector<std::size_t>& attributes) {
+  for (std::size_t i = 0; i < by_index.size(); ++i)
+    if (fits(by_index[i], tuple.attributes[attributes[i]])) return true;
+  return false;
+}
+
+/// The tuples of a relation that indexes have found. Each must be as one of them says: the filter would pass over one
 /// that is not.
-Result<TupleStreamPtr> selected(Relation& relation, IndexCandidates found) {
+Result<TupleStreamPtr> selected(Relation& relation, Found found) {
   A3D_ASSIGN(TupleStreamPtr tuples, relation.select(std::exchange(found.ids, {})));
-  const auto& attributes = relation.tuple_type().attributes();
-  const auto attribute = static_cast<std::size_t>(
-      std::ranges::find(attributes, found.attribute, &TypeExpr::Attribute::name) - attributes.begin());
-  if (attribute == attributes.size())
-    return Error{ErrorCode::internal, "{}: the relation has no attribute '{}'", relation.name(), found.attribute};
-  return make_stream(
-      [tuples = std::move(tuples), found = std::move(found), attribute, name = relation.name()]() -> Result<TuplePtr> {
-        A3D_ASSIGN(TuplePtr tuple, tuples->next());
-        if (tuple == nullptr || fits(found, tuple->attributes[attribute])) return tuple;
-        return index_disagrees(name, found.attribute, tuple->id, true);
-      });
+  std::vector<std::size_t> indices;
+  for (const IndexCandidates& each : found.by_index) {
+    const auto& attributes = relation.tuple_type().attributes();
+    const auto attribute = std::ranges::find(attributes, each.attribute, &TypeExpr::Attribute::name);
+    if (attribute == attributes.end())
+      return Error{ErrorCode::internal, "{}: the relation has no attribute '{}'", relation.name(), each.attribute};
+    indices.push_back(static_cast<std::size_t>(attribute - attributes.begin()));
+  }
+  return make_stream([tuples = std::move(tuples), by_index = std::move(found.by_index), indices = std::move(indices),
+                      name = relation.name()]() -> Result<TuplePtr> {
+    A3D_ASSIGN(TuplePtr tuple, tuples->next());
+    if (tuple == nullptr || is_as_found(*tuple, by_index, indices)) return tuple;
+    return index_disagrees(name, by_index.front().attribute, tuple->id, true);
+  });
 }
 
 /// A search in a relation by its indexes, and the attributes that it reads.
 struct IndexReading {
   RelationPtr relation;
-  std::vector<IndexChoice> choices;
-  std::vector<std::optional<IndexQuestion>> questions;
+  std::vector<IndexSearch> searches;
+  std::vector<IndexQuestions> questions;
   std::vector<bool> read;  // attributes
 };
 
@@ -119,16 +166,15 @@ class IndexedTuples final : public TupleStream {
   Result<const Batch*> next_batch(std::size_t most) override {
     A3D_TRY(context_.check_cancelled());
     if (tuples_ == nullptr) A3D_TRY(open());
-    if (tuples_->has_batches()) return tuples_->next_batch(most);
-    if (!found_) found_.emplace(reading_.relation->tuple_type(), reading_.read);
-    return found_->next(*tuples_, most);
+    return batches_->next(most);
   }
 
  private:
   Status open() {
-    A3D_ASSIGN(auto found, found_by_index(*reading_.relation, reading_.choices, reading_.questions, objects_));
-    A3D_ASSIGN(tuples_, found ? selected(*reading_.relation, std::move(found->tuples))
+    A3D_ASSIGN(auto found, found_by_index(*reading_.relation, reading_.searches, reading_.questions, objects_));
+    A3D_ASSIGN(tuples_, found ? selected(*reading_.relation, *std::move(found))
                               : reading_.relation->scan_columns(reading_.read));
+    batches_.emplace(*tuples_, reading_.read);
     return {};
   }
 
@@ -136,36 +182,36 @@ class IndexedTuples final : public TupleStream {
   ObjectSource& objects_;
   const Context& context_;
   TupleStreamPtr tuples_;
-  std::optional<BatchOfTuples> found_;
+  std::optional<BatchReader> batches_;  // of the tuples
   std::uint32_t step_ = 0;
 };
 
-std::vector<std::optional<IndexQuestion>> questions_of(const std::vector<IndexChoice>& choices, const Frame* frame,
-                                                       Context& context) {
-  std::vector<std::optional<IndexQuestion>> questions;
-  questions.reserve(choices.size());
-  for (const IndexChoice& choice : choices) questions.push_back(question_of(choice, frame, context));
+std::vector<IndexQuestions> questions_of(const std::vector<IndexSearch>& searches, const Frame* frame,
+                                         Context& context) {
+  std::vector<IndexQuestions> questions(searches.size());
+  for (std::size_t i = 0; i < searches.size(); ++i)
+    for (const IndexChoice& choice : searches[i]) questions[i].push_back(question_of(choice, frame, context));
   return questions;
 }
 
 }  // namespace
 
-IndexFeedNode::IndexFeedNode(TypeExpr stream, std::vector<IndexChoice> choices, TypedPtr relation,
+IndexFeedNode::IndexFeedNode(TypeExpr stream, std::vector<IndexSearch> searches, TypedPtr relation,
                              ObjectSource& objects, SourcePlace place)
     : TypedNode(std::move(stream), std::move(place)),
-      choices_(std::move(choices)),
+      searches_(std::move(searches)),
       relation_(std::move(relation)),
       objects_(objects),
       read_(this->type().element().attributes().size(), true) {
-  std::ranges::stable_sort(choices_, {}, [](const IndexChoice& choice) { return rank(choice.use); });
+  std::ranges::stable_sort(searches_, {}, rank_of);
   std::vector<std::string> names;
-  for (const IndexChoice& choice : choices_)
-    if (std::ranges::find(names, choice.index.name) == names.end()) names.push_back(choice.index.name);
+  for (const IndexSearch& search : searches_)
+    if (std::string each = names_of(search); std::ranges::find(names, each) == names.end()) names.push_back(each);
   how_ = fmt::format("by the index {}", fmt::join(names, " or "));
 }
 
 std::shared_ptr<IndexFeedNode> IndexFeedNode::reading(std::vector<bool> read) const {
-  auto node = std::make_shared<IndexFeedNode>(type(), choices_, relation_, objects_, place());
+  auto node = std::make_shared<IndexFeedNode>(type(), searches_, relation_, objects_, place());
   node->read_ = std::move(read);
   node->how_ = how_;
   return node;
@@ -174,19 +220,20 @@ std::shared_ptr<IndexFeedNode> IndexFeedNode::reading(std::vector<bool> read) co
 Result<Datum> IndexFeedNode::evaluate(const Frame* frame, Context& context) const {
   A3D_ASSIGN(const Datum relation, relation_->evaluate(frame, context));
   return Datum{TupleStreamPtr(std::make_shared<IndexedTuples>(
-      IndexReading{relation.relation(), choices_, questions_of(choices_, frame, context), read_}, objects_, context))};
+      IndexReading{relation.relation(), searches_, questions_of(searches_, frame, context), read_}, objects_,
+      context))};
 }
 
 std::optional<std::uint64_t> IndexFeedNode::describe_plan(Context& context) {
   const auto datum = relation_->evaluate(nullptr, context);
   if (!datum) return std::nullopt;
   const Relation& relation = *datum->relation();
-  const auto found = found_by_index(relation, choices_, questions_of(choices_, nullptr, context), objects_);
+  const auto found = found_by_index(relation, searches_, questions_of(searches_, nullptr, context), objects_);
   const auto count = relation.count();
   if (!found || !count) return std::nullopt;
   if (*found) {
-    how_ = fmt::format("by the index {}", (*found)->index);
-    return (*found)->tuples.ids.size();
+    how_ = fmt::format("by the index {}", (*found)->names);
+    return (*found)->ids.size();
   }
   how_ = fmt::format("a scan: not {}, which would find too many tuples or cannot decide", how_);
   return static_cast<std::uint64_t>(*count);

@@ -17,14 +17,16 @@ struct IndexChoice {
   TypedPtr operand;  ///< in the filter's function, whose parameters it does not use
   TypedPtr limit;    ///< of IndexUse::is_near and between; else null
 };
+/// The tuples that any of some indexes finds.
+using IndexSearch = std::vector<IndexChoice>;
 
 /// The tuples of a relation that may fulfil a condition, found by an index: a node in place of `feed` before a filter,
-/// which still asks the whole condition of each. Of several indexes those are asked first that are likely to find few
+/// which still asks the whole condition of each. Of several searches those are made first that are likely to find few
 /// tuples, and the first is used that pays. All tuples come, as by `feed`, if none pays or can decide. The order is
 /// that of `feed`, and so is the state of the relation that is shown.
 class IndexFeedNode final : public TypedNode {
  public:
-  IndexFeedNode(TypeExpr stream, std::vector<IndexChoice> choices, TypedPtr relation, ObjectSource& objects,
+  IndexFeedNode(TypeExpr stream, std::vector<IndexSearch> searches, TypedPtr relation, ObjectSource& objects,
                 SourcePlace place);
   Result<Datum> evaluate(const Frame* frame, Context& context) const override;
 
@@ -38,7 +40,7 @@ class IndexFeedNode final : public TypedNode {
   std::optional<std::uint64_t> describe_plan(Context& context);
 
  private:
-  std::vector<IndexChoice> choices_;
+  std::vector<IndexSearch> searches_;
   TypedPtr relation_;
   ObjectSource& objects_;
   std::vector<bool> read_;

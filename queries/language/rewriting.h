@@ -23,10 +23,12 @@ struct RewriteContext {
 };
 
 /// Rewrites the plan of an operator whose inputs have been rewritten:
+/// - conditions of a filter are asked below operators that hand their attributes on,
 /// - a filter on a relation reads by an index that a condition allows,
 /// - `sortby` or `sort` before `head` keeps as many tuples as are wanted,
 /// - `product` before `filter`, and `symmjoin`, with a condition that attributes are equal, find pairs by a hash table.
-Status rewrite(BoundOperator& bound, std::vector<TypedPtr>& arguments, const RewriteContext& rewriting);
+Status rewrite(const algebra3d::Operator& op, BoundOperator& bound, std::vector<TypedPtr>& arguments,
+               const RewriteContext& rewriting);
 
 /// The number of tuples that an operator returns, if it scans a stored relation.
 std::optional<std::uint64_t> estimated_tuples(const TypedNode& node, ObjectSource& objects);

@@ -268,7 +268,7 @@ class FunctionNode final : public TypedNode {
         written_(std::move(written)),
         height_(height) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override;
-  NodeView view() const override { return FunctionView{*body_}; }
+  NodeView view() const override { return FunctionView{*body_, written_, height_}; }
   const TypedNode& body() const { return *body_; }
   const NestedList& written() const { return written_; }
   int height() const { return height_; }
@@ -316,8 +316,8 @@ class Closure final : public Function {
     const Frame frame = frame_of(arguments);
     return node_->body().evaluate_value(&frame, context_);
   }
-  std::shared_ptr<ColumnFunction> in_columns() const override {
-    return column_function(node_->body(), frame_of({}).outer, context_);
+  std::shared_ptr<ColumnFunction> in_columns(std::size_t left_count) const override {
+    return column_function(node_->body(), left_count, frame_of({}).outer, context_);
   }
   NestedList to_nested() const override { return node_->written(); }
 

@@ -61,6 +61,8 @@ struct StreamCallView {
 };
 struct FunctionView {
   const TypedNode& body;
+  const NestedList& written;  ///< the nested-list form
+  int height;                 ///< evaluation depth of one call
 };
 struct ListView {
   std::span<const TypedPtr> elements;

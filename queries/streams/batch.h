@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #include "algebra3d/operators/registry/value_column.h"
@@ -28,19 +31,48 @@ const algebra3d::Type* type_in_columns(const TypeExpr& type);
 /// The tuple of a row.
 TuplePtr tuple_of(const Batch& batch, std::size_t row);
 
-/// Tuples of a stream without batches, put into columns.
-class BatchOfTuples {
+/// The array of a column by the class of its elements: std::int64_t, double, std::uint8_t (a bool), std::string or
+/// Value.
+template <typename Element>
+Element* array_of(ValueColumn& column) {
+  if constexpr (std::is_same_v<Element, Value>)
+    return column.values();
+  else if constexpr (std::is_same_v<Element, std::uint8_t>)
+    return column.data<bool>();
+  else
+    return column.data<Element>();
+}
+
+/// Makes as many rows of `to` as are selected of `from`, with their values; without rows if that has none.
+void gather(const ValueColumn& from, const SelectedRows& rows, ValueColumn& to);
+
+/// A batch with columns of its own, which are filled, read, and filled again.
+struct OwnBatch {
+  std::vector<ValueColumn> columns;
+  std::vector<TupleId> ids;
+  Batch batch;
+
+  /// Makes a column of each type, if there are none.
+  void set_types(const std::vector<const algebra3d::Type*>& types);
+  /// Makes the batch of the first `count` rows, which have been filled.
+  void finish(std::size_t count);
+};
+
+/// The tuples of a stream in batches: those of the stream or, if it has none, its tuples put into columns.
+class BatchReader {
  public:
-  /// `read`: by attribute; the others are left out.
-  BatchOfTuples(const TypeExpr& tuple, const std::vector<bool>& read);
+  explicit BatchReader(TupleStream& tuples) : tuples_(tuples) {}
+  /// `read`: by attribute; the others are left out of the columns that are made of tuples.
+  BatchReader(TupleStream& tuples, std::vector<bool> read) : tuples_(tuples), read_(std::move(read)) {}
   /// The next tuples, `most` at most; null at the end. Valid until the next call.
-  Result<const Batch*> next(TupleStream& tuples, std::size_t most);
+  Result<const Batch*> next(std::size_t most);
 
  private:
+  bool is_read(std::size_t attribute) const { return read_.empty() || read_[attribute]; }
+
+  TupleStream& tuples_;
   std::vector<bool> read_;
-  std::vector<ValueColumn> columns_;
-  std::vector<TupleId> ids_;
-  Batch batch_;
+  OwnBatch own_;
 };
 
 /// A function of a tuple, for many tuples at once: with the results and the notes that it has for each by itself.

@@ -118,8 +118,12 @@ class Function {
     if (!result) return std::move(result).error();
     return std::get<Value>(std::move(result->content));
   }
-  /// The function in columns, of one tuple; null if it is not made for them. Valid as long as the function.
-  virtual std::shared_ptr<ColumnFunction> in_columns() const { return nullptr; }
+  /// The function in columns; null if it is not made for them. Its parameter is the tuple, or it has two: of a joined
+  /// tuple the first `left_count` attributes and the others. Valid as long as the function.
+  virtual std::shared_ptr<ColumnFunction> in_columns(std::size_t left_count) const {
+    static_cast<void>(left_count);
+    return nullptr;
+  }
   /// The nested-list form `(fun (p T) ... body)`, from which the function can be made again.
   virtual algebra3d::NestedList to_nested() const = 0;
 };

@@ -8,6 +8,19 @@
 namespace queries {
 namespace {
 
+BoundOperator bound_hashjoin(const JoinTypes& types, const JoinOutput& output) {
+  return {
+      TypeExpr::stream(types.joined),
+      [output](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        return Datum{TupleStreamPtr(std::make_shared<HashJoin>(given[0].tuples(), given[1].tuples(), output, context))};
+      },
+      PairsTuples{types.left.attributes().size(), false, output.keys, {}, [types, output](std::vector<bool> read) {
+                    JoinOutput pruned = output;
+                    pruned.read = std::move(read);
+                    return bound_hashjoin(types, pruned);
+                  }}};
+}
+
 // hashjoin and itHashJoin are two names of one operator: the original's differ in what they do when memory is short.
 Result<BoundOperator> map_hashjoin(const char* op, std::span<const ArgumentType> arguments) {
   const MappingCheck check(op, arguments);
@@ -15,11 +28,7 @@ Result<BoundOperator> map_hashjoin(const char* op, std::span<const ArgumentType>
   A3D_TRY(check.argument_count(4, 5));
   A3D_ASSIGN(const JoinKeys keys, join_keys(check, types));
   if (check.count() == 5) A3D_TRY(check.type(4, "int"));
-  return BoundOperator{
-      TypeExpr::stream(types.joined), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        return Datum{TupleStreamPtr(
-            std::make_shared<HashJoin>(given[0].tuples(), given[1].tuples(), keys.left, keys.right, context))};
-      }};
+  return bound_hashjoin(types, {keys});
 }
 
 /// The differences between merge joins.

@@ -1,5 +1,4 @@
 // product, symmjoin, loopjoin, loopsel: pairs of tuples by nested loops.
-#include <array>
 #include <optional>
 #include <string>
 
@@ -17,47 +16,40 @@ std::string text_of(const std::optional<JoinKeys>& keys, const JoinTypes& types)
          types.left.attributes()[keys->left].name;
 }
 
-BoundOperator bound_product(const JoinTypes& types, std::optional<JoinKeys> keys) {
+/// `product` and `symmjoin`, whose function is at place 2, with keys that are compared beforehand or without.
+BoundOperator bound_pairs(const JoinTypes& types, bool has_predicate, std::optional<JoinKeys> keys,
+                          const std::vector<bool>& read) {
+  PairsTuples role{types.left.attributes().size(), has_predicate, keys};
+  if (keys)
+    role.of_attributes = [=](const std::vector<bool>& wanted) {
+      return bound_pairs(types, has_predicate, keys, wanted);
+    };
+  else
+    role.with_equal = [=](JoinKeys equal) { return bound_pairs(types, has_predicate, equal, {}); };
   return {TypeExpr::stream(types.joined),
-          [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
+          [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
+            const auto predicate = has_predicate ? given[2].function_ptr() : nullptr;
+            if (keys) {
+              A3D_ASSIGN(TupleStreamPtr pairs,
+                         equal_pairs(given[0].tuples(), *given[1].tuples(), {*keys, read, predicate}, context));
+              return Datum{std::move(pairs)};
+            }
             A3D_ASSIGN(TupleBuffer right, buffered(*given[1].tuples(), context));
-            return Datum{joined_pairs(given[0].tuples(), std::move(right), keys, context)};
+            return Datum{joined_pairs(given[0].tuples(), std::move(right), predicate, context)};
           },
-          PairsTuples{types.left.attributes().size(), false,
-                      [types](JoinKeys equal) { return bound_product(types, equal); }},
-          text_of(keys, types)};
+          std::move(role), text_of(keys, types)};
 }
 
 Result<BoundOperator> map_product(std::span<const ArgumentType> arguments) {
   A3D_ASSIGN(const JoinTypes types, join_types(MappingCheck("product", arguments)));
-  return bound_product(types, std::nullopt);
-}
-
-BoundOperator bound_symmjoin(const JoinTypes& types, std::optional<JoinKeys> keys) {
-  return {TypeExpr::stream(types.joined),
-          [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
-            A3D_ASSIGN(TupleBuffer right, buffered(*given[1].tuples(), context));
-            return Datum{make_stream([loop = NestedLoop(given[0].tuples(), std::move(right), keys, context),
-                                      predicate = given[2].function_ptr()]() mutable -> Result<TuplePtr> {
-              while (true) {
-                A3D_ASSIGN(auto pair, loop.next());
-                if (pair.first == nullptr) return TuplePtr();
-                const std::array<Datum, 2> both = {Datum{pair.first}, Datum{pair.second}};
-                A3D_ASSIGN(const Value holds, predicate->call_for_value(both));
-                if (is_true(holds)) return concatenated(*pair.first, *pair.second);
-              }
-            })};
-          },
-          PairsTuples{types.left.attributes().size(), true,
-                      [types](JoinKeys equal) { return bound_symmjoin(types, equal); }},
-          text_of(keys, types)};
+  return bound_pairs(types, false, std::nullopt, {});
 }
 
 Result<BoundOperator> map_symmjoin(std::span<const ArgumentType> arguments) {
   const MappingCheck check("symmjoin", arguments);
   A3D_ASSIGN(const JoinTypes types, join_types(check));
   A3D_TRY(check.function(2, {types.left, types.right}, "bool"));
-  return bound_symmjoin(types, std::nullopt);
+  return bound_pairs(types, true, std::nullopt, {});
 }
 
 /// What `combine(outer, inner)` makes of each tuple and each tuple of the stream that the function gives for it.

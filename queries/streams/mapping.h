@@ -106,12 +106,13 @@ ValueStreamPtr make_value_stream(Next next) {
 
 /// A stream of the tuples of a stream or relation operand.
 Result<TupleStreamPtr> tuples_of(const Datum& operand);
-/// Calls `visit(batch)` for each batch of a stream that has them until the end or an error. Interruptible.
+/// Calls `visit(batch)` for all tuples in batches until the end or an error. Interruptible.
 template <typename Visit>
 Status for_each_batch(TupleStream& stream, const Context& context, Visit visit) {
+  BatchReader batches(stream);
   while (true) {
     A3D_TRY(context.check_cancelled());
-    A3D_ASSIGN(const Batch* const batch, stream.next_batch(kBatchTuples));
+    A3D_ASSIGN(const Batch* const batch, batches.next(kBatchTuples));
     if (batch == nullptr) return {};
     A3D_TRY(visit(*batch));
   }

@@ -1,5 +1,6 @@
 // sortby, sort, rdup, rduph, krdup, krduph: order, and what is equal.
-#include <numeric>
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -7,8 +8,8 @@
 #include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/any_stream.h"
-#include "queries/streams/detail/hash_groups.h"
 #include "queries/streams/detail/hash_table.h"
+#include "queries/streams/detail/key_table.h"
 #include "queries/streams/detail/sorting.h"
 #include "queries/streams/tuple_buffer.h"
 
@@ -21,8 +22,7 @@ BoundOperator sorting_of_first(const TypeExpr& tuple, const std::vector<SortKey>
             A3D_ASSIGN(TupleStreamPtr stream, first_sorted(*given[0].tuples(), order, count, context));
             return Datum{std::move(stream)};
           },
-          {},
-          "keeps the first " + std::to_string(count)};
+          SortsTuples{order, {}, {}}, "keeps the first " + std::to_string(count)};
 }
 
 BoundOperator without_sorting(const TypeExpr& tuple) {
@@ -85,38 +85,16 @@ class DiffersFromLast {
   std::optional<std::vector<Value>> last_;
 };
 
-/// `sort rdup` in one.
-BoundOperator distinct_tuples(const TypeExpr& tuple, std::vector<SortKey> order) {
-  HashGrouping grouping{all_attributes(tuple), std::move(order), {}, true};
-  return {TypeExpr::stream(tuple),
-          [tuple, grouping = std::move(grouping)](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
-            A3D_ASSIGN(TupleStreamPtr stream, hashed_groups(*given[0].tuples(), tuple, grouping, {}, context));
-            return Datum{std::move(stream)};
-          },
-          UsesAttributes{all_attributes(tuple)}, "by a hash table"};
-}
-
-Result<BoundOperator> map_rdup(std::span<const ArgumentType> arguments) {
-  A3D_ASSIGN(const TypeExpr element, MappingCheck("rdup", arguments).any_stream(0));
-  return BoundOperator{
-      TypeExpr::stream(element),
-      [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        return visit_stream(given[0], [&](const auto& stream) {
-          const auto keys_of = [](const auto& next) { return loaded_values(next); };
-          return Result<Datum>(without_duplicates(stream, keys_of, DiffersFromLast(), context));
-        });
-      },
-      RemovesDuplicates{[element](std::vector<SortKey> order) { return distinct_tuples(element, std::move(order)); }}};
-}
-
 Result<BoundOperator> map_krdup(std::span<const ArgumentType> arguments) {
   const MappingCheck check("krdup", arguments);
   A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
   A3D_ASSIGN(const auto keys, check.distinct_attributes(1, tuple));
-  return BoundOperator{TypeExpr::stream(tuple), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
+  return BoundOperator{TypeExpr::stream(tuple),
+                       [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          const auto keys_of = [keys](const TuplePtr& next) { return loaded_keys(*next, keys); };
                          return without_duplicates(given[0].tuples(), keys_of, DiffersFromLast(), context);
-                       }};
+                       },
+                       SelectsByAttributes{keys}};
 }
 
 /// The tuples of a buffer, numbered from 1 by a further attribute.
@@ -157,17 +135,21 @@ Result<TupleStreamPtr> first_by_sorting(const TupleBuffer& tuples, const std::ve
 // after those that went out, so that every tuple keeps its place in the order.
 class FirstOfEachKey final : public TupleStream {
  public:
-  FirstOfEachKey(TupleStreamPtr tuples, std::vector<std::size_t> keys, const Context& context)
-      : tuples_(std::move(tuples)), keys_(std::move(keys)), context_(context), seen_(context), put_aside_(context) {}
+  FirstOfEachKey(TupleStreamPtr tuples, std::vector<std::size_t> keys, bool has_column_keys, const Context& context)
+      : tuples_(std::move(tuples)),
+        keys_(std::move(keys)),
+        context_(context),
+        has_batches_(has_column_keys && tuples_->has_batches()),
+        seen_(context),
+        table_(keys_, 0, context),
+        put_aside_(context) {}
 
   Result<TuplePtr> next() override {
     while (!has_ended_) {
       if (++steps_ % 1024 == 0) A3D_TRY(context_.check_cancelled());
       A3D_ASSIGN(TuplePtr next, tuples_->next());
       if (next == nullptr) {
-        has_ended_ = true;
-        seen_.clear();
-        A3D_ASSIGN(tuples_, first_by_sorting(put_aside_, keys_, context_));
+        A3D_TRY(go_on_aside());
         break;
       }
       A3D_ASSIGN(std::vector<Value> keys, loaded_keys(*next, keys_));
@@ -178,24 +160,83 @@ class FirstOfEachKey final : public TupleStream {
     return tuples_->next();
   }
 
+  bool has_batches() const override { return has_batches_; }
+  Result<const Batch*> next_batch(std::size_t most) override {
+    while (!has_ended_) {
+      A3D_TRY(context_.check_cancelled());
+      A3D_ASSIGN(const Batch* const batch, tuples_->next_batch(most));
+      if (batch == nullptr) {
+        A3D_TRY(go_on_aside());
+        break;
+      }
+      A3D_TRY(select_new(*batch));
+      if (batch_.rows.count > 0) return &batch_;
+    }
+    return aside_->next(most);
+  }
+
  private:
+  Status select_new(const Batch& batch) {
+    std::size_t known = table_.size();
+    table_.find_numbers(batch, numbers_);
+    new_rows_.clear();
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      const std::size_t row = batch.rows[i];
+      if (numbers_[i] == KeyTable::kNoRoom) A3D_TRY(put_aside_.add(tuple_of(batch, row)));
+      if (numbers_[i] != known) continue;
+      ++known;
+      new_rows_.push_back(static_cast<std::uint32_t>(row));
+    }
+    batch_ = batch;
+    batch_.rows = {new_rows_.data(), new_rows_.size()};
+    return {};
+  }
+
+  Status go_on_aside() {
+    has_ended_ = true;
+    seen_.clear();
+    table_.clear();
+    A3D_ASSIGN(tuples_, first_by_sorting(put_aside_, keys_, context_));
+    aside_.emplace(*tuples_);
+    return {};
+  }
+
   TupleStreamPtr tuples_;
   std::vector<std::size_t> keys_;
   const Context& context_;
-  SeenKeys seen_;
+  const bool has_batches_;
+  SeenKeys seen_;   // tuple by tuple
+  KeyTable table_;  // in batches
+  std::vector<std::uint32_t> numbers_, new_rows_;
+  Batch batch_;
   TupleBuffer put_aside_;
+  std::optional<BatchReader> aside_;
   bool has_ended_ = false;
   std::uint32_t steps_ = 0;
 };
+
+/// Whether all these attributes have types that stand in columns.
+bool stand_in_columns(const TypeExpr& tuple, const std::vector<std::size_t>& attributes) {
+  return std::ranges::all_of(attributes, [&](std::size_t attribute) {
+    return type_in_columns(tuple.attributes()[attribute].type) != nullptr;
+  });
+}
+
+BoundOperator first_of_each_key(const TypeExpr& tuple, const std::vector<std::size_t>& keys) {
+  const bool has_column_keys = stand_in_columns(tuple, keys);
+  return {TypeExpr::stream(tuple),
+          [keys, has_column_keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
+            return Datum{
+                TupleStreamPtr(std::make_shared<FirstOfEachKey>(given[0].tuples(), keys, has_column_keys, context))};
+          },
+          SelectsByAttributes{keys}};
+}
 
 Result<BoundOperator> map_krduph(std::span<const ArgumentType> arguments) {
   const MappingCheck check("krduph", arguments);
   A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
   A3D_ASSIGN(const auto keys, check.distinct_attributes(1, tuple));
-  return BoundOperator{
-      TypeExpr::stream(tuple), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        return Datum{TupleStreamPtr(std::make_shared<FirstOfEachKey>(given[0].tuples(), keys, context))};
-      }};
+  return first_of_each_key(tuple, keys);
 }
 
 // The number of buckets that SECONDO takes means nothing here.
@@ -204,12 +245,33 @@ Result<BoundOperator> map_rduph(std::span<const ArgumentType> arguments) {
   A3D_ASSIGN(const TypeExpr tuple, check.stream(0));
   A3D_TRY(check.argument_count(1, 2));
   if (check.count() == 2) A3D_TRY(check.type(1, "int"));
-  std::vector<std::size_t> all(tuple.attributes().size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
+  return first_of_each_key(tuple, all_attributes(tuple));
+}
+
+/// `sort rdup` in one: the different tuples, sorted.
+BoundOperator distinct_tuples(const TypeExpr& tuple, const std::vector<SortKey>& order) {
+  const std::vector<std::size_t> all = all_attributes(tuple);
+  return {TypeExpr::stream(tuple),
+          [all, order, in_columns = stand_in_columns(tuple, all)](const std::vector<Datum>& given,
+                                                                  Context& context) -> Result<Datum> {
+            FirstOfEachKey different(given[0].tuples(), all, in_columns, context);
+            A3D_ASSIGN(TupleStreamPtr stream, sorted(different, order, context));
+            return Datum{std::move(stream)};
+          },
+          UsesAttributes{all}, "by a hash table"};
+}
+
+Result<BoundOperator> map_rdup(std::span<const ArgumentType> arguments) {
+  A3D_ASSIGN(const TypeExpr element, MappingCheck("rdup", arguments).any_stream(0));
   return BoundOperator{
-      TypeExpr::stream(tuple), [all](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        return Datum{TupleStreamPtr(std::make_shared<FirstOfEachKey>(given[0].tuples(), all, context))};
-      }};
+      TypeExpr::stream(element),
+      [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        return visit_stream(given[0], [&](const auto& stream) {
+          const auto keys_of = [](const auto& next) { return loaded_values(next); };
+          return Result<Datum>(without_duplicates(stream, keys_of, DiffersFromLast(), context));
+        });
+      },
+      RemovesDuplicates{[element](std::vector<SortKey> order) { return distinct_tuples(element, std::move(order)); }}};
 }
 
 }  // namespace

@@ -59,6 +59,10 @@ struct ScansRelation {
 };
 /// The elements of the stream at place 0 for which the function at place 1 gives TRUE.
 struct SelectsElements {};
+/// Some tuples of the stream at place 0, chosen by these attributes.
+struct SelectsByAttributes {
+  std::vector<std::size_t> indices;
+};
 /// The first elements of the stream at place 0, as many as the int at place 1 says.
 struct TakesFirst {};
 /// The number of elements of the stream or relation at place 0.
@@ -106,16 +110,20 @@ struct RemovesDuplicates {
   /// Takes tuples in any order, and gives the different ones in this one, which is of all attributes.
   std::function<BoundOperator(std::vector<SortKey> order)> hashed;
 };
-/// Pairs of tuples of the streams at places 0 and 1, the first one varying slowest.
+/// Pairs of tuples of the streams at places 0 and 1: the attributes of both.
 struct PairsTuples {
-  std::size_t left_count = 0;  ///< attributes of the first tuple
-  bool has_predicate = false;  ///< at place 2: a function of both tuples that selects pairs
-  /// Leaves out pairs, all or some, whose keys differ or are undefined. The keys are of one type.
-  std::function<BoundOperator(JoinKeys keys)> with_equal;
+  std::size_t left_count = 0;         ///< attributes of the first tuple
+  bool has_predicate = false;         ///< at place 2: a function of both tuples that selects pairs
+  std::optional<JoinKeys> keys = {};  ///< that it compares
+  /// Leaves out pairs, all or some, whose keys differ or are undefined. The keys are of one type. Null if it compares
+  /// keys already.
+  std::function<BoundOperator(JoinKeys keys)> with_equal = {};
+  /// Makes only some of the joined attributes, by their places: the others are undefined. Null if it makes all.
+  std::function<BoundOperator(std::vector<bool> read)> of_attributes = {};
 };
-using OperatorRole = std::variant<std::monostate, ReadsAttribute, ScansRelation, SelectsElements, TakesFirst,
-                                  CountsElements, AggregatesAttribute, UsesAttributes, MakesTuples, SortsTuples,
-                                  GroupsTuples, RemovesDuplicates, PairsTuples>;
+using OperatorRole = std::variant<std::monostate, ReadsAttribute, ScansRelation, SelectsElements, SelectsByAttributes,
+                                  TakesFirst, CountsElements, AggregatesAttribute, UsesAttributes, MakesTuples,
+                                  SortsTuples, GroupsTuples, RemovesDuplicates, PairsTuples>;
 
 /// An operator bound to the types of its arguments: the type of the result, and the function that computes it.
 /// `arguments` holds per place: the evaluated expression (operands, `_`), a Function (`fun`), a list of Functions

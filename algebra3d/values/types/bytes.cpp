@@ -9,6 +9,7 @@
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/detail/characters.h"
 #include "algebra3d/values/types/file_atom.h"
+#include "algebra3d/values/types/order_prefix.h"
 #include "algebra3d/values/types/value_text.h"
 #include "base/interruption_scope.h"
 #include "base/propagate.h"

@@ -40,7 +40,7 @@ class DurationType final : public DescribedType {
   std::uint64_t order_prefix(const Value& value) const override {
     return static_cast<std::uint64_t>(value.get<Duration>().milliseconds - Duration::kLeast + 1);
   }
-  bool is_whole_in_prefix() const override { return true; }
+  bool is_whole_in_prefix(std::uint64_t /*prefix*/) const override { return true; }
   std::size_t heap_bytes(const Value& /*value*/) const override { return object_bytes<Duration>(); }
 
   void encode(const Value& value, std::string& bytes) const override {

@@ -10,6 +10,7 @@
 #include "algebra3d/values/types/described_type.h"
 #include "algebra3d/values/types/detail/characters.h"
 #include "algebra3d/values/types/file_atom.h"
+#include "algebra3d/values/types/order_prefix.h"
 #include "algebra3d/values/types/utf8.h"
 #include "base/propagate.h"
 
@@ -39,11 +40,8 @@ class IntType final : public DescribedType {
   std::size_t hash(const Value& value) const override {
     return hash_word(static_cast<std::uint64_t>(value.get<std::int64_t>()));
   }
-  // 0 is left for undefined, so the two smallest numbers share a prefix.
-  std::uint64_t order_prefix(const Value& value) const override {
-    constexpr std::uint64_t kSign = std::uint64_t{1} << 63U;
-    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(value.get<std::int64_t>()) ^ kSign);
-  }
+  std::uint64_t order_prefix(const Value& value) const override { return order_prefix_of(value.get<std::int64_t>()); }
+  bool is_whole_in_prefix(std::uint64_t prefix) const override { return prefix != 1; }
   std::size_t heap_bytes(const Value& /*value*/) const override { return 0; }
 
   void encode(const Value& value, std::string& bytes) const override {
@@ -87,14 +85,8 @@ class RealType final : public DescribedType {
     return compare_reals(a.get<double>(), b.get<double>());
   }
   std::size_t hash(const Value& value) const override { return hash_real(value.get<double>()); }
-  // Doubles of one sign are in the order of their bits.
-  std::uint64_t order_prefix(const Value& value) const override {
-    const double number = value.get<double>();
-    constexpr std::uint64_t kSign = std::uint64_t{1} << 63U;
-    const auto bits = std::bit_cast<std::uint64_t>(number == 0 ? 0.0 : number);
-    return (bits & kSign) != 0 ? ~bits : bits | kSign;
-  }
-  bool is_whole_in_prefix() const override { return true; }
+  std::uint64_t order_prefix(const Value& value) const override { return order_prefix_of(value.get<double>()); }
+  bool is_whole_in_prefix(std::uint64_t /*prefix*/) const override { return true; }
   std::size_t heap_bytes(const Value& /*value*/) const override { return 0; }
 
   void encode(const Value& value, std::string& bytes) const override { ByteWriter(bytes).f64(value.get<double>()); }
@@ -127,8 +119,8 @@ class BoolType final : public DescribedType {
     return a.get<bool>() <=> b.get<bool>();
   }
   std::size_t hash(const Value& value) const override { return hash_word(value.get<bool>() ? 2 : 1); }
-  std::uint64_t order_prefix(const Value& value) const override { return value.get<bool>() ? 2 : 1; }
-  bool is_whole_in_prefix() const override { return true; }
+  std::uint64_t order_prefix(const Value& value) const override { return order_prefix_of(value.get<bool>()); }
+  bool is_whole_in_prefix(std::uint64_t /*prefix*/) const override { return true; }
   std::size_t heap_bytes(const Value& /*value*/) const override { return 0; }
 
   void encode(const Value& value, std::string& bytes) const override {

@@ -80,8 +80,8 @@ class Type {
   virtual std::size_t hash(const Value& value) const = 0;
   /// A prefix of the value for comparisons: if a < b then order_prefix(a) <= order_prefix(b). 0 is always allowed.
   virtual std::uint64_t order_prefix(const Value& /*value*/) const { return 0; }
-  /// True if the prefix determines the value: it is never 0, and equal prefixes mean equal values.
-  virtual bool is_whole_in_prefix() const { return false; }
+  /// True if all values with this prefix are equal. 0 is the prefix of undefined.
+  virtual bool is_whole_in_prefix(std::uint64_t /*prefix*/) const { return false; }
 
   /// Estimated heap memory of the value, which other values may share.
   virtual std::size_t heap_bytes(const Value& value) const = 0;

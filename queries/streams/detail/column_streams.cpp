@@ -13,7 +13,7 @@ class SelectedTuples final : public TupleStream {
  public:
   SelectedTuples(TupleStreamPtr tuples, std::shared_ptr<const Function> predicate, const Context& context)
       : tuples_(std::move(tuples)), predicate_(std::move(predicate)), context_(context) {
-    if (tuples_->has_batches()) columns_ = predicate_->in_columns();
+    if (tuples_->has_batches()) columns_ = predicate_->in_columns(0);
   }
 
   Result<TuplePtr> next() override {
@@ -34,30 +34,14 @@ class SelectedTuples final : public TupleStream {
       A3D_ASSIGN(const Batch* const batch, tuples_->next_batch(most));
       if (batch == nullptr) return nullptr;
       A3D_ASSIGN(const ValueColumn* const holds, columns_->evaluate(*batch, batch->rows));
-      select(*batch, *holds);
+      batch_ = *batch;
+      select_true(batch->rows, *holds, positions_);
+      batch_.rows = {positions_.data(), positions_.size()};
       if (batch_.rows.count > 0) return &batch_;
     }
   }
 
  private:
-  void select(const Batch& batch, const ValueColumn& holds) {
-    batch_ = batch;
-    positions_.resize(batch.rows.count);
-    std::size_t count = 0;
-    const auto* const values = holds.data<bool>();
-    if (holds.has_undefined())
-      batch.rows.for_each([&](std::size_t row) {
-        positions_[count] = static_cast<std::uint32_t>(row);
-        count += holds.is_defined(row) && values[row] != 0 ? 1 : 0;
-      });
-    else
-      batch.rows.for_each([&](std::size_t row) {
-        positions_[count] = static_cast<std::uint32_t>(row);
-        count += values[row];
-      });
-    batch_.rows = {positions_.data(), count};
-  }
-
   TupleStreamPtr tuples_;
   std::shared_ptr<const Function> predicate_;
   ColumnFunctionPtr columns_;
@@ -74,7 +58,7 @@ class MadeTuples final : public TupleStream {
     for (const Datum& function : functions) functions_.push_back(function.function_ptr());
     if (!tuples_->has_batches()) return;
     for (const auto& function : functions_) {
-      auto columns = function->in_columns();
+      auto columns = function->in_columns(0);
       if (columns == nullptr) return;
       columns_.push_back(std::move(columns));
     }
@@ -125,9 +109,9 @@ class MadeTuples final : public TupleStream {
   Batch batch_;
 };
 
-class LeadingTuples final : public TupleStream {
+class FirstTuples final : public TupleStream {
  public:
-  LeadingTuples(TupleStreamPtr tuples, std::size_t count) : tuples_(std::move(tuples)), left_(count) {}
+  FirstTuples(TupleStreamPtr tuples, std::size_t count) : tuples_(std::move(tuples)), left_(count) {}
 
   Result<TuplePtr> next() override {
     if (left_ == 0) return TuplePtr();
@@ -149,6 +133,23 @@ class LeadingTuples final : public TupleStream {
 
 }  // namespace
 
+void select_true(const SelectedRows& rows, const ValueColumn& holds, std::vector<std::uint32_t>& selected) {
+  selected.resize(rows.count);
+  std::size_t count = 0;
+  const auto* const values = holds.data<bool>();
+  if (holds.has_undefined())
+    rows.for_each([&](std::size_t row) {
+      selected[count] = static_cast<std::uint32_t>(row);
+      count += holds.is_defined(row) && values[row] != 0 ? 1 : 0;
+    });
+  else
+    rows.for_each([&](std::size_t row) {
+      selected[count] = static_cast<std::uint32_t>(row);
+      count += values[row];
+    });
+  selected.resize(count);
+}
+
 TupleStreamPtr selected_tuples(TupleStreamPtr tuples, std::shared_ptr<const Function> predicate,
                                const Context& context) {
   return std::make_shared<SelectedTuples>(std::move(tuples), std::move(predicate), context);
@@ -159,7 +160,7 @@ TupleStreamPtr made_tuples(TupleStreamPtr tuples, AttributeSources sources, cons
 }
 
 TupleStreamPtr first_tuples(TupleStreamPtr tuples, std::size_t count) {
-  return std::make_shared<LeadingTuples>(std::move(tuples), count);
+  return std::make_shared<FirstTuples>(std::move(tuples), count);
 }
 
 }  // namespace queries

@@ -8,6 +8,9 @@ namespace queries {
 // Streams of tuples that are made in columns where the stream before them is and where the functions are made for
 // columns (Function::in_columns); else tuple by tuple.
 
+/// Lists the rows whose value is a defined TRUE.
+void select_true(const SelectedRows& rows, const ValueColumn& holds, std::vector<std::uint32_t>& selected);
+
 /// The tuples for which the predicate is TRUE.
 TupleStreamPtr selected_tuples(TupleStreamPtr tuples, std::shared_ptr<const Function> predicate,
                                const algebra3d::Context& context);

@@ -37,16 +37,15 @@ class HashGroups final : public TupleStream {
   }
 
   Status take(const Batch& batch) {
-    numbers_.clear();
+    table_.find_numbers(batch, numbers_);
     for (std::size_t i = 0; i < batch.rows.count; ++i) {
       const std::size_t row = batch.rows[i];
-      const std::uint32_t number = table_.number_of(batch, row);
+      const std::uint32_t number = numbers_[i];
       if (number == groups_.size()) groups_.push_back(new_group(batch, row));
       if (number == KeyTable::kNoRoom)
         A3D_TRY(put_aside_.add(tuple_of(batch, row)));
       else
         ++groups_[number].count;
-      numbers_.push_back(number);
     }
     std::size_t place = 0;
     for (const GroupAggregate& each : grouping_.aggregates)
@@ -72,7 +71,7 @@ class HashGroups final : public TupleStream {
       return group_aside();
     if (position_ == sequence_.size()) return TuplePtr();
     Group& group = groups_[sequence_[position_++]];
-    auto tuple = std::make_shared<Tuple>(Tuple{std::move(group.keys), group.first_id});
+    auto tuple = std::make_shared<Tuple>(Tuple{std::move(group.keys)});
     auto aggregation = group.aggregates.begin();
     for (const GroupAggregate& each : grouping_.aggregates) {
       if (!each.call) {
@@ -89,7 +88,6 @@ class HashGroups final : public TupleStream {
  private:
   struct Group {
     std::vector<Value> keys;
-    TupleId first_id = 0;
     std::int64_t count = 0;
     std::vector<Aggregation> aggregates;  // without the counts
   };
@@ -102,7 +100,6 @@ class HashGroups final : public TupleStream {
   Group new_group(const Batch& batch, std::size_t row) const {
     Group group;
     for (const std::size_t attribute : grouping_.keys) group.keys.push_back(batch.columns[attribute]->value(row));
-    if (grouping_.keeps_ids && batch.ids != nullptr) group.first_id = batch.ids[row];
     for (const GroupAggregate& each : grouping_.aggregates)
       if (each.call) group.aggregates.emplace_back(*each.call);
     return group;
@@ -134,15 +131,9 @@ class HashGroups final : public TupleStream {
   bool precedes(const Prefixed& a, const Prefixed& b) const {
     for (std::size_t i = 0; i < std::min(order_.size(), a.prefixes.size()); ++i) {
       if (a.prefixes[i] != b.prefixes[i]) return (a.prefixes[i] < b.prefixes[i]) != order_[i].is_descending;
-      if (!says_all(groups_[a.number].keys[order_[i].attribute].type(), a.prefixes[i])) break;
+      if (!groups_[a.number].keys[order_[i].attribute].type().is_whole_in_prefix(a.prefixes[i])) break;
     }
     return precedes(groups_[a.number].keys, groups_[b.number].keys);
-  }
-
-  /// Whether values of this prefix are equal. Of ints the two smallest share one.
-  static bool says_all(const algebra3d::Type& type, std::uint64_t prefix) {
-    const bool is_int = &type == &algebra3d::TypeOf<std::int64_t>::type();
-    return type.is_whole_in_prefix() || (is_int && prefix != 1);
   }
 
   /// The numbers of the groups in their order.
@@ -162,10 +153,6 @@ class HashGroups final : public TupleStream {
 
   Result<TuplePtr> group_aside() {
     Tuple row{next_aside_->keys};
-    if (grouping_.keeps_ids) {
-      A3D_ASSIGN(const TuplePtr first, next_aside_->tuples.scan()->next());
-      row.id = first->id;
-    }
     const RelationPtr group = std::make_shared<MemoryRelation>(tuple_, next_aside_->tuples);
     A3D_TRY(append_results(functions_, Datum{group}, row.attributes));
     A3D_ASSIGN(next_aside_, aside_->next(context_));
@@ -192,19 +179,7 @@ class HashGroups final : public TupleStream {
 Result<TupleStreamPtr> hashed_groups(TupleStream& tuples, const TypeExpr& tuple, const HashGrouping& grouping,
                                      const DatumList& functions, Context& context) {
   const auto groups = std::make_shared<HashGroups>(tuple, grouping, functions, context);
-  const auto take = [&](const Batch& batch) { return groups->take(batch); };
-  if (tuples.has_batches()) {
-    A3D_TRY(for_each_batch(tuples, context, take));
-  } else {
-    std::vector<bool> read(tuple.attributes().size(), true);
-    BatchOfTuples batches(tuple, read);
-    while (true) {
-      A3D_TRY(context.check_cancelled());
-      A3D_ASSIGN(const Batch* const batch, batches.next(tuples, kBatchTuples));
-      if (batch == nullptr) break;
-      A3D_TRY(take(*batch));
-    }
-  }
+  A3D_TRY(for_each_batch(tuples, context, [&](const Batch& batch) { return groups->take(batch); }));
   A3D_TRY(groups->finish());
   return TupleStreamPtr(groups);
 }

@@ -12,7 +12,6 @@ struct HashGrouping {
   std::vector<std::size_t> keys;
   std::vector<SortKey> order;  ///< of the groups; of the same attributes as the keys
   std::vector<GroupAggregate> aggregates;
-  bool keeps_ids = false;  ///< a result has the id of the first tuple of the group
 };
 
 /// The keys and the aggregates of each group, in order: what sorting the tuples and aggregating runs of equal keys

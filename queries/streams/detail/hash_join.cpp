@@ -4,6 +4,8 @@
 #include <bit>
 
 #include "base/propagate.h"
+#include "queries/streams/detail/block_join.h"
+#include "queries/streams/detail/hash_table.h"
 
 namespace queries {
 namespace {
@@ -22,46 +24,69 @@ std::size_t number_of_files(const Context& context) {
 
 }  // namespace
 
-HashJoin::HashJoin(TupleStreamPtr probe, TupleStreamPtr build, std::size_t probe_key, std::size_t build_key,
-                   const Context& context)
+HashJoin::HashJoin(TupleStreamPtr probe, TupleStreamPtr build, JoinOutput output, const Context& context)
     : probe_(std::move(probe)),
       build_(std::move(build)),
-      table_(build_key, probe_key, context),
+      output_(std::move(output)),
       context_(context),
-      probe_partition_{{probe_key}, {}},
-      build_partition_{{build_key}, {}} {}
+      probe_partition_{{output_.keys.left}, {}},
+      build_partition_{{output_.keys.right}, {}} {}
 
 Result<TuplePtr> HashJoin::next() {
   if (current_ == nullptr) A3D_TRY(begin());
   while (true) {
     A3D_ASSIGN(TuplePtr pair, current_->next());
-    if (pair != nullptr || next_file_ == file_count_) return pair;
-    current_ = next_file();
+    if (pair != nullptr || !open_next_file()) return pair;
+  }
+}
+
+Result<const Batch*> HashJoin::next_batch(std::size_t most) {
+  if (current_ == nullptr) A3D_TRY(begin());
+  while (true) {
+    A3D_ASSIGN(const Batch* const pairs, batches_->next(most));
+    if (pairs != nullptr || !open_next_file()) return pairs;
   }
 }
 
 Status HashJoin::begin() {
-  A3D_ASSIGN(const bool fits, build_.fill(table_, context_));
-  if (fits) {
-    current_ = block_join(std::move(table_), probe_, pair_of, context_);
+  JoinTable table(output_.keys.right, context_);
+  BatchReader build(*build_);
+  while (true) {
+    A3D_TRY(context_.check_cancelled());
+    A3D_ASSIGN(const Batch* const batch, build.next(kBatchTuples));
+    if (batch == nullptr) break;
+    A3D_ASSIGN(const bool has_room, table.add(*batch));
+    if (has_room) continue;
+    A3D_TRY(partition_both(std::move(table), build));
+    open_next_file();
     return {};
   }
-  A3D_TRY(partition_both());
-  current_ = next_file();
+  table.finish();
+  open(hashed_pairs(probe_, std::move(table), output_, context_));
   return {};
 }
 
-Status HashJoin::partition_both() {
+void HashJoin::open(TupleStreamPtr pairs) {
+  current_ = std::move(pairs);
+  batches_.emplace(*current_);
+}
+
+Status HashJoin::partition_both(JoinTable table, BatchReader& build) {
   file_count_ = number_of_files(context_);
   for (Partition* const partition : {&build_partition_, &probe_partition_})
     for (std::size_t i = 0; i < file_count_; ++i) {
       A3D_ASSIGN(auto file, TupleFile::make(context_));
       partition->files.push_back(std::move(file));
     }
-  for (const TuplePtr& tuple : table_.tuples()) A3D_TRY(add_to(build_partition_, tuple));
-  table_.clear();
-  const auto add_build = [this](const TuplePtr& tuple) { return add_to(build_partition_, tuple); };
-  A3D_TRY(for_each_tuple(build_, context_, add_build));
+  for (std::uint32_t place = 0; place < table.size(); ++place) A3D_TRY(add_to(build_partition_, table.tuple(place)));
+  table.clear();
+  while (true) {
+    A3D_TRY(context_.check_cancelled());
+    A3D_ASSIGN(const Batch* const batch, build.next(kBatchTuples));
+    if (batch == nullptr) break;
+    for (std::size_t i = 0; i < batch->rows.count; ++i)
+      A3D_TRY(add_to(build_partition_, tuple_of(*batch, batch->rows[i])));
+  }
   return for_each_tuple(*probe_, context_, [this](const TuplePtr& tuple) { return add_to(probe_partition_, tuple); });
 }
 
@@ -73,12 +98,14 @@ Status HashJoin::add_to(Partition& partition, const TuplePtr& tuple) const {
   return partition.files[hash(key) >> kUnusedBits & (file_count_ - 1)]->append(*tuple);
 }
 
-TupleStreamPtr HashJoin::next_file() {
+bool HashJoin::open_next_file() {
+  if (next_file_ == file_count_) return false;
   const auto build = std::move(build_partition_.files[next_file_]);
   const auto probe = std::move(probe_partition_.files[next_file_]);
   ++next_file_;
-  return block_join(build->scan(0, build->end()), probe->scan(0, probe->end()),
-                    HashTable(build_partition_.key.front(), probe_partition_.key.front(), context_), pair_of, context_);
+  open(block_join(build->scan(0, build->end()), probe->scan(0, probe->end()),
+                  HashTable(build_partition_.key.front(), probe_partition_.key.front(), context_), pair_of, context_));
+  return true;
 }
 
 }  // namespace queries

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "queries/streams/detail/block_join.h"
-#include "queries/streams/detail/hash_table.h"
+#include "queries/streams/detail/hashed_pairs.h"
 #include "queries/streams/detail/tuple_file.h"
 #include "queries/streams/mapping.h"
 
@@ -19,9 +19,11 @@ namespace queries {
 /// larger files are joined in blocks. Source: [kitsuregawa1983].
 class HashJoin final : public TupleStream {
  public:
-  HashJoin(TupleStreamPtr probe, TupleStreamPtr build, std::size_t probe_key, std::size_t build_key,
-           const Context& context);
+  /// `output` has no predicate.
+  HashJoin(TupleStreamPtr probe, TupleStreamPtr build, JoinOutput output, const Context& context);
   Result<TuplePtr> next() override;
+  bool has_batches() const override { return true; }
+  Result<const Batch*> next_batch(std::size_t most) override;
 
  private:
   /// A stream partitioned by the hash of a key.
@@ -32,18 +34,20 @@ class HashJoin final : public TupleStream {
 
   Status begin();
   Status add_to(Partition& partition, const TuplePtr& tuple) const;
-  Status partition_both();
-  TupleStreamPtr next_file();
+  Status partition_both(JoinTable table, BatchReader& build);
+  bool open_next_file();
+  void open(TupleStreamPtr pairs);
 
   TupleStreamPtr probe_;
-  StreamBlocks build_;
-  HashTable table_;
+  TupleStreamPtr build_;
+  JoinOutput output_;
   const Context& context_;
   Partition probe_partition_;
   Partition build_partition_;
   std::size_t file_count_ = 0;  // 0: not partitioned
   std::size_t next_file_ = 0;
   TupleStreamPtr current_;
+  std::optional<BatchReader> batches_;  // of it
 };
 
 }  // namespace queries

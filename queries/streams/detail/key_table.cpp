@@ -4,6 +4,8 @@
 #include <functional>
 #include <type_traits>
 
+#include "queries/streams/detail/key_hash.h"
+
 namespace queries {
 namespace {
 
@@ -36,23 +38,71 @@ std::string_view KeyTable::key(std::size_t number) const {
   return std::string_view(bytes_).substr(begin, ends_[number] - begin);
 }
 
-std::uint32_t KeyTable::number_of(const Batch& batch, std::size_t row) {
-  key_.clear();
-  for (const std::size_t attribute : keys_) append_key(*batch.columns[attribute], row);
+bool KeyTable::has_room_for(std::size_t bytes) {
+  is_full_ = is_full_ || chains_.is_full() || (!account_.take(bytes + more_bytes_) && size() > 0);
+  return !is_full_;
+}
+
+std::uint32_t KeyTable::number_of_bytes() {
   const std::size_t hash = std::hash<std::string_view>()(key_);
   for (std::uint32_t entry = chains_.last(hash); entry != HashChains::kNone; entry = chains_.before(entry))
     if (key(entry) == key_) return entry;
-  const std::size_t bytes = HashChains::kBytesPerEntry + 2 * (key_.size() + sizeof(std::size_t)) + more_bytes_;
-  is_full_ = is_full_ || chains_.is_full() || (!account_.take(bytes) && size() > 0);
-  if (is_full_) return kNoRoom;
+  if (!has_room_for(HashChains::kBytesPerEntry + 2 * (key_.size() + sizeof(std::size_t)))) return kNoRoom;
   chains_.add(hash);
   bytes_ += key_;
   ends_.push_back(bytes_.size());
   return static_cast<std::uint32_t>(size() - 1);
 }
 
+// Different numbers have different hashes, so that nothing else is compared. Undefined has one that no number needs to
+// have: it is found by itself.
+template <typename Element>
+void KeyTable::find_words(const ValueColumn& column, const Element* values, const SelectedRows& rows,
+                          std::vector<std::uint32_t>& numbers) {
+  const auto add = [&](std::size_t hash) {
+    if (!has_room_for(HashChains::kBytesPerEntry)) return kNoRoom;
+    chains_.add(hash);
+    return static_cast<std::uint32_t>(size() - 1);
+  };
+  rows.for_each([&](std::size_t row) {
+    if (column.is_defined(row)) {
+      const std::size_t hash = hash_of_number(values[row]);
+      std::uint32_t number = chains_.last(hash);
+      if (number == undefined_) number = chains_.before(number);
+      numbers.push_back(number != HashChains::kNone ? number : add(hash));
+      return;
+    }
+    if (!undefined_) {
+      const std::uint32_t number = add(0);
+      if (number != kNoRoom) undefined_ = number;
+      numbers.push_back(number);
+    } else {
+      numbers.push_back(*undefined_);
+    }
+  });
+}
+
+void KeyTable::find_numbers(const Batch& batch, std::vector<std::uint32_t>& numbers) {
+  numbers.clear();
+  if (keys_.size() == 1) {
+    const ValueColumn& column = *batch.columns[keys_.front()];
+    const bool are_numbers = column.visit([&]<typename Element>(const Element* values) {
+      constexpr bool kIsNumber = !std::is_same_v<Element, std::string> && !std::is_same_v<Element, Value>;
+      if constexpr (kIsNumber) find_words(column, values, batch.rows, numbers);
+      return kIsNumber;
+    });
+    if (are_numbers) return;
+  }
+  for (std::size_t i = 0; i < batch.rows.count; ++i) {
+    key_.clear();
+    for (const std::size_t attribute : keys_) append_key(*batch.columns[attribute], batch.rows[i]);
+    numbers.push_back(number_of_bytes());
+  }
+}
+
 void KeyTable::clear() {
   chains_.clear();
+  undefined_.reset();
   bytes_ = std::string();
   ends_ = {};
   account_.clear();

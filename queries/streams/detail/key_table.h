@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,23 +21,29 @@ class KeyTable {
   KeyTable(std::vector<std::size_t> keys, std::size_t more_bytes, const Context& context)
       : keys_(std::move(keys)), more_bytes_(more_bytes), account_(context.memory) {}
 
-  /// The number of the key of a row, which is new if it is the number of keys that there were. Once the memory is
-  /// exhausted nothing is added, and new keys have kNoRoom; the first key always has room.
-  std::uint32_t number_of(const Batch& batch, std::size_t row);
-  std::size_t size() const { return ends_.size(); }
+  /// The numbers of the keys of a batch, by tuple: a new one is the number of keys that there were before the tuple.
+  /// Once the memory is exhausted nothing is added, and new keys have kNoRoom; the first key always has room.
+  void find_numbers(const Batch& batch, std::vector<std::uint32_t>& numbers);
+  std::size_t size() const { return chains_.size(); }
   void clear();
 
  private:
+  template <typename Element>
+  void find_words(const ValueColumn& column, const Element* values, const SelectedRows& rows,
+                  std::vector<std::uint32_t>& numbers);
   void append_key(const ValueColumn& column, std::size_t row);
+  std::uint32_t number_of_bytes();
+  bool has_room_for(std::size_t bytes);
   std::string_view key(std::size_t number) const;
 
   std::vector<std::size_t> keys_;
   std::size_t more_bytes_;
   algebra3d::MemoryAccount account_;
   HashChains chains_;
-  std::string bytes_;              // of all keys
-  std::vector<std::size_t> ends_;  // in the bytes
-  std::string key_;                // of the row; reused
+  std::optional<std::uint32_t> undefined_;  // the number of undefined as the only key
+  std::string bytes_;                       // of all keys, unless numbers are the only key
+  std::vector<std::size_t> ends_;           // in the bytes
+  std::string key_;                         // of the row; reused
   bool is_full_ = false;
 };
 

@@ -93,7 +93,7 @@ class MergeJoin final : public TupleStream {
     }
     const bool is_match = !right_.is_at_end() && left_.key().is_defined() && compare(left_.key(), right_.key()) == 0;
     if (is_match)
-      output_ = joined_pairs(left_.tuples().scan(), right_.tuples(), std::nullopt, context_);
+      output_ = joined_pairs(left_.tuples().scan(), right_.tuples(), nullptr, context_);
     else if (is_outer_)
       output_ = beside(right_padding_, left_.tuples().scan(), false);
     A3D_TRY(left_.advance(context_));

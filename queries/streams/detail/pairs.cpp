@@ -1,32 +1,10 @@
 #include "queries/streams/detail/pairs.h"
 
+#include <array>
+
 #include "base/propagate.h"
 
 namespace queries {
-
-Status NestedLoop::fill_table() {
-  const JoinKeys keys = *std::exchange(keys_, std::nullopt);
-  table_.emplace(keys.right, keys.left, context_);
-  const TupleStreamPtr tuples = right_.scan();
-  for (std::uint32_t step = 1;; ++step) {
-    A3D_ASSIGN(const TuplePtr tuple, tuples->next());
-    if (tuple == nullptr) return {};
-    if (step % 1024 == 0) A3D_TRY(context_.check_cancelled());
-    A3D_ASSIGN(const bool has_room, table_->add(tuple));
-    if (has_room) continue;
-    table_.reset();
-    return {};
-  }
-}
-
-Result<TupleStreamPtr> NestedLoop::partners_of(const Tuple& left) const {
-  if (!table_) return right_.scan();
-  std::vector<TuplePtr> found;
-  A3D_TRY(table_->find(left, found));
-  return make_stream([found = std::move(found), index = std::size_t{0}]() mutable -> Result<TuplePtr> {
-    return index == found.size() ? TuplePtr() : found[index++];
-  });
-}
 
 Result<std::pair<TuplePtr, TuplePtr>> NestedLoop::next() {
   while (true) {
@@ -37,18 +15,48 @@ Result<std::pair<TuplePtr, TuplePtr>> NestedLoop::next() {
     }
     A3D_ASSIGN(current_, left_->next());
     if (current_ == nullptr || right_.is_empty()) return std::pair<TuplePtr, TuplePtr>();
-    if (keys_) A3D_TRY(fill_table());
-    A3D_ASSIGN(partners_, partners_of(*current_));
+    partners_ = right_.scan();
   }
 }
 
-TupleStreamPtr joined_pairs(TupleStreamPtr left, TupleBuffer right, std::optional<JoinKeys> keys,
+TupleStreamPtr joined_pairs(TupleStreamPtr left, TupleBuffer right, std::shared_ptr<const Function> predicate,
                             const Context& context) {
-  return make_stream(
-      [loop = NestedLoop(std::move(left), std::move(right), keys, context)]() mutable -> Result<TuplePtr> {
-        A3D_ASSIGN(const auto pair, loop.next());
-        return pair.first == nullptr ? TuplePtr() : concatenated(*pair.first, *pair.second);
-      });
+  return make_stream([loop = NestedLoop(std::move(left), std::move(right), context),
+                      predicate = std::move(predicate)]() mutable -> Result<TuplePtr> {
+    while (true) {
+      A3D_ASSIGN(const auto pair, loop.next());
+      if (pair.first == nullptr) return TuplePtr();
+      if (predicate != nullptr) {
+        const std::array<Datum, 2> both = {Datum{pair.first}, Datum{pair.second}};
+        A3D_ASSIGN(const Value holds, predicate->call_for_value(both));
+        if (!is_true(holds)) continue;
+      }
+      return concatenated(*pair.first, *pair.second);
+    }
+  });
+}
+
+Result<TupleStreamPtr> equal_pairs(TupleStreamPtr left, TupleStream& right, JoinOutput output, const Context& context) {
+  JoinTable table(output.keys.right, context);
+  TupleBuffer beyond_memory(context);
+  bool is_empty = true, has_room = true;
+  const auto add = [&](const Batch& batch) -> Status {
+    is_empty = false;
+    if (has_room) {
+      A3D_ASSIGN(has_room, table.add(batch));
+      if (has_room) return {};
+      for (std::uint32_t place = 0; place < table.size(); ++place) A3D_TRY(beyond_memory.add(table.tuple(place)));
+      table.clear();
+      return {};
+    }
+    for (std::size_t i = 0; i < batch.rows.count; ++i) A3D_TRY(beyond_memory.add(tuple_of(batch, batch.rows[i])));
+    return {};
+  };
+  A3D_TRY(for_each_batch(right, context, add));
+  if (is_empty || !has_room)
+    return joined_pairs(std::move(left), std::move(beyond_memory), std::move(output.predicate), context);
+  table.finish();
+  return hashed_pairs(std::move(left), std::move(table), std::move(output), context);
 }
 
 Result<JoinTypes> join_types(const MappingCheck& check) {

@@ -3,39 +3,37 @@
 #include <optional>
 #include <utility>
 
-#include "queries/streams/detail/hash_table.h"
+#include "queries/streams/detail/hashed_pairs.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/tuple_buffer.h"
 
 namespace queries {
 
-/// The pairs of every left with every right tuple, the left one varying slowest. With keys, pairs whose keys differ or
-/// are undefined are left out by a hash table of the right tuples, if it fits into the work memory. Interruptible.
+/// The pairs of every left with every right tuple, the left one varying slowest. Interruptible.
 class NestedLoop {
  public:
-  NestedLoop(TupleStreamPtr left, TupleBuffer right, std::optional<JoinKeys> keys, const Context& context)
-      : left_(std::move(left)), right_(std::move(right)), keys_(keys), context_(context) {}
+  NestedLoop(TupleStreamPtr left, TupleBuffer right, const Context& context)
+      : left_(std::move(left)), right_(std::move(right)), context_(context) {}
 
   /// The next pair; null on both sides at the end.
   Result<std::pair<TuplePtr, TuplePtr>> next();
 
  private:
-  Status fill_table();
-  Result<TupleStreamPtr> partners_of(const Tuple& left) const;
-
   TupleStreamPtr left_;
   TupleBuffer right_;
-  std::optional<JoinKeys> keys_;
-  std::optional<HashTable> table_;  // none: each left tuple is paired with all right ones
   TupleStreamPtr partners_;
   TuplePtr current_;
   const Context& context_;
   std::uint32_t steps_ = 0;
 };
 
-/// The tuples of a NestedLoop, joined.
-TupleStreamPtr joined_pairs(TupleStreamPtr left, TupleBuffer right, std::optional<JoinKeys> keys,
+/// The tuples of a NestedLoop, joined. `predicate`: a function of both tuples that selects pairs; null: all.
+TupleStreamPtr joined_pairs(TupleStreamPtr left, TupleBuffer right, std::shared_ptr<const Function> predicate,
                             const Context& context);
+
+/// These pairs in the same order without pairs whose keys differ or are undefined, found by a hash table of the right
+/// tuples. If they exceed the work memory, all pairs come. Reads the right stream to its end.
+Result<TupleStreamPtr> equal_pairs(TupleStreamPtr left, TupleStream& right, JoinOutput output, const Context& context);
 
 /// Tuple types of the two operands of a join, and that of its result.
 struct JoinTypes {

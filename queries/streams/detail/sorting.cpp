@@ -1,197 +1,214 @@
 #include "queries/streams/detail/sorting.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "base/propagate.h"
 #include "base/work_memory.h"
-#include "queries/streams/detail/keyed_tuple.h"
-#include "queries/streams/detail/tuple_file.h"
+#include "queries/streams/column_buffer.h"
+#include "queries/streams/detail/loaded_keys.h"
+#include "queries/streams/detail/run_merge.h"
 
 namespace queries {
 namespace {
 
-/// A sort order by several keys, prepared for many comparisons.
-class SortOrder {
+/// Sorts tuples that stand in columns, by prefixes of the first keys as numbers, and by the keys where these are equal.
+class ColumnOrder {
  public:
-  explicit SortOrder(const std::vector<SortKey>& keys);
+  /// `keys`: of the attributes of `tuples`.
+  ColumnOrder(const std::vector<SortKey>& keys, const ColumnBuffer& tuples, const Context& context)
+      : keys_(keys), tuples_(tuples), context_(context) {}
 
-  Result<KeyedTuple> keyed(TuplePtr tuple) const { return KeyedTuple::make(std::move(tuple), attributes_); }
-  /// A prefix of the first key as a number: if it is less, the tuple comes first.
-  std::uint64_t prefix(const KeyedTuple& tuple) const {
-    if (attributes_.empty()) return 0;
-    const std::uint64_t result = order_prefix(tuple.key(attributes_, 0));
-    return is_descending_.front() ? ~result : result;
+  /// The memory for a tuple while it is sorted, besides itself.
+  static constexpr std::size_t kBytesPerTuple = 4 * sizeof(std::uint64_t);
+
+  /// The places of the tuples in their order; equal ones keep theirs. Interruptible.
+  Result<std::vector<std::uint32_t>> sorted_places() const {
+    if (tuples_.size() == 0) return std::vector<std::uint32_t>();
+    return keys_.size() > 1 ? sorted_by_prefixes<2>() : sorted_by_prefixes<1>();
   }
-  /// Compares two tuples with equal prefixes by all keys.
-  std::strong_ordering compare_further(const KeyedTuple& a, const KeyedTuple& b) const;
 
  private:
-  std::vector<std::size_t> attributes_;
-  std::vector<bool> is_descending_;
-};
-
-SortOrder::SortOrder(const std::vector<SortKey>& keys) {
-  for (const SortKey& key : keys) {
-    attributes_.push_back(key.attribute);
-    is_descending_.push_back(key.is_descending);
-  }
-}
-
-std::strong_ordering SortOrder::compare_further(const KeyedTuple& a, const KeyedTuple& b) const {
-  const bool first_is_done = !attributes_.empty() && a.key(attributes_, 0).type().is_whole_in_prefix();
-  for (std::size_t i = first_is_done ? 1 : 0; i < attributes_.size(); ++i) {
-    const auto order = algebra3d::compare(a.key(attributes_, i), b.key(attributes_, i));
-    if (order != 0) return is_descending_[i] ? 0 <=> order : order;
-  }
-  return std::strong_ordering::equal;
-}
-
-/// A sorted part of a file of tuples.
-struct SortedRun {
-  std::uint64_t begin = 0;
-  std::uint64_t end = 0;
-};
-
-/// Merges several sorted runs to one sorted stream; among equal tuples those of the earlier run come first.
-/// Interruptible. Memory: a buffer and a tuple for each run.
-class RunMerge final : public TupleStream {
- public:
-  RunMerge(const std::shared_ptr<TupleFile>& file, std::span<const SortedRun> runs, SortOrder order,
-           const algebra3d::Context& context);
-  Result<TuplePtr> next() override;
-
- private:
-  /// A run with its next tuple.
-  struct Head {
-    std::shared_ptr<TupleFile::Scan> scan;
-    std::size_t number = 0;
-    KeyedTuple tuple;
-    std::uint64_t prefix = 0;
+  template <std::size_t Count>
+  struct Entry {
+    std::array<std::uint64_t, Count> prefixes = {};
+    std::uint32_t place = 0;
   };
 
-  Status start();
-  Result<bool> advance(Head& head) const;
-  bool is_after(const Head& a, const Head& b) const;
+  template <std::size_t Count>
+  bool is_before(const Entry<Count>& a, const Entry<Count>& b) const {
+    std::size_t decided = 0;
+    for (; decided < std::min(Count, keys_.size()); ++decided) {
+      if (a.prefixes[decided] != b.prefixes[decided]) return a.prefixes[decided] < b.prefixes[decided];
+      const SortKey& key = keys_[decided];
+      const std::uint64_t prefix = key.is_descending ? ~a.prefixes[decided] : a.prefixes[decided];
+      if (!tuples_.type(key.attribute).is_whole_in_prefix(prefix)) break;
+    }
+    for (std::size_t i = decided; i < keys_.size(); ++i) {
+      const auto order = tuples_.compare(keys_[i].attribute, a.place, b.place);
+      if (order != 0) return keys_[i].is_descending ? order > 0 : order < 0;
+    }
+    return a.place < b.place;
+  }
 
-  SortOrder order_;
-  const algebra3d::Context& context_;
-  std::vector<Head> heads_;  // a heap after the first `next`: the least one first
-  bool has_begun_ = false;
-  std::uint32_t steps_ = 0;
+  template <std::size_t Count>
+  std::vector<Entry<Count>> entries() const {
+    std::vector<Entry<Count>> result(tuples_.size());
+    std::vector<std::uint64_t> prefixes;
+    for (std::size_t i = 0; i < std::min(Count, keys_.size()); ++i) {
+      prefixes.clear();
+      prefixes.reserve(result.size());
+      tuples_.append_prefixes(keys_[i].attribute, prefixes);
+      for (std::size_t place = 0; place < result.size(); ++place)
+        result[place].prefixes[i] = keys_[i].is_descending ? ~prefixes[place] : prefixes[place];
+    }
+    for (std::size_t place = 0; place < result.size(); ++place) result[place].place = static_cast<std::uint32_t>(place);
+    return result;
+  }
+
+  /// Block by block, and then twice as large ones, so that a statement can be ended in between.
+  template <std::size_t Count>
+  Result<std::vector<std::uint32_t>> sorted_by_prefixes() const {
+    constexpr std::size_t kBlock = std::size_t{1} << 17U;
+    std::vector<Entry<Count>> sorted = entries<Count>();
+    const auto before = [this](const Entry<Count>& a, const Entry<Count>& b) { return is_before(a, b); };
+    const auto at = [&](std::size_t index) {
+      return sorted.begin() + static_cast<std::ptrdiff_t>(std::min(index, sorted.size()));
+    };
+    for (std::size_t begin = 0; begin < sorted.size(); begin += kBlock) {
+      A3D_TRY(context_.check_cancelled());
+      std::sort(at(begin), at(begin + kBlock), before);
+    }
+    for (std::size_t width = kBlock; width < sorted.size(); width *= 2)
+      for (std::size_t begin = 0; begin + width < sorted.size(); begin += 2 * width) {
+        A3D_TRY(context_.check_cancelled());
+        std::inplace_merge(at(begin), at(begin + width), at(begin + 2 * width), before);
+      }
+    std::vector<std::uint32_t> places;
+    places.reserve(sorted.size());
+    for (const Entry<Count>& entry : sorted) places.push_back(entry.place);
+    return places;
+  }
+
+  const std::vector<SortKey>& keys_;
+  const ColumnBuffer& tuples_;
+  const Context& context_;
 };
 
-RunMerge::RunMerge(const std::shared_ptr<TupleFile>& file, std::span<const SortedRun> runs, SortOrder order,
-                   const algebra3d::Context& context)
-    : order_(std::move(order)), context_(context) {
-  for (const SortedRun& run : runs) {
-    Head& head = heads_.emplace_back();
-    head.scan = file->scan(run.begin, run.end);
-    head.number = heads_.size();
-  }
-}
-
-bool RunMerge::is_after(const Head& a, const Head& b) const {
-  if (a.prefix != b.prefix) return a.prefix > b.prefix;
-  const auto order = order_.compare_further(a.tuple, b.tuple);
-  return order != 0 ? order > 0 : a.number > b.number;
-}
-
-/// False at the end of the run.
-Result<bool> RunMerge::advance(Head& head) const {
-  A3D_ASSIGN(TuplePtr tuple, head.scan->next());
-  if (tuple == nullptr) return false;
-  A3D_ASSIGN(head.tuple, order_.keyed(std::move(tuple)));
-  head.prefix = order_.prefix(head.tuple);
-  return true;
-}
-
-Status RunMerge::start() {
-  std::vector<Head> filled;
-  for (Head& head : heads_) {
-    A3D_ASSIGN(const bool has_tuple, advance(head));
-    if (has_tuple) filled.push_back(std::move(head));
-  }
-  heads_ = std::move(filled);
-  std::ranges::make_heap(heads_, [this](const Head& a, const Head& b) { return is_after(a, b); });
-  return {};
-}
-
-Result<TuplePtr> RunMerge::next() {
-  if (!std::exchange(has_begun_, true)) A3D_TRY(start());
-  if (heads_.empty()) return TuplePtr();
-  if (++steps_ % 1024 == 0) A3D_TRY(context_.check_cancelled());
-  const auto after = [this](const Head& a, const Head& b) { return is_after(a, b); };
-  std::ranges::pop_heap(heads_, after);
-  Head& least = heads_.back();
-  TuplePtr result = std::move(least.tuple.tuple());
-  A3D_ASSIGN(const bool has_tuple, advance(least));
-  if (has_tuple)
-    std::ranges::push_heap(heads_, after);
-  else
-    heads_.pop_back();
-  return result;
-}
-
-/// Where a tuple stands among those that are kept, with the beginning of its first key.
-struct Position {
-  std::uint64_t prefix;
-  std::uint32_t index;
-};
-
-/// The memory for one tuple besides itself while it is sorted.
-constexpr std::size_t kBytesToSort = sizeof(Position);
-
-/// Tuples that are sorted in memory.
-class SortedTuples final : public TupleStream {
+/// Tuples in the order of a list of their places.
+class PlacedTuples final : public TupleStream {
  public:
-  SortedTuples(std::vector<KeyedTuple> tuples, std::vector<Position> positions, algebra3d::MemoryAccount account)
-      : tuples_(std::move(tuples)), positions_(std::move(positions)), account_(std::move(account)) {}
+  PlacedTuples(ColumnBuffer tuples, std::vector<std::uint32_t> places, std::size_t attribute_count)
+      : tuples_(std::move(tuples)), places_(std::move(places)), attribute_count_(attribute_count) {}
 
   Result<TuplePtr> next() override {
-    if (next_ == positions_.size()) {
-      tuples_.clear();
-      account_.clear();
-      return TuplePtr();
-    }
-    KeyedTuple& kept = tuples_[positions_[next_++].index];
-    return std::move(kept.tuple());
+    if (is_at_end()) return TuplePtr();
+    return tuples_.tuple(places_[next_++], attribute_count_);
+  }
+  bool has_batches() const override { return true; }
+  Result<const Batch*> next_batch(std::size_t most) override {
+    if (is_at_end()) return nullptr;
+    const auto places = std::span(places_).subspan(next_, std::min(most, places_.size() - next_));
+    next_ += places.size();
+    std::vector<const algebra3d::Type*> types;
+    for (std::size_t attribute = 0; attribute < attribute_count_; ++attribute)
+      types.push_back(&tuples_.type(attribute));
+    batch_.set_types(types);
+    for (std::size_t attribute = 0; attribute < attribute_count_; ++attribute)
+      tuples_.gather(attribute, places, places.size(), {nullptr, places.size()}, batch_.columns[attribute]);
+    batch_.ids.clear();
+    for (const std::uint32_t place : places) batch_.ids.push_back(tuples_.id(place));
+    batch_.finish(places.size());
+    return &batch_.batch;
   }
 
  private:
-  std::vector<KeyedTuple> tuples_;
-  std::vector<Position> positions_;
-  algebra3d::MemoryAccount account_;
+  /// At the end the memory goes back.
+  bool is_at_end() {
+    if (next_ < places_.size()) return false;
+    tuples_.clear();
+    return true;
+  }
+
+  ColumnBuffer tuples_;
+  std::vector<std::uint32_t> places_;
+  std::size_t attribute_count_;
   std::size_t next_ = 0;
+  OwnBatch batch_;
 };
 
+/// The last one of the first tuples so far: later tuples that do not precede it are not among the first.
+class LastOfFirst {
+ public:
+  /// `place`: of that tuple.
+  LastOfFirst(const std::vector<SortKey>& keys, const ColumnBuffer& tuples, std::uint32_t place) : keys_(keys) {
+    for (const SortKey& key : keys_) values_.push_back(tuples.value(key.attribute, place));
+  }
+
+  /// Lists the rows of a batch that precede it.
+  void select(const Batch& batch, std::vector<std::uint32_t>& selected) {
+    prefixes_.clear();
+    append_prefixes(*batch.columns[keys_.front().attribute], batch.rows, prefixes_);
+    const std::uint64_t last = algebra3d::order_prefix(values_.front());
+    const bool is_descending = keys_.front().is_descending;
+    for (std::size_t i = 0; i < prefixes_.size(); ++i) {
+      const auto row = static_cast<std::uint32_t>(batch.rows[i]);
+      if (prefixes_[i] == last ? precedes(batch, row) : (prefixes_[i] < last) != is_descending) selected.push_back(row);
+    }
+  }
+
+ private:
+  bool precedes(const Batch& batch, std::uint32_t row) const {
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+      const auto order = compare(batch.columns[keys_[i].attribute]->value(row), values_[i]);
+      if (order != 0) return keys_[i].is_descending ? order > 0 : order < 0;
+    }
+    return false;
+  }
+
+  const std::vector<SortKey>& keys_;
+  std::vector<Value> values_;
+  std::vector<std::uint64_t> prefixes_;
+};
+
+/// Sorts tuples that come in batches: in memory as long as there is some, then in sorted runs in a file. If only the
+/// first ones are wanted, those that are not among them are dropped now and then, and from then on before they are
+/// kept.
 class Sorter {
  public:
-  Sorter(const std::vector<SortKey>& keys, const Context& context)
-      : order_(keys), context_(context), account_(context.memory) {}
+  Sorter(const std::vector<SortKey>& keys, std::optional<std::size_t> wanted, const Context& context)
+      : order_(keys),
+        keys_(keys),
+        wanted_(wanted),
+        context_(context),
+        loaded_(order_.attributes()),
+        tuples_(context, ColumnOrder::kBytesPerTuple) {}
 
-  Status add(TuplePtr tuple) {
-    A3D_ASSIGN(KeyedTuple keyed, order_.keyed(std::move(tuple)));
-    const std::size_t bytes = keyed.bytes() + kBytesToSort;
-    if (!account_.take(bytes) || tuples_.size() == std::numeric_limits<std::uint32_t>::max()) {
-      A3D_TRY(write_run());
-      // A single tuple is kept however large it is.
-      static_cast<void>(account_.take(bytes));
-    }
-    tuples_.push_back(std::move(keyed));
-    return {};
+  Status add(const Batch& batch) {
+    if (wanted_ == std::size_t{0}) return {};
+    attribute_count_ = batch.columns.size();
+    A3D_ASSIGN(const Batch* const loaded, loaded_.with_keys(batch));
+    for (std::size_t i = 0; i < keys_.size(); ++i) keys_[i].attribute = loaded_.attribute(i);
+    add_selected(*loaded);
+    // Twice as many as are wanted, so that each tuple is sorted some two times at most.
+    const bool is_dropping_due = wanted_ && tuples_.size() >= std::max(2 * *wanted_, kBatchTuples);
+    if (wanted_ && (is_dropping_due || is_full())) A3D_TRY(drop_later_ones());
+    if (!is_full()) return {};
+    wanted_.reset();
+    return write_run();
   }
 
   Result<TupleStreamPtr> finish() {
     if (runs_.empty()) {
-      A3D_ASSIGN(std::vector<Position> positions, sorted_positions());
-      return TupleStreamPtr(
-          std::make_shared<SortedTuples>(std::move(tuples_), std::move(positions), std::move(account_)));
+      A3D_ASSIGN(std::vector<std::uint32_t> places, sorted_places());
+      if (wanted_ && places.size() > *wanted_) places.resize(*wanted_);
+      return TupleStreamPtr(std::make_shared<PlacedTuples>(std::move(tuples_), std::move(places), attribute_count_));
     }
     A3D_TRY(write_run());
     while (runs_.size() > merge_width()) A3D_TRY(merge_once());
@@ -199,49 +216,46 @@ class Sorter {
   }
 
  private:
-  bool is_before(const Position& a, const Position& b) const {
-    if (a.prefix != b.prefix) return a.prefix < b.prefix;
-    const auto order = order_.compare_further(tuples_[a.index], tuples_[b.index]);
-    // The positions make the order total, so that equal tuples keep theirs.
-    return order != 0 ? order < 0 : a.index < b.index;
+  Result<std::vector<std::uint32_t>> sorted_places() const {
+    return ColumnOrder(keys_, tuples_, context_).sorted_places();
+  }
+  bool is_full() const { return tuples_.is_full(); }
+
+  void add_selected(const Batch& batch) {
+    if (!last_) return tuples_.add(batch);
+    selected_.clear();
+    last_->select(batch, selected_);
+    if (selected_.empty()) return;
+    Batch preceding = batch;
+    preceding.rows = {selected_.data(), selected_.size()};
+    tuples_.add(preceding);
   }
 
-  /// Block by block, and then twice as large ones, so that a statement can be ended in between.
-  Result<std::vector<Position>> sorted_positions() const {
-    constexpr std::size_t kBlock = std::size_t{1} << 17U;
-    const auto before = [this](const Position& a, const Position& b) { return is_before(a, b); };
-    std::vector<Position> positions(tuples_.size());
-    for (std::uint32_t i = 0; i < positions.size(); ++i) positions[i] = {order_.prefix(tuples_[i]), i};
-    const auto place = [&](std::size_t index) {
-      return positions.begin() + static_cast<std::ptrdiff_t>(std::min(index, positions.size()));
-    };
-    for (std::size_t begin = 0; begin < positions.size(); begin += kBlock) {
-      A3D_TRY(context_.check_cancelled());
-      std::sort(place(begin), place(begin + kBlock), before);
-    }
-    for (std::size_t width = kBlock; width < positions.size(); width *= 2)
-      for (std::size_t begin = 0; begin + width < positions.size(); begin += 2 * width) {
-        A3D_TRY(context_.check_cancelled());
-        std::inplace_merge(place(begin), place(begin + width), place(begin + 2 * width), before);
-      }
-    return positions;
+  Status drop_later_ones() {
+    A3D_ASSIGN(std::vector<std::uint32_t> places, sorted_places());
+    if (places.size() <= *wanted_) return {};
+    places.resize(*wanted_);
+    const std::uint32_t last = places.back();
+    last_.emplace(keys_, tuples_, last);
+    std::ranges::sort(places);
+    tuples_.keep(places);
+    return {};
   }
 
   Status write_run() {
-    if (tuples_.empty()) return {};
+    if (tuples_.size() == 0) return {};
     if (file_ == nullptr) {
       A3D_ASSIGN(file_, TupleFile::make(context_));
     }
     const std::uint64_t begin = file_->end();
     std::uint32_t steps = 0;
-    A3D_ASSIGN(const std::vector<Position> positions, sorted_positions());
-    for (const Position& position : positions) {
+    A3D_ASSIGN(const std::vector<std::uint32_t> places, sorted_places());
+    for (const std::uint32_t place : places) {
       if (++steps % 1024 == 0) A3D_TRY(context_.check_cancelled());
-      A3D_TRY(file_->append(*tuples_[position.index].tuple()));
+      A3D_TRY(file_->append(*tuples_.tuple(place, attribute_count_)));
     }
     runs_.push_back({begin, file_->end()});
     tuples_.clear();
-    account_.clear();
     return {};
   }
 
@@ -268,82 +282,17 @@ class Sorter {
     return {};
   }
 
-  SortOrder order_;
+  SortOrder order_;            // of tuples
+  std::vector<SortKey> keys_;  // of their columns
+  std::optional<std::size_t> wanted_;
   const Context& context_;
-  algebra3d::MemoryAccount account_;
-  std::vector<KeyedTuple> tuples_;
+  LoadedKeys loaded_;
+  ColumnBuffer tuples_;
+  std::size_t attribute_count_ = 0;
+  std::optional<LastOfFirst> last_;
+  std::vector<std::uint32_t> selected_;
   std::shared_ptr<TupleFile> file_;
   std::vector<SortedRun> runs_;
-};
-
-/// The first tuples of a sort order. The last of them is at the top of a heap, so that most tuples are dropped after
-/// one comparison.
-class FirstTuples {
- public:
-  FirstTuples(const std::vector<SortKey>& keys, std::size_t count, const Context& context)
-      : order_(keys), count_(count), account_(context.memory), sorter_(keys, context) {}
-
-  Status add(TuplePtr tuple) {
-    if (count_ == 0) return {};
-    if (is_too_large_) return sorter_.add(std::move(tuple));
-    A3D_ASSIGN(KeyedTuple keyed, order_.keyed(std::move(tuple)));
-    Kept kept{order_.prefix(keyed), number_++, std::move(keyed)};
-    const auto before = [this](const Kept& a, const Kept& b) { return is_before(a, b); };
-    if (heap_.size() == count_) {
-      if (!is_before(kept, heap_.front())) return {};
-      std::ranges::pop_heap(heap_, before);
-      bytes_ -= bytes_of(heap_.back());
-      heap_.pop_back();
-    }
-    bytes_ += bytes_of(kept);
-    heap_.push_back(std::move(kept));
-    std::ranges::push_heap(heap_, before);
-    const bool has_room = bytes_ <= account_.used() || account_.take(bytes_ - account_.used());
-    return has_room ? Status() : give_up();
-  }
-
-  Result<TupleStreamPtr> finish() {
-    if (is_too_large_) return sorter_.finish();
-    std::ranges::sort_heap(heap_, [this](const Kept& a, const Kept& b) { return is_before(a, b); });
-    return make_stream(
-        [heap = std::move(heap_), account = std::move(account_), index = std::size_t{0}]() mutable -> Result<TuplePtr> {
-          return index == heap.size() ? TuplePtr() : std::move(heap[index++].tuple.tuple());
-        });
-  }
-
- private:
-  struct Kept {
-    std::uint64_t prefix;
-    std::uint64_t number;  // in the stream
-    KeyedTuple tuple;
-  };
-
-  static std::size_t bytes_of(const Kept& kept) { return kept.tuple.bytes() + sizeof(Kept); }
-
-  bool is_before(const Kept& a, const Kept& b) const {
-    if (a.prefix != b.prefix) return a.prefix < b.prefix;
-    const auto order = order_.compare_further(a.tuple, b.tuple);
-    return order != 0 ? order < 0 : a.number < b.number;
-  }
-
-  /// Hands the kept tuples over to a sort: those that were dropped are not among the first ones in any case.
-  Status give_up() {
-    is_too_large_ = true;
-    account_.clear();
-    std::ranges::sort(heap_, {}, &Kept::number);
-    for (Kept& kept : heap_) A3D_TRY(sorter_.add(std::move(kept.tuple.tuple())));
-    heap_.clear();
-    return {};
-  }
-
-  SortOrder order_;
-  std::size_t count_;
-  algebra3d::MemoryAccount account_;
-  Sorter sorter_;
-  std::vector<Kept> heap_;
-  std::size_t bytes_ = 0;  // of the heap
-  std::uint64_t number_ = 0;
-  bool is_too_large_ = false;
 };
 
 }  // namespace
@@ -378,16 +327,16 @@ std::strong_ordering compare_keys(const std::vector<Value>& a, const std::vector
 }
 
 Result<TupleStreamPtr> sorted(TupleStream& tuples, const std::vector<SortKey>& order, const Context& context) {
-  Sorter sorter(order, context);
-  A3D_TRY(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) { return sorter.add(tuple); }));
+  Sorter sorter(order, std::nullopt, context);
+  A3D_TRY(for_each_batch(tuples, context, [&](const Batch& batch) { return sorter.add(batch); }));
   return sorter.finish();
 }
 
 Result<TupleStreamPtr> first_sorted(TupleStream& tuples, const std::vector<SortKey>& order, std::size_t count,
                                     const Context& context) {
-  FirstTuples first(order, count, context);
-  A3D_TRY(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) { return first.add(tuple); }));
-  return first.finish();
+  Sorter sorter(order, count, context);
+  A3D_TRY(for_each_batch(tuples, context, [&](const Batch& batch) { return sorter.add(batch); }));
+  return sorter.finish();
 }
 
 }  // namespace queries

@@ -112,7 +112,7 @@ TEST_F(Spilling, a_hash_join_finds_every_pair_once) {
   for (const std::int64_t keys : {20, 3000}) {
     const Rows build = random_rows(3000, keys);
     const Rows probe_side = random_rows(1000, keys);
-    HashJoin join(stream(probe_side), stream(build), 0, 0, context);
+    HashJoin join(stream(probe_side), stream(build), {{0, 0}}, context);
     Rows found = rows(join);
     Rows expected;
     for (const Row& a : probe_side)
@@ -202,41 +202,51 @@ TEST_F(Spilling, a_value_larger_than_the_memory_passes) {
   EXPECT_EQ(*scan->next(), nullptr);
 }
 
-class NumberSource final : public algebra3d::DeferredSource {
+Value point_at(int x) {
+  const std::string text = fmt::format("(({} 0 0))", x);
+  algebra3d::Diagnostics unheard;
+  Context context{unheard, nullptr, {}};
+  return *algebra3d::value_from_nested(algebra3d::TypeOf<algebra3d::Points3d>::type(),
+                                       *algebra3d::NestedList::parse(text), context);
+}
+
+class PointSource final : public algebra3d::DeferredSource {
  public:
   bool is_same_as(const DeferredSource& other) const override { return &other == this; }
-  Value value(std::string_view reference) const override { return Value::of(std::stoi(std::string(reference))); }
+  Value value(std::string_view reference) const override { return point_at(std::stoi(std::string(reference))); }
 };
 
-/// A deferred int, of which nothing but its reference survives.
-class DeferredNumber final : public algebra3d::DeferredValue {
+/// A deferred set of one point, of which nothing but its reference survives.
+class DeferredPoint final : public algebra3d::DeferredValue {
  public:
-  DeferredNumber(int number, std::shared_ptr<const NumberSource> source)
-      : number_(number), source_(std::move(source)) {}
+  DeferredPoint(int x, std::shared_ptr<const PointSource> source) : x_(x), source_(std::move(source)) {}
   algebra3d::GeometryHeader header() const override { return {}; }
-  Result<Value> load() const override { return Value::of(number_); }
+  Result<Value> load() const override { return point_at(x_); }
   std::shared_ptr<const algebra3d::DeferredSource> source() const override { return source_; }
-  void append_reference(std::string& bytes) const override { bytes += std::to_string(number_); }
+  void append_reference(std::string& bytes) const override { bytes += std::to_string(x_); }
 
  private:
-  int number_;
-  std::shared_ptr<const NumberSource> source_;
+  int x_;
+  std::shared_ptr<const PointSource> source_;
 };
 
 TEST_F(Spilling, deferred_values_are_put_aside_by_reference_and_sorted_by_content) {
-  const auto source = std::make_shared<NumberSource>();
-  std::int64_t next = 0;
+  const auto source = std::make_shared<PointSource>();
+  int next = 0;
   const TupleStreamPtr tuples = make_stream([&]() -> Result<TuplePtr> {
     if (next == 3000) return TuplePtr();
-    const auto deferred = std::make_shared<DeferredNumber>((next++ * 7) % 3000, source);
-    return TuplePtr(std::make_shared<const Tuple>(Tuple{{Value(algebra3d::TypeOf<std::int64_t>::type(), deferred)}}));
+    const auto deferred = std::make_shared<DeferredPoint>((next++ * 7) % 3000, source);
+    return TuplePtr(
+        std::make_shared<const Tuple>(Tuple{{Value(algebra3d::TypeOf<algebra3d::Points3d>::type(), deferred)}}));
   });
   const auto result = sorted(*tuples, {{0, false}}, context);
   ASSERT_TRUE(result.ok());
-  for (std::int64_t i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 3000; ++i) {
     const auto found = (*result)->next();
     ASSERT_TRUE(found.ok() && *found != nullptr);
-    EXPECT_EQ((*found)->attributes[0].get<std::int64_t>(), i);
+    const auto loaded = (*found)->attributes[0].loaded();
+    ASSERT_TRUE(loaded.ok());
+    EXPECT_EQ(compare(*loaded, point_at(i)), std::strong_ordering::equal) << i;
   }
 }
 

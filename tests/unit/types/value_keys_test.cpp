@@ -15,11 +15,11 @@ void expect_prefixes_in_order(const std::vector<T>& contents) {
   std::vector<Value> values;
   for (const T& content : contents) values.push_back(Value::of(content));
   for (const Value& a : values) {
-    EXPECT_TRUE(order_prefix(a) > 0 || !a.type().is_whole_in_prefix());
+    EXPECT_TRUE(order_prefix(a) > 0 || !a.type().is_whole_in_prefix(0));
     for (const Value& b : values) {
       if (compare(a, b) >= 0) continue;
       EXPECT_TRUE(order_prefix(a) < order_prefix(b) ||
-                  (order_prefix(a) == order_prefix(b) && !a.type().is_whole_in_prefix()))
+                  (order_prefix(a) == order_prefix(b) && !a.type().is_whole_in_prefix(order_prefix(a))))
           << a.to_nested().print() << " " << b.to_nested().print();
     }
   }
