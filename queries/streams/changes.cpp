@@ -51,18 +51,11 @@ Result<TypeExpr> changed_type(const MappingCheck& check) {
 
 // Tuples come out with the ids that they have in the relation now.
 Result<TupleStreamPtr> insert_all(TupleStream& tuples, Relation& relation, const Context& context) {
-  A3D_ASSIGN(const TupleBuffer input, buffered(tuples, context));
-  std::vector<TupleId> ids;
-  A3D_TRY(for_each_tuple(*input.scan(), context, [&](const TuplePtr& tuple) -> Status {
-    A3D_ASSIGN(const TupleId id, relation.insert(*tuple));
-    ids.push_back(id);
-    return {};
-  }));
-  return make_stream(
-      [scan = input.scan(), ids = std::move(ids), position = std::size_t{0}]() mutable -> Result<TuplePtr> {
-        A3D_ASSIGN(const TuplePtr next, scan->next());
-        return next == nullptr ? next : tuple_with_id(*next, ids[position++]);
-      });
+  A3D_ASSIGN(TupleStreamPtr inserted, relation.insert_all(tuples, context));
+  return make_stream([inserted = std::move(inserted)]() -> Result<TuplePtr> {
+    A3D_ASSIGN(const TuplePtr next, inserted->next());
+    return next == nullptr ? next : tuple_with_id(*next, next->id);
+  });
 }
 
 /// The conversions that make tuples of a stream those of a relation whose attributes have the same names.

@@ -37,6 +37,9 @@ class Relation {
 
   // Changes of a stored relation; its indexes are updated. Errors: wrong_usage for a relation in memory.
   virtual Result<TupleId> insert(const Tuple& tuple);
+  /// Inserts all tuples of a stream, which is read to its end before the relation changes. A stream of the new tuples
+  /// with their ids.
+  virtual Result<TupleStreamPtr> insert_all(TupleStream& tuples, const algebra3d::Context& context);
   virtual Status erase(TupleId id);
   /// Writes only the values that differ.
   virtual Status update(TupleId id, const Tuple& tuple);

@@ -135,6 +135,29 @@ Status RowColumns::put_from_reader(ReadAttribute& read, std::size_t place) {
   return {};
 }
 
+std::vector<std::size_t> RowColumns::attributes() const {
+  std::vector<std::size_t> result;
+  for (const ReadAttribute& each : read_) result.push_back(each.attribute);
+  return result;
+}
+
+// The checksum of the group stands for all of its rows.
+Status RowColumns::take_group(const RowGroup& group, const std::vector<std::shared_ptr<const ColumnChunk>>& chunks,
+                              std::size_t first, std::size_t count) {
+  const GroupContent& content = *group.content;
+  ids_.resize(count);
+  for (std::size_t place = 0; place < count; ++place) ids_[place] = content.id(first + place);
+  checksums_.assign(count, 0);
+  last_ = ids_.back();
+  for (std::size_t i = 0; i < read_.size(); ++i) A3D_TRY(chunks[i]->read(first, count, read_[i].column));
+  if (group.dead_count == 0) return {};
+  is_whole_ = false;
+  positions_.clear();
+  for (std::size_t place = 0; place < count; ++place)
+    if (!group.is_dead(first + place)) positions_.push_back(static_cast<std::uint32_t>(place));
+  return {};
+}
+
 void RowColumns::erase(const std::vector<TupleId>& ids) {
   is_whole_ = false;
   positions_.clear();

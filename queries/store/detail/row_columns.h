@@ -34,6 +34,15 @@ class RowColumns final : public RowSink {
   /// gives a row to the reader.
   template <typename Fetch>
   Status replace(const std::vector<TupleId>& ids, Fetch fetch);
+  /// In place of rows from a table: `count` rows of a row group from the row `first` on, of which those are left that
+  /// are alive. `chunks`: one for each attribute that is read.
+  Status take_group(const RowGroup& group, const std::vector<std::shared_ptr<const ColumnChunk>>& chunks,
+                    std::size_t first, std::size_t count);
+  /// Puts rows with these ids, which are ascending, between the others, like `replace`.
+  template <typename Fetch>
+  Status add(const std::vector<TupleId>& ids, Fetch fetch);
+  /// The attributes that are read.
+  std::vector<std::size_t> attributes() const;
   /// The sum of the checksums of the rows.
   std::uint64_t sum() const;
   /// The rows as a batch, valid until `restart` or `replace`.
@@ -76,6 +85,11 @@ class RowColumns final : public RowSink {
 template <typename Fetch>
 Status RowColumns::replace(const std::vector<TupleId>& ids, Fetch fetch) {
   erase(ids);
+  return add(ids, fetch);
+}
+
+template <typename Fetch>
+Status RowColumns::add(const std::vector<TupleId>& ids, Fetch fetch) {
   for (const TupleId id : ids) {
     A3D_TRY(fetch(id, reader_));
     A3D_TRY(add_from_reader());
