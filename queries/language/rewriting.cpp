@@ -11,6 +11,7 @@
 #include "base/propagate.h"
 #include "queries/language/index_condition.h"
 #include "queries/language/index_feed.h"
+#include "queries/streams/batch.h"
 #include "queries/streams/relation.h"
 
 namespace queries {
@@ -84,6 +85,38 @@ Status read_by_index(const BoundOperator& bound, std::vector<TypedPtr>& argument
   if (rewriting.is_explained && !rewriting.is_in_function) estimate = node->describe_plan(rewriting.context);
   arguments[0] = arguments[0]->replaced_by(node, estimate);
   return {};
+}
+
+/// Where the value of an attribute is, if a condition with a constant holds; nothing if that is not known.
+std::optional<AttributeBounds> bounds_of(const IndexCondition& condition, const TypeExpr& tuple) {
+  const auto constant = view_as<ConstantView>(*condition.operand);
+  if (!constant || constant->value == nullptr) return std::nullopt;
+  const auto& attributes = tuple.attributes();
+  const auto attribute = std::ranges::find(attributes, condition.attribute, &TypeExpr::Attribute::name);
+  const std::string_view type = constant->value->type().name();
+  if (attribute == attributes.end() || !attribute->type.is(type) || (type != "int" && type != "real"))
+    return std::nullopt;
+  AttributeBounds bounds{static_cast<std::size_t>(attribute - attributes.begin()), {}, {}};
+  const bool is_equal = condition.use == IndexUse::equals;
+  if (is_equal || condition.use == IndexUse::at_least) bounds.low = *constant->value;
+  if (is_equal || condition.use == IndexUse::at_most) bounds.high = *constant->value;
+  return bounds.low || bounds.high ? std::optional(std::move(bounds)) : std::nullopt;
+}
+
+TypedPtr with_operator(const TypedPtr& node, const StreamCallView& call, BoundOperator bound);
+
+// `R feed filter[...]`: the least and greatest values of row groups [zone maps]
+void leave_out_groups(const BoundOperator& bound, std::vector<TypedPtr>& arguments) {
+  if (!std::holds_alternative<SelectsElements>(bound.role)) return;
+  const auto scan = call_with<ScansRelation>(*arguments[0]);
+  const auto function = view_as<FunctionView>(*arguments[1]);
+  if (!scan || !function) return;
+  std::vector<AttributeBounds> bounds;
+  for (const IndexCondition& condition : index_conditions(function->body))
+    if (auto own = bounds_of(condition, arguments[0]->type().element())) bounds.push_back(*std::move(own));
+  if (bounds.empty()) return;
+  const auto& role = std::get<ScansRelation>(scan->bound.role);
+  arguments[0] = with_operator(arguments[0], *scan, role.within(std::move(bounds)));
 }
 
 /// Puts another operator on the same arguments in the place of a call.
@@ -360,6 +393,7 @@ void count_without_reading(BoundOperator& bound, std::vector<TypedPtr>& argument
 
 Status rewrite(BoundOperator& bound, std::vector<TypedPtr>& arguments, const RewriteContext& rewriting) {
   A3D_TRY(read_by_index(bound, arguments, rewriting));
+  leave_out_groups(bound, arguments);
   keep_first(bound, arguments);
   pair_by_hash(bound, arguments);
   group_by_hash(bound, arguments);

@@ -22,8 +22,10 @@ class Relation {
   /// A stream of all tuples in storage order. It shows the relation as it is at the first `next`.
   virtual Result<TupleStreamPtr> scan() = 0;
   /// A scan in columns, if the relation has them, else as `scan`. `read`: for each attribute, whether it is read;
-  /// others may be undefined.
-  virtual Result<TupleStreamPtr> scan_columns(std::vector<bool> /*read*/) { return scan(); }
+  /// others may be undefined. Tuples that are not within all `bounds` may be left out.
+  virtual Result<TupleStreamPtr> scan_columns(std::vector<bool> /*read*/, std::vector<AttributeBounds> /*bounds*/) {
+    return scan();
+  }
   /// The tuple with this id, or null.
   virtual Result<TuplePtr> fetch(TupleId id) = 0;
   /// A stream of the tuples with these ids, which are ascending, in the relation, and come from an index of it. It

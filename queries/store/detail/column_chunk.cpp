@@ -99,6 +99,19 @@ Value text_value(const algebra3d::Type& type, std::string_view bytes) {
 
 }  // namespace
 
+bool ValueRange::meets(const std::optional<Value>& low, const std::optional<Value>& high) const {
+  if (!is_known) return false;
+  const auto is_less = [](std::uint64_t bits, const Value& value) {
+    if (&value.type() == &algebra3d::TypeOf<double>::type()) return std::bit_cast<double>(bits) < value.get<double>();
+    return static_cast<std::int64_t>(bits) < value.get<std::int64_t>();
+  };
+  const auto is_greater = [](std::uint64_t bits, const Value& value) {
+    if (&value.type() == &algebra3d::TypeOf<double>::type()) return std::bit_cast<double>(bits) > value.get<double>();
+    return static_cast<std::int64_t>(bits) > value.get<std::int64_t>();
+  };
+  return (!low || !is_less(greatest, *low)) && (!high || !is_greater(least, *high));
+}
+
 Status ChunkBuilder::add(const Value& value) {
   if (&value.type() != attribute_->type)
     return Error{ErrorCode::internal, "a value of type {} for '{}', expected {}", value.type().term().text(),

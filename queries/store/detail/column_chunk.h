@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,9 @@ struct ValueRange {
   bool is_known = false;  ///< false: of other types, or without a defined value
   std::uint64_t least = 0;
   std::uint64_t greatest = 0;
+
+  /// Whether it has a value between these bounds, which are ints or reals as the values are; a missing one is infinite.
+  bool meets(const std::optional<algebra3d::Value>& low, const std::optional<algebra3d::Value>& high) const;
 
   friend bool operator==(const ValueRange&, const ValueRange&) = default;
 };

@@ -20,10 +20,11 @@ RelationScan::RelationScan(std::shared_ptr<Database> database, std::shared_ptr<c
       statement_(database_->statement()) {}
 
 RelationScan::RelationScan(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout,
-                           std::vector<bool> read)
+                           std::vector<bool> read, std::vector<AttributeBounds> bounds)
     : database_(std::move(database)),
       layout_(std::move(layout)),
       read_(std::move(read)),
+      bounds_(std::move(bounds)),
       has_batches_(true),
       statement_(database_->statement()) {}
 
@@ -108,19 +109,57 @@ Status RelationScan::read_table() {
 /// Reads a part of a row group. A tuple that stands in the table has a row in it, which is dead.
 Status RelationScan::read_group(std::size_t most) {
   const RowGroup& group = (*groups_)[group_];
-  if (group_row_ == 0) A3D_TRY(read_chunks(group));
-  const std::size_t count = std::min(most, group.content->count - group_row_);
-  A3D_TRY(page_->take_group(group, chunks_, group_row_, count));
-  group_row_ += count;
-  page_end_ = page_->last();
+  if (group_row_ == 0 && may_leave_out(group, most)) {
+    page_->take_none();
+    group_row_ = group.content->count;
+    page_end_ = group.content->last;
+    ++left_out_;
+  } else {
+    if (group_row_ == 0) A3D_TRY(read_chunks(group));
+    const std::size_t count = std::min(most, group.content->count - group_row_);
+    A3D_TRY(page_->take_group(group, chunks_, group_row_, count));
+    group_row_ += count;
+    page_end_ = page_->last();
+  }
   if (group_row_ == group.content->count) {
     ++group_;
     group_row_ = 0;
   }
+  return read_beside();
+}
+
+/// Reads the tuples that stand beside the part of a row group: all at once if the statement has changed nothing since
+/// the scan began.
+Status RelationScan::read_beside() {
   std::vector<TupleId> beside;
   while (loose_position_ < loose_.size() && loose_[loose_position_] <= page_end_)
     beside.push_back(loose_[loose_position_++]);
-  return page_->add(beside, [&](TupleId id, RowReader& reader) { return fetch(id, reader); });
+  if (beside.empty()) return {};
+  if (database_->changes().now() != time_ || page_->cells().size() > RowSink::kMaxColumns)
+    return page_->add(beside, [&](TupleId id, RowReader& reader) { return fetch(id, reader); });
+  page_->begin_beside(beside.size(), beside.front() - 1);
+  for (bool has_more = true; has_more && page_->last() < beside.back();) {
+    A3D_ASSIGN(SqliteStatement statement, database_->connection().use(page_sql_));
+    statement.bind(1, page_->last()).bind(2, beside.back()).bind(3, *page_);
+    A3D_ASSIGN(has_more, statement.step());
+    A3D_TRY(page_->status());
+  }
+  if (page_->end_beside(beside)) return {};
+  return Error{ErrorCode::database_corrupt, "the tuples that were read are not all those that were written"}.about(
+      layout_->relation());
+}
+
+/// Whether no value of a group is within the bounds. The tuples beside it are read, and must fit into a page.
+bool RelationScan::may_leave_out(const RowGroup& group, std::size_t most) const {
+  if (group.dead_count > most) return false;
+  return std::ranges::any_of(bounds_, [&](const AttributeBounds& each) {
+    return !group.content->columns[each.attribute].range.meets(each.low, each.high);
+  });
+}
+
+std::vector<StageCount> RelationScan::stages() const {
+  if (left_out_ == 0) return {};
+  return {{"row groups left out", left_out_}};
 }
 
 Status RelationScan::read_chunks(const RowGroup& group) {

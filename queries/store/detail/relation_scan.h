@@ -17,15 +17,17 @@ class RelationScan final : public TupleStream {
  public:
   /// Reads all attributes, and proves each row.
   RelationScan(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout);
-  /// Reads some attributes, by their places; the others are undefined. Rows are proved only where pages are not.
-  RelationScan(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout,
-               std::vector<bool> read);
+  /// Reads some attributes, by their places; the others are undefined. Rows are proved only where pages are not. Row
+  /// groups whose values are all outside of some bounds are left out.
+  RelationScan(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout, std::vector<bool> read,
+               std::vector<AttributeBounds> bounds = {});
 
   /// Leaves out the tuples before one; to be called before the first `next`.
   void begin_at(TupleId first) { after_ = first - 1; }
   Result<TuplePtr> next() override;
   bool has_batches() const override { return has_batches_; }
   Result<const Batch*> next_batch(std::size_t most) override;
+  std::vector<StageCount> stages() const override;
 
  private:
   Status start();
@@ -37,6 +39,8 @@ class RelationScan final : public TupleStream {
   Status read_wide_rows();
   Status restore_changed();
   Status read_group(std::size_t most);
+  Status read_beside();
+  bool may_leave_out(const RowGroup& group, std::size_t most) const;
   Status read_chunks(const RowGroup& group);
   Status fetch(TupleId id, RowReader& reader) const;
   Status check_end() const;
@@ -44,6 +48,7 @@ class RelationScan final : public TupleStream {
   std::shared_ptr<Database> database_;
   std::shared_ptr<const RelationLayout> layout_;
   std::vector<bool> read_;
+  std::vector<AttributeBounds> bounds_;
   const bool has_batches_;
   const std::uint64_t statement_;
   bool is_at_end_ = false;
@@ -60,6 +65,7 @@ class RelationScan final : public TupleStream {
 
   // The row groups, as they were when the scan began.
   GroupListPtr groups_;
+  std::uint64_t left_out_ = 0;
   std::size_t group_ = 0;                                   // the next one, or the one that is being read
   std::size_t group_row_ = 0;                               // its next row
   std::vector<std::shared_ptr<const ColumnChunk>> chunks_;  // its chunks, of the attributes that are read

@@ -158,6 +158,29 @@ Status RowColumns::take_group(const RowGroup& group, const std::vector<std::shar
   return {};
 }
 
+void RowColumns::begin_beside(std::size_t count, TupleId after) {
+  group_rows_ = ids_.size();
+  most_ = group_rows_ + count;
+  last_ = after;
+  for (ReadAttribute& each : read_) each.column.grow(most_);
+}
+
+bool RowColumns::end_beside(const std::vector<TupleId>& ids) {
+  const auto begin = ids_.begin() + static_cast<std::ptrdiff_t>(group_rows_);
+  if (!std::ranges::equal(std::ranges::subrange(begin, ids_.end()), ids)) return false;
+  const auto middle = static_cast<std::ptrdiff_t>(positions_.size());
+  for (std::size_t place = group_rows_; place < ids_.size(); ++place)
+    positions_.push_back(static_cast<std::uint32_t>(place));
+  std::ranges::inplace_merge(positions_, positions_.begin() + middle, {},
+                             [&](std::uint32_t place) { return ids_[place]; });
+  return true;
+}
+
+void RowColumns::take_none() {
+  is_whole_ = false;
+  positions_.clear();
+}
+
 void RowColumns::erase(const std::vector<TupleId>& ids) {
   is_whole_ = false;
   positions_.clear();

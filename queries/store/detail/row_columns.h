@@ -38,9 +38,15 @@ class RowColumns final : public RowSink {
   /// are alive. `chunks`: one for each attribute that is read.
   Status take_group(const RowGroup& group, const std::vector<std::shared_ptr<const ColumnChunk>>& chunks,
                     std::size_t first, std::size_t count);
+  /// The same without any row.
+  void take_none();
   /// Puts rows with these ids, which are ascending, between the others, like `replace`.
   template <typename Fetch>
   Status add(const std::vector<TupleId>& ids, Fetch fetch);
+  /// Begins to take rows of the table that stand beside those of a group: this many, with ids greater than `after`.
+  void begin_beside(std::size_t count, TupleId after);
+  /// Puts them between the others. False if they are not those with these ids.
+  bool end_beside(const std::vector<TupleId>& ids);
   /// The attributes that are read.
   std::vector<std::size_t> attributes() const;
   /// The sum of the checksums of the rows.
@@ -75,6 +81,7 @@ class RowColumns final : public RowSink {
   bool is_whole_ = true;
   std::vector<std::uint32_t> positions_;  // of the rows in their order, if they are not whole
   std::string proved_;                    // reused for all rows
+  std::size_t group_rows_ = 0;            // rows before those that stand beside a group
   std::size_t most_ = 0;
   std::size_t text_bytes_ = 0;
   TupleId last_ = 0;

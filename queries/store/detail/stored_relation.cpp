@@ -85,9 +85,9 @@ Result<TupleStreamPtr> StoredRelation::scan() {
   return TupleStreamPtr(std::make_shared<RelationScan>(database_, layout_));
 }
 
-Result<TupleStreamPtr> StoredRelation::scan_columns(std::vector<bool> read) {
+Result<TupleStreamPtr> StoredRelation::scan_columns(std::vector<bool> read, std::vector<AttributeBounds> bounds) {
   A3D_TRY(entry());
-  return TupleStreamPtr(std::make_shared<RelationScan>(database_, layout_, std::move(read)));
+  return TupleStreamPtr(std::make_shared<RelationScan>(database_, layout_, std::move(read), std::move(bounds)));
 }
 
 Result<TuplePtr> StoredRelation::fetch(TupleId id) {

@@ -21,7 +21,7 @@ class StoredRelation final : public Relation {
   std::string name() const override { return layout_->relation(); }
   Result<std::int64_t> count() const override;
   Result<TupleStreamPtr> scan() override;
-  Result<TupleStreamPtr> scan_columns(std::vector<bool> read) override;
+  Result<TupleStreamPtr> scan_columns(std::vector<bool> read, std::vector<AttributeBounds> bounds) override;
   Result<TuplePtr> fetch(TupleId id) override;
   Result<TupleStreamPtr> select(std::vector<TupleId> ids) override;
   bool keeps(TupleId id) const override;

@@ -29,8 +29,9 @@ class RowGroupRelations : public StoreTest {
   }
   void let_order(const std::string& name, const std::string& attribute, const std::string& attribute_type) {
     ok(store_->create(name, TypeExpr("btree", {relation("R")->tuple_type(), TypeExpr(attribute_type)})));
-    ok(store_->assign(
-        name, Datum{std::make_shared<OrderedIndex>("R", attribute, std::shared_ptr<const OrderedEntries>())}, context_));
+    ok(store_->assign(name,
+                      Datum{std::make_shared<OrderedIndex>("R", attribute, std::shared_ptr<const OrderedEntries>())},
+                      context_));
   }
   Status insert_all(const std::vector<Tuple>& content) {
     std::vector<TuplePtr> shared;
@@ -53,7 +54,7 @@ class RowGroupRelations : public StoreTest {
   /// The tuples of a scan in columns that reads some attributes.
   std::vector<std::string> in_columns(const std::string& name, std::vector<bool> read, std::size_t most) {
     std::vector<std::string> result;
-    auto scan = relation(name)->scan_columns(std::move(read));
+    auto scan = relation(name)->scan_columns(std::move(read), {});
     while (true) {
       const auto batch = (*scan)->next_batch(most);
       EXPECT_TRUE(batch.ok()) << (batch ? "" : batch.error().text());
@@ -162,9 +163,9 @@ TEST_F(RowGroupRelations, a_damaged_chunk_is_named_and_the_rest_is_read) {
     EXPECT_EQ(in_columns("R", {false, true}, 5).size(), 20U);
     EXPECT_EQ(text(**relation("R")->fetch(17)), text(numbered(17)));
     EXPECT_FALSE(relation("R")->fetch(9).ok());
-    EXPECT_EQ(findings(), (std::vector<std::string>{
-                              "R: 'A': 'A' of tuples 9 to 16: the column chunk is not what was written",
-                              "R: 12 of 20 tuples can still be read: tuples 1 to 8, tuples 17 to 20"}));
+    EXPECT_EQ(findings(),
+              (std::vector<std::string>{"R: 'A': 'A' of tuples 9 to 16: the column chunk is not what was written",
+                                        "R: 12 of 20 tuples can still be read: tuples 1 to 8, tuples 17 to 20"}));
   });
 }
 
@@ -181,7 +182,7 @@ TEST_F(RowGroupRelations, what_is_missing_is_noticed) {
     read([&] { found = findings(); });
     // A scan that reads no attribute notices a row group that is missing or changed.
     ok(store_->begin(false));
-    auto scan = relation("R")->scan_columns({true, true});
+    auto scan = relation("R")->scan_columns({true, true}, {});
     bool is_noticed = !scan.ok();
     while (!is_noticed) {
       const auto batch = (*scan)->next_batch(100);
@@ -200,9 +201,10 @@ TEST_F(RowGroupRelations, what_is_missing_is_noticed) {
   EXPECT_EQ(after("UPDATE row_groups SET dead = x'01' WHERE first = 9")[0],
             "R: the row group of tuples 9 to 16 is not what was written");
   // Another chunk with a right checksum, from another place.
-  EXPECT_EQ(after("UPDATE column_chunks SET bytes = (SELECT bytes FROM column_chunks WHERE attribute = 0 AND first = 1) "
-                  "WHERE attribute = 0 AND first = 9")[0],
-            "R: 'A': 'A' of tuples 9 to 16: the column chunk is not what was written");
+  EXPECT_EQ(
+      after("UPDATE column_chunks SET bytes = (SELECT bytes FROM column_chunks WHERE attribute = 0 AND first = 1) "
+            "WHERE attribute = 0 AND first = 9")[0],
+      "R: 'A': 'A' of tuples 9 to 16: the column chunk is not what was written");
 }
 
 TEST_F(RowGroupRelations, ordered_indexes_follow) {
@@ -236,8 +238,8 @@ TEST_F(RowGroupRelations, ordered_indexes_follow) {
   sql("UPDATE " + keys + " SET key = 77 WHERE id = 11");
   reopen(OpenMode::read_write, kSmallGroups);
   read([&] {
-    EXPECT_EQ(findings(),
-              (std::vector<std::string>{"R_A: the key table " + keys + ": it does not have the values of the relation"}));
+    EXPECT_EQ(findings(), (std::vector<std::string>{"R_A: the key table " + keys +
+                                                    ": it does not have the values of the relation"}));
   });
   write([&] { ok(store_->remove("R_A")); });
   EXPECT_EQ(sql("SELECT count(*) FROM sqlite_schema WHERE name = '" + keys + "'"), "0");
@@ -245,6 +247,45 @@ TEST_F(RowGroupRelations, ordered_indexes_follow) {
   EXPECT_EQ(sql("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'keys%' OR name LIKE 'order%'"), "0");
   EXPECT_EQ(sql("SELECT count(*) FROM row_groups"), "0");
   EXPECT_EQ(sql("SELECT count(*) FROM column_chunks"), "0");
+}
+
+// Whatever the bounds leave out, no tuple within them is missing; and groups are left out.
+TEST_F(RowGroupRelations, groups_outside_of_bounds_are_left_out) {
+  write([&] {
+    std::vector<Tuple> content;
+    for (int i = 1; i <= 80; ++i)
+      content.push_back(tuple({{"int", std::to_string(i)}, {"real", fmt::format("{}.5", -i)}}));
+    let_relation("R", "(tuple ((A int) (X real)))", content);
+  });
+  // In a group that would be left out, a tuple beside it that is within the bounds.
+  write([&] { ok(relation("R")->update(2, tuple({{"int", "42"}, {"real", "-42.5"}}))); });
+  write([&] { ok(relation("R")->erase(45)); });
+  const auto within = [&](const AttributeBounds& bounds) {
+    auto scan = relation("R")->scan_columns({true, false}, {bounds});
+    std::vector<TupleId> found;
+    while (true) {
+      const auto batch = (*scan)->next_batch(1024);
+      EXPECT_TRUE(batch.ok());
+      if (!batch || *batch == nullptr) break;
+      for (std::size_t i = 0; i < (*batch)->rows.count; ++i) {
+        const std::size_t row = (*batch)->rows[i];
+        const auto a = (*batch)->columns[0]->value(row).get<std::int64_t>();
+        if (40 <= a && a <= 46) found.push_back((*batch)->ids[row]);
+      }
+    }
+    const auto stages = (*scan)->stages();
+    EXPECT_EQ(stages.size(), 1U);
+    if (!stages.empty()) {
+      EXPECT_EQ(stages[0].what, "row groups left out");
+      EXPECT_EQ(stages[0].count, 8U);
+    }
+    return found;
+  };
+  read([&] {
+    const std::vector<TupleId> expected = {2, 40, 41, 42, 43, 44, 46};
+    EXPECT_EQ(within({0, value("int", "40"), value("int", "46")}), expected);
+    EXPECT_EQ(within({1, value("real", "-46.5"), value("real", "-40.5")}), expected);
+  });
 }
 
 /// A file of version 4 with the relation R and an index on A.
