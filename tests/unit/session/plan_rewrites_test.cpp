@@ -256,7 +256,7 @@ TEST_F(PlanRewrites, row_groups_are_left_out_and_told) {
                                         {"R feed filter[.N = 5] project[X] consume", 4}}) {
     SCOPED_TRACE(query);
     expect_same({query, {}});
-    EXPECT_NE(run(fmt::format("explain query {}", query), true).find(fmt::format("row groups left out: {}", left_out)),
+    EXPECT_NE(run(fmt::format("explain query {}", query), true).find(fmt::format("{} row groups left out", left_out)),
               std::string::npos)
         << run(fmt::format("explain query {}", query), true);
     EXPECT_EQ(run(fmt::format("explain query {}", query), false).find("row groups left out"), std::string::npos);

@@ -406,7 +406,7 @@ class RandomSessions : public RowGroupRelations, public testing::WithParamInterf
 TEST_P(RandomSessions, give_what_rows_give) {
   std::array<Side, 2> sides{Side{nullptr, kSmallGroups, path("groups.db")}, Side{nullptr, kNoGroups, path("rows.db")}};
   store_.reset();
-  const unsigned seed = random_();
+  const auto seed = random_();
   for (Side& side : sides) {
     random_.seed(seed);
     open(side);
@@ -414,11 +414,11 @@ TEST_P(RandomSessions, give_what_rows_give) {
   }
   bool is_in_transaction = false;
   for (int step = 0; step < 40; ++step) {
-    const unsigned step_seed = random_();
+    const auto step_seed = random_();
     std::array<std::vector<std::string>, 2> contents;
     for (std::size_t i = 0; i < sides.size(); ++i) {
       random_.seed(step_seed);
-      const unsigned kind = random_() % 8;
+      const auto kind = random_() % 8;
       if (kind == 0 && !is_in_transaction) open(sides[i]);
       on(sides[i], [&] {
         if (kind == 1) ok(is_in_transaction ? store_->abort_transaction() : store_->begin_transaction());
@@ -428,16 +428,18 @@ TEST_P(RandomSessions, give_what_rows_give) {
         const auto any_id = [&] { return all[random_() % all.size()]->id; };
         // A scan that began before the changes.
         const auto scan = *relation("R")->scan();
-        if (!all.empty()) EXPECT_EQ(text(**scan->next()), text(*all[0]));
+        if (!all.empty()) {
+          EXPECT_EQ(text(**scan->next()), text(*all[0]));
+        }
         const int change_count = static_cast<int>(random_() % 12);
         std::set<TupleId> erased;
         for (int change = 0; change < change_count; ++change) {
-          const unsigned what = random_() % 10;
+          const auto what = random_() % 10;
           if (what < 4) {
             ASSERT_TRUE(relation("R")->insert(any_tuple()).ok());
           } else if (what == 4) {
             std::vector<Tuple> many;
-            for (unsigned count = random_() % 25; count > 0; --count) many.push_back(any_tuple());
+            for (auto count = random_() % 25; count > 0; --count) many.push_back(any_tuple());
             ok(insert_all(many));
           } else if (!all.empty()) {
             const TupleId id = any_id();
