@@ -173,7 +173,7 @@ class IndexedTuples final : public TupleStream {
   Status open() {
     A3D_ASSIGN(auto found, found_by_index(*reading_.relation, reading_.searches, reading_.questions, objects_));
     A3D_ASSIGN(tuples_, found ? selected(*reading_.relation, *std::move(found))
-                              : reading_.relation->scan_columns(reading_.read));
+                              : reading_.relation->scan_columns(reading_.read, {}));
     batches_.emplace(*tuples_, reading_.read);
     return {};
   }

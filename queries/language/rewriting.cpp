@@ -10,6 +10,7 @@
 #include "queries/language/hash_rewrites.h"
 #include "queries/language/index_rewrites.h"
 #include "queries/language/plan_views.h"
+#include "queries/language/row_group_rewrites.h"
 #include "queries/streams/relation.h"
 
 namespace queries {
@@ -53,6 +54,7 @@ Status rewrite(const algebra3d::Operator& op, BoundOperator& bound, std::vector<
                const RewriteContext& rewriting) {
   A3D_TRY(move_conditions_down(op, bound, arguments, rewriting));
   A3D_TRY(read_by_index(bound, arguments, rewriting));
+  leave_out_groups(bound, arguments);
   keep_first(bound, arguments);
   pair_by_hash(bound, arguments);
   group_by_hash(bound, arguments);

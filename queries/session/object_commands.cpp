@@ -47,6 +47,15 @@ Status check_derivable(const Expression& value, Store& store, const algebra3d::R
                "derive: the expression {}, which it would do again whenever it is evaluated; use let", change->text()};
 }
 
+/// What is evaluated for an object that is to be stored: for `consume` its stream, which the store takes in columns if
+/// it has them.
+TypedPtr stored_part(const TypedPtr& node, bool rewrites_plans) {
+  const NodeView view = node->view();
+  const auto* const call = std::get_if<StreamCallView>(&view);
+  const bool collects = call != nullptr && std::holds_alternative<CollectsTuples>(call->bound.role);
+  return collects && rewrites_plans ? call->arguments[0] : node;
+}
+
 /// The status of a command that gives a name, with the position of the name if that exists already.
 Status at_name(Status status, const SourcePlace& place) {
   if (!status && status.error().code == ErrorCode::name_exists) return std::move(status).error().at(place);
@@ -148,7 +157,7 @@ Status Session::define(const std::string& final_name, const Expression& value, b
     A3D_ASSIGN(kept_text, text_to_keep(value, registry_));
   }
   const OwnResult result(context);
-  A3D_ASSIGN(const Datum datum, (*node)->evaluate(nullptr, own));
+  A3D_ASSIGN(const Datum datum, stored_part(*node, options_.rewrites_plans)->evaluate(nullptr, own));
   judge(result, datum);
   A3D_TRY(is_derived ? store_->create_derived(name, type, kept_text) : store_->create(name, type));
   return store_->assign(name, datum, own);
@@ -179,7 +188,7 @@ Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
       return store->create_function(command.name, existing->type, text);
     }
     const OwnResult result(context);
-    A3D_ASSIGN(const Datum value, node->evaluate(nullptr, context));
+    A3D_ASSIGN(const Datum value, stored_part(node, options_.rewrites_plans)->evaluate(nullptr, context));
     judge(result, value);
     return store->assign(command.name, value, context);
   });

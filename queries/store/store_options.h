@@ -16,6 +16,14 @@ struct StoreOptions {
   /// Maximum bytes of a chunk, and of the value of an object that is not a relation in one row. SQLite's own limit is
   /// 10^9 bytes per row.
   std::uint64_t chunk_bytes = std::uint64_t{64} << 20;
+  /// Maximum tuples of a row group; 0: none are made.
+  std::size_t group_rows = 4096;
+  /// The least tuples that become a row group; fewer stand in the table of their relation.
+  std::size_t least_group_rows = 256;
+  /// As many tuples of a relation may stand beside its row groups when a statement ends; of more, row groups are made.
+  std::size_t loose_rows = 4096;
+  /// Maximum bytes of a row group, unless a single tuple has more.
+  std::size_t group_bytes = std::size_t{4} << 20;
   /// Size of the cache of loaded geometry, in estimated bytes: a twelfth of the default memory limit; less where little
   /// memory is left.
   std::uint64_t cache_bytes = algebra3d::WorkMemory::default_limit() / 12;

@@ -3,6 +3,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "algebra3d/values/types/tuple_number.h"
 #include "base/propagate.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/block_join.h"
@@ -49,21 +50,51 @@ Result<TypeExpr> changed_type(const MappingCheck& check) {
   return check.with_id(tuple);
 }
 
-// Tuples come out with the ids that they have in the relation now.
-Result<TupleStreamPtr> insert_all(TupleStream& tuples, Relation& relation, const Context& context) {
-  A3D_ASSIGN(const TupleBuffer input, buffered(tuples, context));
-  std::vector<TupleId> ids;
-  A3D_TRY(for_each_tuple(*input.scan(), context, [&](const TuplePtr& tuple) -> Status {
-    A3D_ASSIGN(const TupleId id, relation.insert(*tuple));
-    ids.push_back(id);
+/// The tuples that came into a relation, each with its id as a further attribute. They are inserted when the first one
+/// is asked for.
+class InsertedTuples final : public TupleStream {
+ public:
+  InsertedTuples(TupleStreamPtr tuples, RelationPtr relation, const Context& context)
+      : tuples_(std::move(tuples)),
+        relation_(std::move(relation)),
+        context_(context),
+        of_tuples_(relation_->tuple_type(), std::vector<bool>(relation_->tuple_type().attributes().size(), true)),
+        ids_(algebra3d::TypeOf<algebra3d::TupleNumber>::type()) {}
+
+  Result<TuplePtr> next() override {
+    A3D_TRY(insert());
+    A3D_ASSIGN(const TuplePtr next, inserted_->next());
+    return next == nullptr ? next : tuple_with_id(*next, next->id);
+  }
+  bool has_batches() const override { return true; }
+  Result<const Batch*> next_batch(std::size_t most) override {
+    A3D_TRY(insert());
+    A3D_ASSIGN(const Batch* const batch,
+               inserted_->has_batches() ? inserted_->next_batch(most) : of_tuples_.next(*inserted_, most));
+    if (batch == nullptr) return nullptr;
+    ids_.restart(batch->size);
+    batch->rows.for_each([&](std::size_t row) { ids_.set(row, id_value(batch->ids[row])); });
+    batch_ = *batch;
+    batch_.ids = nullptr;
+    batch_.columns.push_back(&ids_);
+    return &batch_;
+  }
+
+ private:
+  Status insert() {
+    if (inserted_ != nullptr) return {};
+    A3D_ASSIGN(inserted_, relation_->insert_all(*tuples_, context_));
     return {};
-  }));
-  return make_stream(
-      [scan = input.scan(), ids = std::move(ids), position = std::size_t{0}]() mutable -> Result<TuplePtr> {
-        A3D_ASSIGN(const TuplePtr next, scan->next());
-        return next == nullptr ? next : tuple_with_id(*next, ids[position++]);
-      });
-}
+  }
+
+  TupleStreamPtr tuples_;
+  RelationPtr relation_;
+  const Context& context_;
+  TupleStreamPtr inserted_;
+  BatchOfTuples of_tuples_;
+  algebra3d::ValueColumn ids_;
+  Batch batch_;
+};
 
 /// The conversions that make tuples of a stream those of a relation whose attributes have the same names.
 Result<std::vector<Conversion>> tuple_conversions(const MappingCheck& check, const TypeExpr& wanted,
@@ -95,12 +126,11 @@ Result<BoundOperator> map_insert(std::span<const ArgumentType> arguments) {
   A3D_ASSIGN(const TypeExpr tuple, check.relation(1));
   A3D_ASSIGN(const auto conversions, tuple_conversions(check, tuple, given_tuple));
   A3D_ASSIGN(const TypeExpr result, check.with_id(tuple));
-  return BoundOperator{
-      TypeExpr::stream(result), [conversions](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        return Datum{
-            made_when_asked([tuples = converted_tuples(given[0].tuples(), conversions), relation = given[1].relation(),
-                             &context]() { return insert_all(*tuples, *relation, context); })};
-      }};
+  return BoundOperator{TypeExpr::stream(result),
+                       [conversions](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         return Datum{TupleStreamPtr(std::make_shared<InsertedTuples>(
+                             converted_tuples(given[0].tuples(), conversions), given[1].relation(), context))};
+                       }};
 }
 
 /// Tuples by their quick hash, as many as the work memory takes: the table of StreamBlocks.

@@ -33,6 +33,13 @@ struct Tuple {
 };
 using TuplePtr = std::shared_ptr<const Tuple>;
 
+/// A condition on an attribute of a number type that a reader of tuples sets: it does without those whose value is not
+/// in these bounds, which are included, or is undefined.
+struct AttributeBounds {
+  std::size_t attribute = 0;
+  std::optional<Value> low, high;  ///< defined; missing: infinite
+};
+
 /// A number that a stream knows about its work so far, for `explain`.
 struct StageCount {
   std::string what;

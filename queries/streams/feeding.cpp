@@ -1,5 +1,6 @@
 // feed, consume, count: between relations and streams.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,7 @@ class InterruptibleTuples final : public TupleStream {
     A3D_TRY(context_.check_cancelled());
     return tuples_->next_batch(most);
   }
+  std::vector<StageCount> stages() const override { return tuples_->stages(); }
 
  private:
   TupleStreamPtr tuples_;
@@ -52,27 +54,33 @@ std::string read_text(const TypeExpr& tuple, const std::vector<bool>& read) {
   return count == 0 ? "reads no attribute" : "reads " + names;
 }
 
-BoundOperator scan_of_attributes(const TypeExpr& tuple, const std::vector<bool>& read) {
-  return {TypeExpr::stream(tuple),
-          [read](std::vector<Datum> given, Context& context) -> Result<Datum> {
-            A3D_ASSIGN(TupleStreamPtr tuples, given[0].relation()->scan_columns(read));
-            return Datum{interruptible(std::move(tuples), context)};
-          },
-          ScansRelation{[tuple](const std::vector<bool>& wanted) { return scan_of_attributes(tuple, wanted); }},
-          read_text(tuple, read)};
+/// How a relation is read.
+struct ScanPlan {
+  TypeExpr tuple;
+  std::optional<std::vector<bool>> read;  ///< by attribute; none: tuple by tuple
+  std::vector<AttributeBounds> bounds = {};
+};
+
+BoundOperator scan_operator(const ScanPlan& plan) {
+  const auto run = [plan](std::vector<Datum> given, Context& context) -> Result<Datum> {
+    Relation& relation = *given[0].relation();
+    A3D_ASSIGN(TupleStreamPtr tuples, plan.read ? relation.scan_columns(*plan.read, plan.bounds) : relation.scan());
+    return Datum{interruptible(std::move(tuples), context)};
+  };
+  const auto of_attributes = [plan](std::vector<bool> read) {
+    return scan_operator({plan.tuple, std::move(read), plan.bounds});
+  };
+  const auto within = [plan](std::vector<AttributeBounds> bounds) {
+    std::vector<bool> all(plan.tuple.attributes().size(), true);
+    return scan_operator({plan.tuple, plan.read.value_or(std::move(all)), std::move(bounds)});
+  };
+  return {TypeExpr::stream(plan.tuple), run, ScansRelation{of_attributes, within},
+          plan.read ? read_text(plan.tuple, *plan.read) : std::string()};
 }
 
 Result<BoundOperator> map_feed(std::span<const ArgumentType> arguments) {
   const MappingCheck check("feed", arguments);
-  if (check[0].type.is_relation())
-    return BoundOperator{TypeExpr::stream(check[0].type.element()),
-                         [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                           A3D_ASSIGN(TupleStreamPtr tuples, given[0].relation()->scan());
-                           return Datum{interruptible(std::move(tuples), context)};
-                         },
-                         ScansRelation{[tuple = check[0].type.element()](const std::vector<bool>& read) {
-                           return scan_of_attributes(tuple, read);
-                         }}};
+  if (check[0].type.is_relation()) return scan_operator({check[0].type.element(), std::nullopt});
   if (check[0].type.is_nested_relation())
     return BoundOperator{TypeExpr::stream(check[0].type.element()),
                          [](std::vector<Datum> given, Context& context) -> Result<Datum> {
@@ -97,10 +105,12 @@ Result<BoundOperator> map_feed(std::span<const ArgumentType> arguments) {
 // consume and tconsume are two names of one operator: a consumed relation lives as long as the statement, or is stored.
 Result<BoundOperator> map_consume(const char* op, std::span<const ArgumentType> arguments) {
   A3D_ASSIGN(const TypeExpr tuple, MappingCheck(op, arguments).stream(0));
-  return BoundOperator{TypeExpr::rel(tuple), [tuple](std::vector<Datum> given, Context& context) -> Result<Datum> {
+  return BoundOperator{TypeExpr::rel(tuple),
+                       [tuple](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          A3D_ASSIGN(TupleBuffer tuples, buffered(*given[0].tuples(), context));
                          return Datum{RelationPtr(std::make_shared<MemoryRelation>(tuple, std::move(tuples)))};
-                       }};
+                       },
+                       CollectsTuples{}};
 }
 
 Datum counted(std::int64_t count) {

@@ -37,6 +37,23 @@ Result<TupleStreamPtr> Relation::select(std::vector<TupleId> ids) {
 Result<TupleId> Relation::insert(const Tuple&) {
   return not_stored();
 }
+
+Result<TupleStreamPtr> Relation::insert_all(TupleStream& tuples, const algebra3d::Context& context) {
+  A3D_ASSIGN(const TupleBuffer input, buffered(tuples, context));
+  std::vector<TupleId> ids;
+  A3D_TRY(for_each_tuple(*input.scan(), context, [&](const TuplePtr& tuple) -> Status {
+    A3D_ASSIGN(const TupleId id, insert(*tuple));
+    ids.push_back(id);
+    return {};
+  }));
+  return make_stream(
+      [scan = input.scan(), ids = std::move(ids), position = std::size_t{0}]() mutable -> Result<TuplePtr> {
+        A3D_ASSIGN(const TuplePtr next, scan->next());
+        if (next == nullptr) return next;
+        return TuplePtr(std::make_shared<const Tuple>(Tuple{next->attributes, ids[position++]}));
+      });
+}
+
 Status Relation::erase(TupleId) {
   return not_stored();
 }

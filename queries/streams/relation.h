@@ -22,8 +22,10 @@ class Relation {
   /// A stream of all tuples in storage order. It shows the relation as it is at the first `next`.
   virtual Result<TupleStreamPtr> scan() = 0;
   /// A scan in columns, if the relation has them, else as `scan`. `read`: for each attribute, whether it is read;
-  /// others may be undefined.
-  virtual Result<TupleStreamPtr> scan_columns(std::vector<bool> /*read*/) { return scan(); }
+  /// others may be undefined. Tuples that are not within all `bounds` may be left out.
+  virtual Result<TupleStreamPtr> scan_columns(std::vector<bool> /*read*/, std::vector<AttributeBounds> /*bounds*/) {
+    return scan();
+  }
   /// The tuple with this id, or null.
   virtual Result<TuplePtr> fetch(TupleId id) = 0;
   /// A stream of the tuples with these ids, which are ascending, in the relation, and come from an index of it. It
@@ -37,6 +39,9 @@ class Relation {
 
   // Changes of a stored relation; its indexes are updated. Errors: wrong_usage for a relation in memory.
   virtual Result<TupleId> insert(const Tuple& tuple);
+  /// Inserts all tuples of a stream, which is read to its end before the relation changes. A stream of the new tuples
+  /// with their ids.
+  virtual Result<TupleStreamPtr> insert_all(TupleStream& tuples, const algebra3d::Context& context);
   virtual Status erase(TupleId id);
   /// Writes only the values that differ.
   virtual Status update(TupleId id, const Tuple& tuple);

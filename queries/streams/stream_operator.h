@@ -56,7 +56,11 @@ struct ReadsAttribute {
 struct ScansRelation {
   /// Reads only some attributes, by their places: the others are undefined.
   std::function<BoundOperator(std::vector<bool> read)> of_attributes;
+  /// May leave out tuples that are not within all bounds.
+  std::function<BoundOperator(std::vector<AttributeBounds> bounds)> within;
 };
+/// The relation of the tuples of the stream at place 0.
+struct CollectsTuples {};
 /// The elements of the stream at place 0 for which the function at place 1 gives TRUE.
 struct SelectsElements {};
 /// Some tuples of the stream at place 0, chosen by these attributes.
@@ -121,9 +125,9 @@ struct PairsTuples {
   /// Makes only some of the joined attributes, by their places: the others are undefined. Null if it makes all.
   std::function<BoundOperator(std::vector<bool> read)> of_attributes = {};
 };
-using OperatorRole = std::variant<std::monostate, ReadsAttribute, ScansRelation, SelectsElements, SelectsByAttributes,
-                                  TakesFirst, CountsElements, AggregatesAttribute, UsesAttributes, MakesTuples,
-                                  SortsTuples, GroupsTuples, RemovesDuplicates, PairsTuples>;
+using OperatorRole = std::variant<std::monostate, ReadsAttribute, ScansRelation, CollectsTuples, SelectsElements,
+                                  SelectsByAttributes, TakesFirst, CountsElements, AggregatesAttribute, UsesAttributes,
+                                  MakesTuples, SortsTuples, GroupsTuples, RemovesDuplicates, PairsTuples>;
 
 /// An operator bound to the types of its arguments: the type of the result, and the function that computes it.
 /// `arguments` holds per place: the evaluated expression (operands, `_`), a Function (`fun`), a list of Functions

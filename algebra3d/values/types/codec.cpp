@@ -270,12 +270,19 @@ class DigitLimit {
   std::size_t before_;
 };
 
-Result<Value> decode_body(const Type& type, const Frame& frame, std::string_view stored, Origin origin) {
-  const DigitLimit limit(origin);
-  const bool trusted = origin == Origin::own_store;
-  if (!frame.is_compressed()) return type.decode(stored, trusted);
+Result<Value> decode_framed(const Type& type, const Frame& frame, std::string_view stored, Origin origin) {
+  if (!frame.is_compressed()) return decode_body(type, stored, origin);
   A3D_ASSIGN(const Buffer buffer, decompress(stored, frame.body_bytes));
-  return type.decode(buffer.view(), trusted);
+  return decode_body(type, buffer.view(), origin);
+}
+
+/// Refuses a value that was encoded since `take_longest_number`, if it has a number that is too long.
+Status check_digits(const Value& value) {
+  const std::size_t digits = take_longest_number();
+  if (digits <= kMaxNumberDigits) return {};
+  return Error{ErrorCode::limit_exceeded,
+               "a value of type {} has a number of {} digits; at most {} are stored; roundCoordinates makes them fewer",
+               value.type().name(), digits, kMaxNumberDigits};
 }
 
 /// The header of a value of any type; of a type without headers all zero.
@@ -313,11 +320,19 @@ std::string encode(const Value& value) {
 Result<std::string> encode_to_store(const Value& value) {
   take_longest_number();
   std::string bytes = encode(value);
-  const std::size_t digits = take_longest_number();
-  if (digits <= kMaxNumberDigits) return bytes;
-  return Error{ErrorCode::limit_exceeded,
-               "a value of type {} has a number of {} digits; at most {} are stored; roundCoordinates makes them fewer",
-               value.type().name(), digits, kMaxNumberDigits};
+  A3D_TRY(check_digits(value));
+  return bytes;
+}
+
+Status append_body_to_store(const Value& value, std::string& bytes) {
+  take_longest_number();
+  value.type().encode(value, bytes);
+  return check_digits(value);
+}
+
+Result<Value> decode_body(const Type& type, std::string_view body, Origin origin) {
+  const DigitLimit limit(origin);
+  return type.decode(body, origin == Origin::own_store);
 }
 
 Result<Value> decode(const Type& type, std::string_view bytes, Origin origin) {
@@ -330,7 +345,7 @@ Result<Value> decode(const Type& type, std::string_view bytes, Origin origin) {
     return corrupt(kChecksumOffset, "the checksum of these bytes; they were changed");
   Value value(type);
   if (frame.is_defined()) {
-    A3D_ASSIGN(value, decode_body(type, frame, stored, origin));
+    A3D_ASSIGN(value, decode_framed(type, frame, stored, origin));
   }
   const GeometryHeader header = header_of(value);
   if (header.size != frame.geometry.size) return corrupt(8, fmt::format("size {}", header.size));

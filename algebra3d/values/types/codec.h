@@ -18,6 +18,11 @@ std::string encode(const Value& value);
 /// of more than kMaxNumberDigits digits.
 Result<std::string> encode_to_store(const Value& value);
 
+/// Appends the body alone of a defined value that is to be stored. Errors: as `encode_to_store`.
+Status append_body_to_store(const Value& value, std::string& bytes);
+/// Decodes such a body. Safe for any bytes. Errors: database_corrupt.
+Result<Value> decode_body(const Type& type, std::string_view body, Origin origin);
+
 /// Decodes the bytes of `encode`. Safe for any bytes. Errors: database_corrupt with the position and the expectation,
 /// also for an invalid mesh from elsewhere; database_version for a newer format.
 Result<Value> decode(const Type& type, std::string_view bytes, Origin origin);

@@ -149,13 +149,17 @@ Status Catalogue::read_all() {
 
 // An upgrade would add tables that are there.
 Status Catalogue::check_version() {
-  if (version_ >= kFirstVersionWithIndexPages) return {};
-  A3D_ASSIGN(const std::int64_t count, connection_.integer(fmt::format(
-                                           "SELECT count(*) FROM sqlite_schema WHERE name = '{}'", kIndexPagesTable)));
-  if (count == 0) return {};
-  return corrupt(connection_, fmt::format("the header says that the database has version {}, but it has the table {}, "
-                                          "which came with version {}; the header was changed",
-                                          version_, kIndexPagesTable, kFirstVersionWithIndexPages));
+  for (const auto& [table, first_version] : {std::pair(kIndexPagesTable, kFirstVersionWithIndexPages),
+                                             std::pair(kRowGroupsTable, kFirstVersionWithRowGroups)}) {
+    if (version_ >= first_version) continue;
+    A3D_ASSIGN(const std::int64_t count,
+               connection_.integer(fmt::format("SELECT count(*) FROM sqlite_schema WHERE name = '{}'", table)));
+    if (count == 0) continue;
+    return corrupt(connection_, fmt::format("the header says that the database has version {}, but it has the table "
+                                            "{}, which came with version {}; the header was changed",
+                                            version_, table, first_version));
+  }
+  return {};
 }
 
 Status Catalogue::read_entries(bool backwards) {
@@ -227,6 +231,14 @@ Status Catalogue::upgrade() {
   A3D_TRY(connection_.execute(fmt::format("PRAGMA user_version = {}", kLastVersionWithoutPageSums)));
   version_ = kLastVersionWithoutPageSums;
   return flush();
+}
+
+Status Catalogue::add_row_groups() {
+  if (version_ >= kFirstVersionWithRowGroups) return {};
+  for (const char* sql : {kCreateRowGroups, kCreateColumnChunks}) A3D_TRY(connection_.execute(sql));
+  A3D_TRY(connection_.execute(fmt::format("PRAGMA user_version = {}", kFirstVersionWithRowGroups)));
+  version_ = kFirstVersionWithRowGroups;
+  return {};
 }
 
 Status Catalogue::upgrade_from_version1() {

@@ -51,6 +51,10 @@ class Catalogue {
   /// Upgrades the tables of an older file to this version, and writes the catalogue again. Call within a transaction.
   algebra3d::Status upgrade();
 
+  /// Makes the tables of row groups in a file of the version before, which becomes one of this version. Call within a
+  /// transaction that writes.
+  algebra3d::Status add_row_groups();
+
   /// The entry of this name, or null.
   const CatalogueEntry* find(const std::string& name) const;
   /// All entries, in the order of names.

@@ -46,6 +46,13 @@ std::uint64_t checksum_of(std::string_view bytes, std::uint64_t seed) {
   return XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed);
 }
 
+bool are_same(const Cell& a, const Cell& b) {
+  if (a.kind != b.kind) return false;
+  if (a.is(Cell::Kind::integer)) return a.integer == b.integer;
+  if (a.is(Cell::Kind::real)) return std::bit_cast<std::uint64_t>(a.real) == std::bit_cast<std::uint64_t>(b.real);
+  return a.bytes == b.bytes;
+}
+
 void append_cells(std::span<const Cell> cells, std::string& bytes) {
   const std::size_t begin = bytes.size();
   bytes.resize(begin + written_size(cells));

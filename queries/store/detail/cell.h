@@ -25,6 +25,9 @@ struct Cell {
   bool is(Kind wanted) const { return kind == wanted; }
 };
 
+/// Whether two cells are the same to the last bit.
+bool are_same(const Cell& a, const Cell& b);
+
 /// Appends the bytes of the cells, with their kinds; the checksum of a row is computed from them: docs/file_format.md.
 void append_cells(std::span<const Cell> cells, std::string& bytes);
 /// Reads back the cells that `append_cells` wrote at the beginning of `bytes`. They refer to `bytes`.

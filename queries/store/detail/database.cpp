@@ -39,6 +39,7 @@ Database::Database(std::unique_ptr<SqliteConnection> connection, std::filesystem
       access_(connection_->access()),
       is_read_only_(connection_->is_read_only()),
       catalogue_(*connection_),
+      row_groups_(*connection_, catalogue_),
       cache_(options.cache_bytes) {}
 
 Database::~Database() = default;
@@ -62,6 +63,58 @@ Result<std::shared_ptr<const RelationLayout>> Database::layout_of(const Catalogu
   return layout;
 }
 
+// Pages of older files have no checksums, and no room for them.
+bool Database::makes_row_groups(const RelationLayout& layout) const {
+  return layout.has_columns() && options_.group_rows > 0 && catalogue_.version() > kLastVersionWithoutPageSums;
+}
+
+Result<const std::vector<std::size_t>*> Database::key_attributes(const RelationLayout& layout) {
+  const auto known = key_attributes_.find(layout.table_number());
+  if (known != key_attributes_.end()) return &known->second;
+  std::vector<std::size_t> attributes;
+  if (layout.has_columns() && has_row_groups()) {
+    A3D_ASSIGN(SqliteStatement rows,
+               connection_->use("SELECT name FROM sqlite_schema WHERE type = 'table' AND name GLOB ?"));
+    const std::string pattern = fmt::format("keys_{}_*", layout.table_number());
+    rows.bind(1, std::string_view(pattern));
+    while (true) {
+      A3D_ASSIGN(const bool has_row, rows.step());
+      if (!has_row) break;
+      for (std::size_t attribute = 0; attribute < layout.attributes().size(); ++attribute)
+        if (layout.keys_table(attribute) == rows.column(0).bytes) attributes.push_back(attribute);
+    }
+  }
+  return &key_attributes_.emplace(layout.table_number(), std::move(attributes)).first->second;
+}
+
+Result<Database::LooseRows> Database::loose_rows(const RelationLayout& layout) {
+  const auto known = loose_rows_.find(layout.table_number());
+  if (known != loose_rows_.end()) return known->second;
+  A3D_ASSIGN(const GroupListPtr groups, row_groups_.list(layout));
+  LooseRows rows;
+  const TupleId first = groups->is_empty() ? 0 : (*groups)[0].content->first;
+  const auto count = [&](const std::string& condition) {
+    return connection_->integer(fmt::format("SELECT count(*) FROM (SELECT 1 FROM {} WHERE {} LIMIT {})", layout.table(),
+                                            condition, 1 + 2 * options_.loose_rows));
+  };
+  A3D_ASSIGN(rows.outside, count(fmt::format("id < {} OR id > {}", first, groups->last())));
+  if (!groups->is_empty()) {
+    A3D_ASSIGN(rows.within, connection_->integer(fmt::format("SELECT count(*) FROM {} WHERE id BETWEEN {} AND {}",
+                                                             layout.table(), first, groups->last())));
+  }
+  loose_rows_.emplace(layout.table_number(), rows);
+  return rows;
+}
+
+void Database::note_loose(std::int64_t table_number, LooseRows change) {
+  std::int64_t& count = loosened_[table_number];
+  count += std::max<std::int64_t>(change.outside, 0) + std::max<std::int64_t>(change.within, 0);
+  const auto known = loose_rows_.find(table_number);
+  if (known == loose_rows_.end()) return;
+  known->second.outside += change.outside;
+  known->second.within += change.within;
+}
+
 // Until now the row can be read through one connection or the other.
 Status Database::note_tuple(const RelationLayout& layout, TupleId tuple) {
   const std::lock_guard lock(mutex_);
@@ -70,6 +123,11 @@ Status Database::note_tuple(const RelationLayout& layout, TupleId tuple) {
   changes_.note_tuple(layout.table_number(), tuple);
   cache_.erase(layout.table_number(), tuple);
   return {};
+}
+
+void Database::note_group_tuple(std::int64_t table_number, TupleId tuple) {
+  const std::lock_guard lock(mutex_);
+  changes_.note_tuple(table_number, tuple);
 }
 
 // The other connection sees what was there before the transaction, and not what its statements have made of it.
@@ -88,6 +146,10 @@ void Database::drop_at_end(const std::shared_ptr<const RelationLayout>& layout) 
   changes_.note_dropped(layout->table_number());
   cache_.erase_table(layout->table_number());
   indexes_.drop_table(layout->table_number());
+  row_groups_.forget(layout->table_number());
+  key_attributes_.erase(layout->table_number());
+  loose_rows_.erase(layout->table_number());
+  loosened_.erase(layout->table_number());
   layouts_.erase(layout->table_number());
 }
 

@@ -13,6 +13,7 @@
 #include "queries/store/detail/database_file.h"
 #include "queries/store/detail/index_cache.h"
 #include "queries/store/detail/relation_layout.h"
+#include "queries/store/detail/row_groups.h"
 #include "queries/store/detail/row_snapshot.h"
 #include "queries/store/detail/value_cache.h"
 #include "queries/store/store_options.h"
@@ -88,14 +89,38 @@ class Database : public std::enable_shared_from_this<Database> {
   SqliteConnection& connection() { return *connection_; }
   Catalogue& catalogue() { return catalogue_; }
   IndexCache& indexes() { return indexes_; }
+  RowGroups& row_groups() { return row_groups_; }
+  /// Whether the file has the tables of row groups, and key tables.
+  bool has_row_groups() const { return catalogue_.version() >= kFirstVersionWithRowGroups; }
+  /// Whether new tuples of a relation may become row groups: its types allow it, and so does the file.
+  bool makes_row_groups(const RelationLayout& layout) const;
   /// Makes SQLite's index of an ordered index anew when the statement has ended, if the file can be written then.
   void restore_order_later(IndexPlace place) { orders_to_restore_.push_back(std::move(place)); }
   const ChangeLog& changes() const { return changes_; }
   ChangeCounts& change_counts() { return change_counts_; }  // since opening
+  /// The attributes of a relation that have a key table.
+  Result<const std::vector<std::size_t>*> key_attributes(const RelationLayout& layout);
+  void forget_key_attributes(std::int64_t table_number) { key_attributes_.erase(table_number); }
+
+  /// Tuples in the table of a relation that has row groups, or may get some.
+  struct LooseRows {
+    std::int64_t outside = 0;  ///< before the first row group or behind the last one
+    std::int64_t within = 0;
+  };
+  /// Their numbers, which are counted when they are first asked for. Those of many that have never been in a row group
+  /// are not all counted.
+  Result<LooseRows> loose_rows(const RelationLayout& layout);
+  /// To be called when tuples have come into the table or left it.
+  void note_loose(std::int64_t table_number, LooseRows change);
+  /// The relations of which `note_loose` was called since, and how many tuples came into their tables.
+  std::map<std::int64_t, std::int64_t> take_loosened() { return std::exchange(loosened_, {}); }
+  void forget_loose_rows(std::int64_t table_number) { loose_rows_.erase(table_number); }
   Result<std::shared_ptr<const RelationLayout>> layout_of(const CatalogueEntry& relation);
   /// To be called before a tuple is erased or overwritten; copies it if streams may still read it. Errors: those of
   /// copying.
   Status note_tuple(const RelationLayout& layout, TupleId tuple);
+  /// The same of a tuple in a row group, which stays there for streams that have begun.
+  void note_group_tuple(std::int64_t table_number, TupleId tuple);
   void note_inserted(std::int64_t table_number, TupleId tuple) { changes_.note_inserted(table_number, tuple); }
   void note_created(std::int64_t table_number);
   /// Drops the table of a relation, with its chunks, at the end of the statement; until then its tuples can be read.
@@ -143,7 +168,11 @@ class Database : public std::enable_shared_from_this<Database> {
   bool is_read_only_ = false;
   Catalogue catalogue_;
   IndexCache indexes_;
+  RowGroups row_groups_;
   std::map<std::int64_t, std::shared_ptr<const RelationLayout>> layouts_;
+  std::map<std::int64_t, std::vector<std::size_t>> key_attributes_;  // by table number
+  std::map<std::int64_t, LooseRows> loose_rows_;
+  std::map<std::int64_t, std::int64_t> loosened_;  // by the running statement
   std::int64_t data_version_ = 0;
 
   std::string opening_notice_;

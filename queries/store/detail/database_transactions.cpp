@@ -4,7 +4,9 @@
 
 #include "base/propagate.h"
 #include "queries/store/detail/chunks.h"
+#include "queries/store/detail/compaction.h"
 #include "queries/store/detail/database.h"
+#include "queries/store/detail/key_tables.h"
 #include "queries/store/detail/shape_levels.h"
 #include "queries/store/detail/stored_tree.h"
 #include "queries/store/detail/tables.h"
@@ -129,6 +131,9 @@ void Database::forget_everything() {
   const std::lock_guard lock(mutex_);
   catalogue_.forget();
   indexes_.clear();
+  row_groups_.forget();
+  key_attributes_.clear();
+  loose_rows_.clear();
   layouts_.clear();
   cache_.clear();
 }
@@ -170,8 +175,10 @@ void Database::restore_indexes() {
   status = notice_other_processes();
   if (status) status = catalogue_.load();
   if (status) status = store_trees(*this);
+  is_in_statement_ = true;  // the rows are read
   for (const IndexPlace& place : places)
     if (status) status = restore_order(place);
+  is_in_statement_ = false;
   if (status) status = connection_->execute("COMMIT");
   if (!status && connection_->in_transaction()) static_cast<void>(connection_->execute("ROLLBACK"));
   if (!status) return;
@@ -191,13 +198,16 @@ Status Database::restore_order(const IndexPlace& place) {
   if (relation == nullptr || relation->table_number != layout.table_number() ||
       std::ranges::none_of(catalogue_.entries(), is_definition))
     return {};
-  A3D_ASSIGN(SqliteStatement check, connection_->use(fmt::format("PRAGMA quick_check({})", layout.table())));
+  A3D_ASSIGN(const std::vector<std::size_t>* keys, key_attributes(layout));
+  const bool has_keys = std::ranges::find(*keys, place.attribute) != keys->end();
+  const std::string& table = has_keys ? layout.keys_table(place.attribute) : layout.table();
+  A3D_ASSIGN(SqliteStatement check, connection_->use(fmt::format("PRAGMA quick_check({})", table)));
   A3D_ASSIGN(const bool has_row, check.step());
   if (!has_row || check.column(0).bytes != "ok")
     return Error{ErrorCode::database_corrupt, "the index or the relation is damaged"}.about(layout.relation());
   { const SqliteStatement done = std::move(check); }
-  A3D_TRY(connection_->execute(layout.drop_order_sql(place.attribute)));
-  return connection_->execute(layout.create_order_sql(place.attribute));
+  A3D_TRY(drop_order(*this, layout, place.attribute));
+  return make_order(shared_from_this(), place.layout, place.attribute);
 }
 
 // After it has met damage, SQLite refuses to commit. Where an index was damaged and its answer came from the rows, a
@@ -220,8 +230,12 @@ Status Database::check_place() const {
 Status Database::write_end() {
   for (const auto& layout : dropped_) {
     A3D_TRY(connection_->execute(layout->drop_sql()));
+    for (std::size_t attribute = 0; layout->has_columns() && attribute < layout->attributes().size(); ++attribute)
+      A3D_TRY(connection_->execute(layout->drop_keys_sql(attribute)));
     A3D_TRY(erase_all_chunks(*connection_, layout->table_number()));
+    A3D_TRY(row_groups_.erase_all(layout->table_number()));
   }
+  A3D_TRY(compact_relations(*this));
   A3D_TRY(store_trees(*this));
   A3D_TRY(catalogue_.flush());
   return erase_outdated_levels(*this);
@@ -255,6 +269,7 @@ void Database::end_statement() {
   is_in_statement_ = has_written_ = false;
   failure_.reset();
   dropped_.clear();
+  loosened_.clear();
   changes_.clear();
   kept_.clear();
   if (original_ != nullptr && original_->in_transaction() && !original_->execute("COMMIT")) original_.reset();

@@ -52,6 +52,7 @@ Result<std::vector<Finding>> IntegrityCheck::run() {
   const auto has_pulled = has_pulled_tables(database_->connection());
   if (!has_pulled || *has_pulled) A3D_TRY(check_numbers("pulled_tables", "relation"));
   A3D_TRY(check_chunks());
+  A3D_TRY(check_group_tables());
   A3D_TRY(check_index_pages());
   A3D_TRY(check_levels());
   A3D_TRY(check_abandoned());

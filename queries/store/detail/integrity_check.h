@@ -63,6 +63,14 @@ class IntegrityCheck {
   Status check_row(Walk& walk, const SqliteStatement& row);
   Status check_attribute(Walk& walk, const RowReader& reader, std::size_t attribute);
   Result<Value> proved(const Value& value);
+  // integrity_check_groups.cpp
+  Status check_groups(Walk& walk);
+  Status check_group(Walk& walk, const RowGroup& group);
+  Status check_beside(Walk& walk, const RowGroup& group);
+  Status walk_values(Walk& walk, TupleId id, const std::function<Result<Value>(std::size_t)>& value_of);
+  Status check_key_tables(Walk& walk);
+  Status check_group_tables();
+
   void check_totals(const Walk& walk);
   void check_trees(Walk& walk);
   bool is_lost_tree(const CatalogueEntry& relation, std::size_t attribute, std::int64_t owner);

@@ -7,6 +7,7 @@
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/index_pages.h"
 #include "queries/store/detail/integrity_check.h"
+#include "queries/store/detail/integrity_walk.h"
 #include "queries/store/detail/stored_tree.h"
 #include "queries/store/detail/stored_value.h"
 #include "queries/store/detail/tables.h"
@@ -27,24 +28,6 @@ bool entry_before(const rtree::Entry<std::uint64_t>& a, const rtree::Entry<std::
 
 }  // namespace
 
-struct IntegrityCheck::Walk {
-  const CatalogueEntry& entry;
-  std::shared_ptr<const RelationLayout> layout;
-  std::int64_t count = 0;
-  std::uint64_t sum = 0;
-  bool are_rows_sound = true;
-  TupleId last = 0;
-  /// Tuples that cannot be read, in ascending order; the last ones may be without an end.
-  struct Gap {
-    TupleId first = 0;
-    TupleId last = 0;
-  };
-  std::vector<Gap> gaps = {};
-  // By attribute, of those that have a tree in memory.
-  std::map<std::size_t, Entries> boxes = {};
-  std::map<std::size_t, std::vector<OrderedTree::Entry>> keys = {};
-};
-
 Status IntegrityCheck::check_relation(const CatalogueEntry& entry) {
   const auto layout = database_->layout_of(entry);
   if (!layout) return add({.object = entry.name}, layout.error());
@@ -56,13 +39,18 @@ Status IntegrityCheck::check_relation(const CatalogueEntry& entry) {
   }
   for (const std::size_t attribute : database_->indexes().ordered_attributes(entry.table_number))
     walk.keys[attribute] = {};
+  A3D_ASSIGN(const std::vector<std::size_t>* key_attributes, database_->key_attributes(**layout));
+  for (const std::size_t attribute : *key_attributes) walk.key_sums[attribute] = {};
   // Those may be pages of an index of SQLite alone.
   const bool has_damaged_pages = finding_counts_.contains(entry.name);
   A3D_TRY(check_rows(walk));
+  A3D_TRY(check_groups(walk));
   if (!walk.gaps.empty() || has_damaged_pages) add_readable(walk);
   if (!walk.gaps.empty()) return {};
   check_totals(walk);
-  if (walk.are_rows_sound && walk.sum == entry.tuple_sum) check_trees(walk);
+  if (!walk.are_rows_sound || walk.sum != entry.tuple_sum) return {};
+  A3D_TRY(check_key_tables(walk));
+  check_trees(walk);
   return {};
 }
 
@@ -168,6 +156,8 @@ Status IntegrityCheck::check_row(Walk& walk, const SqliteStatement& row) {
   for (auto& [attribute, boxes] : walk.boxes)
     if (const auto box = reader.box(attribute); !box.is_empty())
       boxes.push_back({box, static_cast<std::uint64_t>(reader.id())});
+  for (auto& [attribute, sum] : walk.key_sums)
+    sum.add(reader.id(), reader.cells()[walk.layout->attributes()[attribute].value]);
   return {};
 }
 
@@ -254,7 +244,7 @@ void IntegrityCheck::check_trees(Walk& walk) {
 /// Whether a tree that was stored when its index was made has no pages at all. Files of older versions may have none
 /// yet, and one that the running transaction has made is not written yet.
 bool IntegrityCheck::is_lost_tree(const CatalogueEntry& relation, std::size_t attribute, std::int64_t owner) {
-  if (database_->catalogue().version() < kDatabaseVersion) return false;
+  if (database_->catalogue().version() <= kLastVersionWithoutPageSums) return false;
   const auto unstored = database_->indexes().unstored();
   const IndexCache::Place place{relation.table_number, attribute};
   if (std::ranges::any_of(unstored, [&](const auto& each) { return each.place == place; })) return false;

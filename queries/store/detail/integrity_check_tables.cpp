@@ -21,6 +21,8 @@ constexpr std::pair<const char*, const char*> kOwnTables[] = {
     {"object_values", "the table object_values, which holds the values of objects that are not relations: "},
     {"chunks", "the table chunks, which holds long values: "},
     {"index_pages", "the table index_pages, which holds spatial indexes: "},
+    {"row_groups", "the table row_groups, which holds tuples: "},
+    {"column_chunks", "the table column_chunks, which holds tuples: "},
     {"shape_levels", "the table shape_levels, which holds levels of detail: "},
     {"imported_files", "the table imported_files, which says what was imported: "},
     {"pulled_tables", "the table pulled_tables, which says what was pulled from servers: "},
@@ -87,18 +89,24 @@ Result<std::vector<std::string>> column_names(SqliteConnection& connection, cons
 /// All tables that belong here, each with the beginning of findings about it.
 std::vector<std::pair<std::string, Finding>> IntegrityCheck::tables() {
   std::vector<std::pair<std::string, Finding>> result;
-  // Two of them are in files that have something for them.
+  // Some of them are in files that have something for them, or of this version.
   const auto has_levels = has_level_table(database_->connection());
   const auto has_pulled = has_pulled_tables(database_->connection());
   for (const auto& [table, begin] : kOwnTables) {
     const bool is_missing = (table == std::string_view("shape_levels") && has_levels && !*has_levels) ||
-                            (table == std::string_view("pulled_tables") && has_pulled && !*has_pulled);
+                            (table == std::string_view("pulled_tables") && has_pulled && !*has_pulled) ||
+                            ((table == std::string_view("row_groups") || table == std::string_view("column_chunks")) &&
+                             !database_->has_row_groups());
     if (!is_missing) result.emplace_back(table, Finding{.message = begin});
   }
   for (const auto& [name, entry] : database_->catalogue().entries()) {
     if (!entry.type.is_relation() || entry.table_number == 0) continue;
-    if (const auto layout = database_->layout_of(entry))
-      result.emplace_back((*layout)->table(), Finding{.object = name});
+    const auto layout = database_->layout_of(entry);
+    if (!layout) continue;
+    result.emplace_back((*layout)->table(), Finding{.object = name});
+    const auto keys = database_->key_attributes(**layout);
+    for (const std::size_t attribute : keys ? **keys : std::vector<std::size_t>())
+      result.emplace_back((*layout)->keys_table(attribute), Finding{.object = name});
   }
   return result;
 }
@@ -173,18 +181,22 @@ void IntegrityCheck::add_page_finding(const Finding& place, std::string_view lin
   add(std::move(found));
 }
 
-/// Whether an index of SQLite is that of an ordered index on a relation that is there or was abandoned.
+/// Whether an index of SQLite, or a key table, is that of an ordered index on a relation that is there or was
+/// abandoned.
 bool IntegrityCheck::is_stored_order(const std::string& name) const {
-  const auto number = number_after(name, "order_");
-  if (!name.starts_with("order_") || !number) return false;
+  const bool is_key_table = name.starts_with("keys_");
+  const auto number = number_after(name, is_key_table ? "keys_" : "order_");
+  if ((!is_key_table && !name.starts_with("order_")) || !number) return false;
   const std::int64_t table = std::atoll(number->number.c_str());
   if (abandoned_.contains(table)) return true;
   const auto layout = layouts_.find(table);
   if (layout == layouts_.end()) return false;
   return std::ranges::any_of(database_->catalogue().entries(), [&](const auto& each) {
     const CatalogueEntry& entry = each.second;
-    return entry.type.is("btree") && entry.index_relation == layout->second->relation() &&
-           layout->second->order_name(layout->second->find(entry.index_attribute)) == name;
+    if (!entry.type.is("btree") || entry.index_relation != layout->second->relation()) return false;
+    const std::size_t attribute = layout->second->find(entry.index_attribute);
+    if (attribute == layout->second->attributes().size()) return false;
+    return (is_key_table ? layout->second->keys_table(attribute) : layout->second->order_name(attribute)) == name;
   });
 }
 
@@ -220,7 +232,9 @@ Status IntegrityCheck::check_columns() {
   auto version = database_->connection().integer("PRAGMA user_version");
   if (!version || *version < kLastVersionWithoutPageSums) return {};
   A3D_ASSIGN(const auto model, SqliteConnection::open_temporary());
-  for (const char* sql : kCreateTables) A3D_TRY(model->execute(sql));
+  for (const char* sql : kCreateTables)
+    if (database_->has_row_groups() || (sql != kCreateRowGroups && sql != kCreateColumnChunks))
+      A3D_TRY(model->execute(sql));
   A3D_TRY(model->execute(kCreateShapeLevels));
   A3D_TRY(model->execute(kCreatePulledTables));
   for (const auto& [number, layout] : layouts_) A3D_TRY(model->execute(layout->create_sql()));
@@ -286,9 +300,12 @@ Status IntegrityCheck::check_stored_order(const RelationLayout& layout, std::siz
   if (!found) return add(place, found.error());
   const auto has_row = found->bind(1, std::string_view(name)).step();
   if (!has_row) return add(place, has_row.error());
+  A3D_ASSIGN(const std::vector<std::size_t>* keys, database_->key_attributes(layout));
+  const bool has_keys = std::ranges::find(*keys, attribute) != keys->end();
+  const auto on = has_keys ? RelationLayout::OrderOn::keys : RelationLayout::OrderOn::table;
   if (!*has_row) {
     const CatalogueEntry* const index = order_definition(layout, attribute);
-    const bool is_made_later = database_->catalogue().version() < kDatabaseVersion;
+    const bool is_made_later = database_->catalogue().version() <= kLastVersionWithoutPageSums;
     if (index != nullptr && !is_made_later)
       add({.object = index->name,
            .message = fmt::format("the stored index {} is not there: another program has dropped it; it is made anew "
@@ -296,10 +313,11 @@ Status IntegrityCheck::check_stored_order(const RelationLayout& layout, std::siz
                                   name)});
     return {};
   }
-  const bool is_right = sqlite3_stricmp(std::string(found->column(0).bytes).c_str(), layout.table().c_str()) == 0 &&
-                        found->column(1).bytes == layout.column(columns.value) && found->column(2).integer == 0 &&
-                        found->column(3).bytes == "BINARY" && found->column(4).integer == 0 &&
-                        found->column(5).integer == 0 && found->column(6).integer == 1;
+  const bool is_right =
+      sqlite3_stricmp(std::string(found->column(0).bytes).c_str(), layout.order_table(attribute, on).c_str()) == 0 &&
+      found->column(1).bytes == layout.order_column(attribute, on) && found->column(2).integer == 0 &&
+      found->column(3).bytes == "BINARY" && found->column(4).integer == 0 && found->column(5).integer == 0 &&
+      found->column(6).integer == 1;
   Finding wrong = place;
   wrong.message = fmt::format("the index {} is not as it was made", name);
   if (!is_right) add(std::move(wrong));

@@ -72,6 +72,8 @@ Result<std::shared_ptr<const RelationLayout>> RelationLayout::make(const Registr
       return Error{ErrorCode::type_error, "an attribute of type {} cannot be stored", type_expr.text()}.about(name);
     layout->attributes_.push_back({name, type, form_of(*type)});
   }
+  for (std::size_t i = 0; i < layout->attributes_.size(); ++i)
+    layout->attributes_[i].keys_table = fmt::format("keys_{}_{}", table_number, i + 1);
   layout->add_columns();
   if (layout->columns_.size() > kMaxColumns)
     return Error{ErrorCode::limit_exceeded, "the {} attributes need {} columns, a table has at most {}",
@@ -125,6 +127,7 @@ void RelationLayout::add_statements() {
   std::string small = columns_[0];
   for (std::size_t i = 1; i < small_count_; ++i) small += ", " + columns_[i];
   tail_sql_ = fmt::format("SELECT {} FROM {} WHERE id >= ? ORDER BY id LIMIT ?", small, table_);
+  range_sql_ = fmt::format("SELECT {} FROM {} WHERE id >= ? AND id <= ? ORDER BY id", small, table_);
   fetch_sql_ = fmt::format("SELECT {} FROM {} WHERE id = ?", small, table_);
 }
 
@@ -135,6 +138,14 @@ std::string RelationLayout::page_sql(std::span<const std::size_t> columns) const
                                ? "SELECT 1 FROM {1} WHERE id > ? AND id <= ? AND take_row(?, {0}) ORDER BY id"
                                : "SELECT {0} FROM {1} WHERE id > ? AND id <= ? ORDER BY id LIMIT ?";
   return fmt::format(fmt::runtime(text), list, table_);
+}
+
+std::string RelationLayout::ids_sql() const {
+  return fmt::format("SELECT id FROM {} WHERE id >= ? AND id <= ? ORDER BY id", table_);
+}
+
+std::string RelationLayout::erase_range_sql() const {
+  return fmt::format("DELETE FROM {} WHERE id >= ? AND id <= ?", table_);
 }
 
 std::string RelationLayout::create_sql() const {
@@ -167,13 +178,54 @@ std::string RelationLayout::order_name(std::size_t attribute) const {
   return fmt::format("order_{}_{}", table_number_, attribute + 1);
 }
 
-std::string RelationLayout::create_order_sql(std::size_t attribute) const {
-  return fmt::format("CREATE INDEX {} ON {}({})", order_name(attribute), table_,
-                     columns_[attributes_[attribute].value]);
+const std::string& RelationLayout::order_table(std::size_t attribute, OrderOn on) const {
+  return on == OrderOn::keys ? keys_table(attribute) : table_;
+}
+
+const std::string& RelationLayout::order_column(std::size_t attribute, OrderOn on) const {
+  static const std::string kKey = "key";
+  return on == OrderOn::keys ? kKey : columns_[attributes_[attribute].value];
+}
+
+std::string RelationLayout::create_order_sql(std::size_t attribute, OrderOn on) const {
+  return fmt::format("CREATE INDEX {} ON {}({})", order_name(attribute), order_table(attribute, on),
+                     order_column(attribute, on));
+}
+
+// The key has no type, as the column of a real has none.
+std::string RelationLayout::create_keys_sql(std::size_t attribute) const {
+  return fmt::format("CREATE TABLE {}(id INTEGER PRIMARY KEY, key)", keys_table(attribute));
+}
+
+std::string RelationLayout::fill_keys_sql(std::size_t attribute) const {
+  return fmt::format("INSERT INTO {} SELECT id, {} FROM {} ORDER BY id", keys_table(attribute),
+                     columns_[attributes_[attribute].value], table_);
+}
+
+std::string RelationLayout::drop_keys_sql(std::size_t attribute) const {
+  return "DROP TABLE IF EXISTS " + keys_table(attribute);
+}
+
+std::string RelationLayout::insert_key_sql(std::size_t attribute) const {
+  return fmt::format("INSERT INTO {} VALUES(?, ?)", keys_table(attribute));
+}
+
+std::string RelationLayout::update_key_sql(std::size_t attribute) const {
+  return fmt::format("UPDATE {} SET key = ? WHERE id = ?", keys_table(attribute));
+}
+
+std::string RelationLayout::erase_key_sql(std::size_t attribute) const {
+  return fmt::format("DELETE FROM {} WHERE id = ?", keys_table(attribute));
 }
 
 std::string RelationLayout::drop_order_sql(std::size_t attribute) const {
   return "DROP INDEX IF EXISTS " + order_name(attribute);
+}
+
+bool RelationLayout::has_columns() const {
+  return !attributes_.empty() && std::ranges::none_of(attributes_, [](const AttributeColumns& attribute) {
+    return attribute.form == AttributeForm::large;
+  });
 }
 
 std::size_t RelationLayout::find(const std::string& attribute) const {

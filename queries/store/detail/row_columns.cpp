@@ -135,6 +135,52 @@ Status RowColumns::put_from_reader(ReadAttribute& read, std::size_t place) {
   return {};
 }
 
+std::vector<std::size_t> RowColumns::attributes() const {
+  std::vector<std::size_t> result;
+  for (const ReadAttribute& each : read_) result.push_back(each.attribute);
+  return result;
+}
+
+// The checksum of the group stands for all of its rows.
+Status RowColumns::take_group(const RowGroup& group, const std::vector<std::shared_ptr<const ColumnChunk>>& chunks,
+                              std::size_t first, std::size_t count) {
+  const GroupContent& content = *group.content;
+  ids_.resize(count);
+  for (std::size_t place = 0; place < count; ++place) ids_[place] = content.id(first + place);
+  checksums_.assign(count, 0);
+  last_ = ids_.back();
+  for (std::size_t i = 0; i < read_.size(); ++i) A3D_TRY(chunks[i]->read(first, count, read_[i].column));
+  if (group.dead_count == 0) return {};
+  is_whole_ = false;
+  positions_.clear();
+  for (std::size_t place = 0; place < count; ++place)
+    if (!group.is_dead(first + place)) positions_.push_back(static_cast<std::uint32_t>(place));
+  return {};
+}
+
+void RowColumns::begin_beside(std::size_t count, TupleId after) {
+  group_rows_ = ids_.size();
+  most_ = group_rows_ + count;
+  last_ = after;
+  for (ReadAttribute& each : read_) each.column.grow(most_);
+}
+
+bool RowColumns::end_beside(const std::vector<TupleId>& ids) {
+  const auto begin = ids_.begin() + static_cast<std::ptrdiff_t>(group_rows_);
+  if (!std::ranges::equal(std::ranges::subrange(begin, ids_.end()), ids)) return false;
+  const auto middle = static_cast<std::ptrdiff_t>(positions_.size());
+  for (std::size_t place = group_rows_; place < ids_.size(); ++place)
+    positions_.push_back(static_cast<std::uint32_t>(place));
+  std::ranges::inplace_merge(positions_, positions_.begin() + middle, {},
+                             [&](std::uint32_t place) { return ids_[place]; });
+  return true;
+}
+
+void RowColumns::take_none() {
+  is_whole_ = false;
+  positions_.clear();
+}
+
 void RowColumns::erase(const std::vector<TupleId>& ids) {
   is_whole_ = false;
   positions_.clear();

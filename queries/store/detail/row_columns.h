@@ -34,6 +34,21 @@ class RowColumns final : public RowSink {
   /// gives a row to the reader.
   template <typename Fetch>
   Status replace(const std::vector<TupleId>& ids, Fetch fetch);
+  /// In place of rows from a table: `count` rows of a row group from the row `first` on, of which those are left that
+  /// are alive. `chunks`: one for each attribute that is read.
+  Status take_group(const RowGroup& group, const std::vector<std::shared_ptr<const ColumnChunk>>& chunks,
+                    std::size_t first, std::size_t count);
+  /// The same without any row.
+  void take_none();
+  /// Puts rows with these ids, which are ascending, between the others, like `replace`.
+  template <typename Fetch>
+  Status add(const std::vector<TupleId>& ids, Fetch fetch);
+  /// Begins to take rows of the table that stand beside those of a group: this many, with ids greater than `after`.
+  void begin_beside(std::size_t count, TupleId after);
+  /// Puts them between the others. False if they are not those with these ids.
+  bool end_beside(const std::vector<TupleId>& ids);
+  /// The attributes that are read.
+  std::vector<std::size_t> attributes() const;
   /// The sum of the checksums of the rows.
   std::uint64_t sum() const;
   /// The rows as a batch, valid until `restart` or `replace`.
@@ -66,6 +81,7 @@ class RowColumns final : public RowSink {
   bool is_whole_ = true;
   std::vector<std::uint32_t> positions_;  // of the rows in their order, if they are not whole
   std::string proved_;                    // reused for all rows
+  std::size_t group_rows_ = 0;            // rows before those that stand beside a group
   std::size_t most_ = 0;
   std::size_t text_bytes_ = 0;
   TupleId last_ = 0;
@@ -76,6 +92,11 @@ class RowColumns final : public RowSink {
 template <typename Fetch>
 Status RowColumns::replace(const std::vector<TupleId>& ids, Fetch fetch) {
   erase(ids);
+  return add(ids, fetch);
+}
+
+template <typename Fetch>
+Status RowColumns::add(const std::vector<TupleId>& ids, Fetch fetch) {
   for (const TupleId id : ids) {
     A3D_TRY(fetch(id, reader_));
     A3D_TRY(add_from_reader());

@@ -64,7 +64,14 @@ Result<bool> SqliteStore::is_sound(const CatalogueEntry& entry) {
   }
   const auto layout = database_->layout_of(entry);
   if (!layout) return false;
-  for (const std::string& table : {(*layout)->table(), std::string("chunks")}) {
+  std::vector<std::string> tables = {(*layout)->table(), "chunks"};
+  if ((*layout)->has_columns() && database_->has_row_groups()) {
+    tables.insert(tables.end(), {"row_groups", "column_chunks"});
+    const auto keys = database_->key_attributes(**layout);
+    if (!keys) return unless_damaged(keys.error());
+    for (const std::size_t attribute : **keys) tables.push_back((*layout)->keys_table(attribute));
+  }
+  for (const std::string& table : tables) {
     auto statement = database_->connection().use(fmt::format("PRAGMA quick_check({})", table));
     if (!statement) return unless_damaged(statement.error());
     const auto has_row = statement->step();

@@ -10,6 +10,7 @@
 #include "queries/store/detail/frozen_index.h"
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/index_pages.h"
+#include "queries/store/detail/key_tables.h"
 #include "queries/store/detail/relation_scan.h"
 #include "queries/store/detail/sqlite_store.h"
 #include "queries/store/detail/stored_object.h"
@@ -20,17 +21,20 @@ namespace queries {
 namespace {
 
 /// The ordered index of an attribute with a native order (AttributeColumns::has_native_order): an index of SQLite on
-/// the relation's table. It shows the relation as it is when it is asked, in the statement that made this object.
+/// the relation's table or on a key table. It shows the relation as it is when it is asked, in the statement that made
+/// this object.
 ///
 /// SQLite does not notice changed bytes in an index. So each entry that is found, and its neighbours in the index, are
 /// compared with the rows that they name, and with each other. Where they are wrong, or cannot be read, the answer
 /// comes from a tree in memory that is made of the rows, and the index is made anew after the statement.
 class StoredOrder final : public OrderedEntries {
  public:
-  StoredOrder(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout, std::size_t attribute)
+  StoredOrder(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout, std::size_t attribute,
+              RelationLayout::OrderOn on)
       : database_(std::move(database)),
         layout_(std::move(layout)),
         attribute_(attribute),
+        on_(on),
         statement_(database_->statement()) {}
 
   Result<std::size_t> size() const override;
@@ -49,6 +53,7 @@ class StoredOrder final : public OrderedEntries {
   std::shared_ptr<Database> database_;
   std::shared_ptr<const RelationLayout> layout_;
   std::size_t attribute_;
+  RelationLayout::OrderOn on_;
   std::uint64_t statement_;
 };
 
@@ -119,20 +124,19 @@ Error StoredOrder::damaged() const {
 
 // The key comes from the index, which has it besides the id; the row is found by the id.
 Result<SqliteStatement> StoredOrder::entries(std::string_view condition, std::string_view order) const {
-  const std::string& column = layout_->column(layout_->attributes()[attribute_].value);
+  const std::string& column = layout_->order_column(attribute_, on_);
   return database_->connection().use(
       fmt::format("SELECT i.{0}, i.id, r.{0} FROM {1} AS i INDEXED BY {2} LEFT JOIN {1} AS r ON r.id = i.id WHERE {3} "
                   "ORDER BY i.{0}{4}, i.id{4}",
-                  column, layout_->table(), layout_->order_name(attribute_),
+                  column, layout_->order_table(attribute_, on_), layout_->order_name(attribute_),
                   fmt::vformat(condition, fmt::make_format_args(column)), order));
 }
 
 Result<std::size_t> StoredOrder::size() const {
   A3D_TRY(database_->check_statement(statement_));
-  A3D_ASSIGN(
-      const std::int64_t count,
-      database_->connection().integer(fmt::format(
-          "SELECT count({}) FROM {}", layout_->column(layout_->attributes()[attribute_].value), layout_->table())));
+  A3D_ASSIGN(const std::int64_t count, database_->connection().integer(fmt::format(
+                                           "SELECT count({}) FROM {}", layout_->order_column(attribute_, on_),
+                                           layout_->order_table(attribute_, on_))));
   return static_cast<std::size_t>(count);
 }
 
@@ -203,13 +207,22 @@ Status StoredOrder::check_beginning(const Bounds& bounds) const {
   return has_row && !undefined.column(kKeyInRow).is_null() ? Status(damaged()) : Status();
 }
 
-/// Whether the file has SQLite's index of the attribute. Cost: that of reading the names of all tables.
-Result<bool> has_stored_order(SqliteConnection& connection, const RelationLayout& layout, std::size_t attribute) {
-  A3D_ASSIGN(SqliteStatement statement,
-             connection.use("SELECT 1 FROM sqlite_schema WHERE type = 'index' AND name = ? AND "
-                            "tbl_name = ? COLLATE NOCASE"));
-  const std::string name = layout.order_name(attribute);
-  return statement.bind(1, std::string_view(name)).bind(2, std::string_view(layout.table())).step();
+/// Where the file has SQLite's index of the attribute; none: it has none that has all tuples. Cost: that of reading the
+/// names of all tables.
+Result<std::optional<RelationLayout::OrderOn>> stored_order(Database& database, const RelationLayout& layout,
+                                                            std::size_t attribute) {
+  A3D_ASSIGN(const GroupListPtr groups, database.row_groups().list(layout));
+  for (const auto on : {RelationLayout::OrderOn::keys, RelationLayout::OrderOn::table}) {
+    if (on == RelationLayout::OrderOn::table && !groups->is_empty()) continue;
+    A3D_ASSIGN(SqliteStatement statement,
+               database.connection().use("SELECT 1 FROM sqlite_schema WHERE type = 'index' AND name = ? AND "
+                                         "tbl_name = ? COLLATE NOCASE"));
+    const std::string name = layout.order_name(attribute);
+    statement.bind(1, std::string_view(name)).bind(2, std::string_view(layout.order_table(attribute, on)));
+    A3D_ASSIGN(const bool is_there, statement.step());
+    if (is_there) return std::optional(on);
+  }
+  return std::optional<RelationLayout::OrderOn>();
 }
 
 Result<std::shared_ptr<OrderedTree>> order_in_memory(const std::shared_ptr<Database>& database,
@@ -237,8 +250,8 @@ Result<std::shared_ptr<const OrderedEntries>> ordered_entries(const std::shared_
                                                               std::size_t attribute) {
   const bool is_in_memory = database->indexes().find_ordered(layout->table_number(), attribute) != nullptr;
   if (!is_in_memory && layout->attributes()[attribute].has_native_order()) {
-    A3D_ASSIGN(const bool is_stored, has_stored_order(database->connection(), *layout, attribute));
-    if (is_stored) return std::shared_ptr<const OrderedEntries>(new StoredOrder(database, layout, attribute));
+    A3D_ASSIGN(const auto on, stored_order(*database, *layout, attribute));
+    if (on) return std::shared_ptr<const OrderedEntries>(new StoredOrder(database, layout, attribute, *on));
   }
   A3D_ASSIGN(const auto tree, order_in_memory(database, layout, attribute));
   return std::shared_ptr<const OrderedEntries>(tree);
@@ -284,8 +297,8 @@ Status SqliteStore::make_stored_index(const CatalogueEntry& index, const Catalog
     return {};
   }
   if (attribute == layout->attributes().size() || !layout->attributes()[attribute].has_native_order()) return {};
-  A3D_ASSIGN(const bool is_there, has_stored_order(database_->connection(), *layout, attribute));
-  return is_there ? Status() : database_->connection().execute(layout->create_order_sql(attribute));
+  A3D_ASSIGN(const auto on, stored_order(*database_, *layout, attribute));
+  return on ? Status() : make_order(database_, layout, attribute);
 }
 
 // Several objects may be the same index. With its relation an ordered index goes at the end of the statement.
@@ -309,7 +322,7 @@ Status SqliteStore::drop_stored_index(const CatalogueEntry& index) {
   const std::size_t attribute = layout->find(index.index_attribute);
   if (attribute == layout->attributes().size()) return {};
   database_->indexes().drop_ordered(layout->table_number(), attribute);
-  return database_->connection().execute(layout->drop_order_sql(attribute));
+  return drop_order(*database_, *layout, attribute);
 }
 
 Status SqliteStore::make_stored_indexes(const CatalogueEntry& relation) {

@@ -24,7 +24,7 @@ Status SqliteStore::assign_relation(CatalogueEntry& entry, const Datum& value, c
   A3D_ASSIGN(const auto layout, database_->layout_of(filled));
   database_->note_created(layout->table_number());
   A3D_TRY(database_->connection().execute(layout->create_sql()));
-  A3D_TRY(fill_relation(*database_, *layout, filled, *tuples, context));
+  A3D_TRY(fill_relation(*database_, layout, filled, *tuples, context));
   A3D_TRY(drop_table(entry));
   entry = std::move(filled);
   return make_stored_indexes(entry);

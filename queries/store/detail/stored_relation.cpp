@@ -1,9 +1,12 @@
 #include "queries/store/detail/stored_relation.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "base/propagate.h"
 #include "queries/store/detail/chunks.h"
+#include "queries/store/detail/key_tables.h"
+#include "queries/store/detail/relation_filling.h"
 #include "queries/store/detail/relation_scan.h"
 #include "queries/store/detail/stored_tree.h"
 #include "queries/streams/datum.h"
@@ -27,6 +30,7 @@ class RelationSelection final : public TupleStream {
   std::vector<TupleId> ids_;
   std::size_t position_ = 0;
   ChangeTime time_ = 0;
+  GroupListPtr groups_;
   std::optional<RowReader> reader_;  // from the first tuple on
 };
 
@@ -41,6 +45,7 @@ Result<TuplePtr> RelationSelection::next() {
   A3D_TRY(database_->check_statement(statement_));
   if (!reader_) {
     time_ = database_->changes().now();
+    A3D_ASSIGN(groups_, database_->row_groups().list(*layout_));
     reader_.emplace(database_, layout_, time_);
   }
   if (database_->changes().is_gone(layout_->table_number(), time_))
@@ -48,6 +53,8 @@ Result<TuplePtr> RelationSelection::next() {
         layout_->relation());
   if (position_ == ids_.size()) return TuplePtr();
   const TupleId id = ids_[position_++];
+  if (const auto place = groups_->find(id))
+    return tuple_of_group(*database_, *layout_, (*groups_)[place->group], place->row);
   A3D_ASSIGN(SqliteConnection * source, database_->source_of(*layout_, id, time_));
   A3D_ASSIGN(SqliteStatement statement, source->use(layout_->fetch_sql()));
   statement.bind(1, id);
@@ -78,13 +85,16 @@ Result<TupleStreamPtr> StoredRelation::scan() {
   return TupleStreamPtr(std::make_shared<RelationScan>(database_, layout_));
 }
 
-Result<TupleStreamPtr> StoredRelation::scan_columns(std::vector<bool> read) {
+Result<TupleStreamPtr> StoredRelation::scan_columns(std::vector<bool> read, std::vector<AttributeBounds> bounds) {
   A3D_TRY(entry());
-  return TupleStreamPtr(std::make_shared<RelationScan>(database_, layout_, std::move(read)));
+  return TupleStreamPtr(std::make_shared<RelationScan>(database_, layout_, std::move(read), std::move(bounds)));
 }
 
 Result<TuplePtr> StoredRelation::fetch(TupleId id) {
   A3D_TRY(entry());
+  A3D_ASSIGN(const GroupListPtr groups, database_->row_groups().list(*layout_));
+  if (const auto place = groups->find(id))
+    return tuple_of_group(*database_, *layout_, (*groups)[place->group], place->row);
   A3D_ASSIGN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));
   statement.bind(1, id);
   A3D_ASSIGN(const bool has_row, statement.step());
@@ -116,20 +126,31 @@ Result<StoredRelation::Keys> StoredRelation::keys(const std::function<Result<Val
   return keys;
 }
 
-/// A row with its bytes, which do not change under a reader when the row is written.
+/// A tuple in the form of a row, with its bytes, which do not change under a reader when the row is written.
 struct StoredRelation::OldRow {
   std::string bytes;
   RowReader reader;
+  std::optional<GroupRow> place;  ///< in a row group; none: in the table
 };
 
 Result<std::unique_ptr<StoredRelation::OldRow>> StoredRelation::read_row(TupleId id) const {
+  auto row = std::make_unique<OldRow>(OldRow{{}, {database_, layout_, database_->changes().now()}, {}});
+  A3D_ASSIGN(const GroupListPtr groups, database_->row_groups().list(*layout_));
+  row->place = groups->find(id);
+  if (row->place) {
+    A3D_ASSIGN(const TuplePtr tuple,
+               tuple_of_group(*database_, *layout_, (*groups)[row->place->group], row->place->row));
+    A3D_ASSIGN(const auto writer, RowWriter::make(*database_, *layout_, id, *tuple));
+    append_proved(writer->cells().first(layout_->small_column_count()), row->bytes);
+    row->reader.take(row->bytes, writer->row().checksum);
+    return row;
+  }
   A3D_ASSIGN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));
   statement.bind(1, id);
   A3D_ASSIGN(const bool has_row, statement.step());
   if (!has_row) return Error{ErrorCode::unknown_name, "there is no tuple {}", id}.about(layout_->relation());
   std::vector<Cell> cells(layout_->small_column_count());
   statement.read_columns(cells);
-  auto row = std::make_unique<OldRow>(OldRow{{}, {database_, layout_, database_->changes().now()}});
   if (!append_proved(cells, row->bytes)) return damaged_row(*layout_, id);
   row->reader.take(row->bytes, as_unsigned(cells[1].integer));
   return row;
@@ -146,6 +167,8 @@ Status StoredRelation::write(CatalogueEntry& entry, RowWriter& writer, TupleId i
   const auto value_of = [&](std::size_t attribute) -> Result<Value> { return writer.value(attribute); };
   A3D_ASSIGN(const Keys new_keys, keys(value_of));
   A3D_TRY(writer.write());
+  A3D_TRY(insert_keys(*database_, *layout_, id, writer.values()));
+  if (layout_->has_columns()) database_->note_loose(layout_->table_number(), {.outside = 1});
   change_keys({}, new_keys, id);
   ++entry.tuple_count;
   entry.tuple_sum += writer.row().checksum;
@@ -153,29 +176,53 @@ Status StoredRelation::write(CatalogueEntry& entry, RowWriter& writer, TupleId i
   return {};
 }
 
+/// Removes a tuple from where it stands. The checksum of its relation changes, and not the number of its tuples.
+Status StoredRelation::erase_place(CatalogueEntry& entry, const OldRow& old, TupleId id) {
+  if (old.place) {
+    database_->note_group_tuple(layout_->table_number(), id);
+    A3D_ASSIGN(const std::uint64_t change, database_->row_groups().mark_dead(*layout_, *old.place));
+    entry.tuple_sum += change;
+    return {};
+  }
+  entry.tuple_sum -= old.reader.checksum();
+  A3D_TRY(database_->note_tuple(*layout_, id));
+  if (layout_->has_columns()) {
+    A3D_ASSIGN(const GroupListPtr groups, database_->row_groups().list(*layout_));
+    database_->note_loose(layout_->table_number(),
+                          groups->holds(id) ? Database::LooseRows{.within = -1} : Database::LooseRows{.outside = -1});
+  }
+  A3D_ASSIGN(SqliteStatement statement, database_->connection().use(layout_->erase_sql()));
+  return statement.bind(1, id).run();
+}
+
 Status StoredRelation::erase_row(CatalogueEntry& entry, TupleId id) {
-  SqliteConnection& connection = database_->connection();
   A3D_ASSIGN(const auto old, read_row(id));
   A3D_ASSIGN(const Keys old_keys, keys([&](std::size_t attribute) { return old->reader.value(attribute); }));
   change_keys(old_keys, {}, id);
   --entry.tuple_count;
-  entry.tuple_sum -= old->reader.checksum();
   database_->indexes().erase(layout_->table_number(), id, old->reader.boxes());
-  A3D_TRY(database_->note_tuple(*layout_, id));
-  A3D_ASSIGN(SqliteStatement statement, connection.use(layout_->erase_sql()));
-  A3D_TRY(statement.bind(1, id).run());
-  return erase_chunks(connection, layout_->table_number(), id);
+  A3D_TRY(erase_keys(*database_, *layout_, id));
+  A3D_TRY(erase_place(entry, *old, id));
+  return erase_chunks(database_->connection(), layout_->table_number(), id);
 }
 
-Status StoredRelation::overwrite(CatalogueEntry& entry, const RowReader& old, RowWriter& writer, TupleId id) {
-  A3D_ASSIGN(const Keys old_keys, keys([&](std::size_t attribute) { return old.value(attribute); }));
+Status StoredRelation::overwrite(CatalogueEntry& entry, const OldRow& old, RowWriter& writer, TupleId id) {
+  A3D_ASSIGN(const Keys old_keys, keys([&](std::size_t attribute) { return old.reader.value(attribute); }));
   A3D_ASSIGN(const Keys new_keys,
              keys([&](std::size_t attribute) -> Result<Value> { return writer.value(attribute); }));
   change_keys(old_keys, new_keys, id);
-  A3D_TRY(database_->note_tuple(*layout_, id));
-  A3D_TRY(writer.overwrite());
-  entry.tuple_sum += writer.row().checksum - old.checksum();
-  std::vector<algebra3d::Box3> old_boxes = old.boxes();
+  A3D_TRY(update_keys(*database_, *layout_, old.reader, writer));
+  if (old.place) {
+    A3D_TRY(erase_place(entry, old, id));
+    database_->note_loose(layout_->table_number(), {.within = 1});
+    A3D_TRY(writer.write());
+    entry.tuple_sum += writer.row().checksum;
+  } else {
+    A3D_TRY(database_->note_tuple(*layout_, id));
+    A3D_TRY(writer.overwrite());
+    entry.tuple_sum += writer.row().checksum - old.reader.checksum();
+  }
+  std::vector<algebra3d::Box3> old_boxes = old.reader.boxes();
   std::vector<algebra3d::Box3> new_boxes = writer.row().boxes;
   for (std::size_t i = 0; i < old_boxes.size(); ++i)
     if (old_boxes[i] == new_boxes[i]) old_boxes[i] = new_boxes[i] = {};
@@ -216,23 +263,91 @@ Status StoredRelation::update(TupleId id, const Tuple& tuple) {
   A3D_ASSIGN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple, &old->reader));
   Status status = database_->change([&] {
     follow_changes(database_, layout_);
-    return overwrite(*database_->catalogue().edit(layout_->relation()), old->reader, *writer, id);
+    return overwrite(*database_->catalogue().edit(layout_->relation()), *old, *writer, id);
   });
   if (status) ++database_->change_counts().updated;
   return status;
 }
 
-Status fill_relation(Database& database, const RelationLayout& layout, CatalogueEntry& entry, TupleStream& source,
-                     const algebra3d::Context& context) {
+/// The new tuples of a row group come into the indexes of their relation.
+Status StoredRelation::index_group(const RowGroup& group) {
+  const auto& attributes = layout_->attributes();
+  A3D_ASSIGN(const std::vector<std::size_t>* key_attributes, database_->key_attributes(*layout_));
+  bool is_indexed =
+      !key_attributes->empty() || !database_->indexes().ordered_attributes(layout_->table_number()).empty();
+  for (std::size_t attribute = 0; attribute < attributes.size(); ++attribute)
+    is_indexed = is_indexed || (attributes[attribute].has_box() &&
+                                (database_->indexes().knows(layout_->table_number(), attribute) ||
+                                 tree_owner(database_->catalogue(), *layout_, attribute).has_value()));
+  if (!is_indexed) return {};
+  for (std::size_t row = 0; row < group.content->count; ++row) {
+    A3D_ASSIGN(const TuplePtr tuple, tuple_of_group(*database_, *layout_, group, row));
+    A3D_TRY(insert_keys(*database_, *layout_, tuple->id, tuple->attributes));
+    A3D_ASSIGN(const Keys new_keys,
+               keys([&](std::size_t attribute) -> Result<Value> { return tuple->attributes[attribute]; }));
+    change_keys({}, new_keys, tuple->id);
+    std::vector<algebra3d::Box3> boxes(attributes.size());
+    for (std::size_t attribute = 0; attribute < attributes.size(); ++attribute)
+      if (attributes[attribute].has_box() && tuple->attributes[attribute].is_defined())
+        boxes[attribute] = tuple->attributes[attribute].header().box;
+    database_->indexes().insert(layout_->table_number(), tuple->id, boxes);
+  }
+  return {};
+}
+
+Result<TupleStreamPtr> StoredRelation::insert_all(TupleStream& tuples, const algebra3d::Context& context) {
+  A3D_ASSIGN(const CatalogueEntry* own, entry());
+  if (!database_->makes_row_groups(*layout_)) return Relation::insert_all(tuples, context);
+  const TupleId first = own->next_tuple;
+  RelationFilling filling(*database_, layout_, first);
+  std::vector<Tuple> left;
+  Status status = database_->change([&]() -> Status {
+    A3D_TRY(filling.add_all(tuples, context));
+    A3D_TRY(entry());
+    follow_changes(database_, layout_);
+    A3D_ASSIGN(left, filling.finish(*database_->catalogue().edit(layout_->relation())));
+    if (!filling.groups().empty()) database_->note_inserted(layout_->table_number(), first);
+    for (const RowGroup& group : filling.groups()) {
+      A3D_TRY(index_group(group));
+      database_->change_counts().inserted += group.content->count;
+    }
+    return {};
+  });
+  A3D_TRY(status);
+  for (const Tuple& tuple : left) A3D_TRY(insert(tuple));
+  auto inserted =
+      std::make_shared<RelationScan>(database_, layout_, std::vector<bool>(layout_->attributes().size(), true));
+  inserted->begin_at(first);
+  return TupleStreamPtr(std::move(inserted));
+}
+
+namespace {
+
+Status fill_table(Database& database, const RelationLayout& layout, CatalogueEntry& entry, const Tuple& tuple) {
+  A3D_ASSIGN(const auto writer, RowWriter::make(database, layout, entry.next_tuple, tuple));
+  A3D_TRY(writer->write());
+  ++entry.next_tuple;
+  ++entry.tuple_count;
+  entry.tuple_sum += writer->row().checksum;
+  return {};
+}
+
+}  // namespace
+
+Status fill_relation(Database& database, const std::shared_ptr<const RelationLayout>& layout, CatalogueEntry& entry,
+                     TupleStream& source, const algebra3d::Context& context) {
+  if (database.makes_row_groups(*layout)) {
+    RelationFilling filling(database, layout, entry.next_tuple);
+    A3D_TRY(filling.add_all(source, context));
+    A3D_ASSIGN(const std::vector<Tuple> left, filling.finish(entry));
+    for (const Tuple& tuple : left) A3D_TRY(fill_table(database, *layout, entry, tuple));
+    return {};
+  }
   while (true) {
     A3D_TRY(context.check_cancelled());
     A3D_ASSIGN(const TuplePtr tuple, source.next());
     if (tuple == nullptr) return {};
-    A3D_ASSIGN(const auto writer, RowWriter::make(database, layout, entry.next_tuple, *tuple));
-    A3D_TRY(writer->write());
-    ++entry.next_tuple;
-    ++entry.tuple_count;
-    entry.tuple_sum += writer->row().checksum;
+    A3D_TRY(fill_table(database, *layout, entry, *tuple));
   }
 }
 

@@ -21,12 +21,13 @@ class StoredRelation final : public Relation {
   std::string name() const override { return layout_->relation(); }
   Result<std::int64_t> count() const override;
   Result<TupleStreamPtr> scan() override;
-  Result<TupleStreamPtr> scan_columns(std::vector<bool> read) override;
+  Result<TupleStreamPtr> scan_columns(std::vector<bool> read, std::vector<AttributeBounds> bounds) override;
   Result<TuplePtr> fetch(TupleId id) override;
   Result<TupleStreamPtr> select(std::vector<TupleId> ids) override;
   bool keeps(TupleId id) const override;
 
   Result<TupleId> insert(const Tuple& tuple) override;
+  Result<TupleStreamPtr> insert_all(TupleStream& tuples, const algebra3d::Context& context) override;
   Status erase(TupleId id) override;
   Status update(TupleId id, const Tuple& tuple) override;
 
@@ -38,8 +39,10 @@ class StoredRelation final : public Relation {
   struct OldRow;
   Result<std::unique_ptr<OldRow>> read_row(TupleId id) const;
   Status write(CatalogueEntry& entry, RowWriter& writer, TupleId id);
+  Status erase_place(CatalogueEntry& entry, const OldRow& old, TupleId id);
+  Status index_group(const RowGroup& group);
   Status erase_row(CatalogueEntry& entry, TupleId id);
-  Status overwrite(CatalogueEntry& entry, const RowReader& old, RowWriter& writer, TupleId id);
+  Status overwrite(CatalogueEntry& entry, const OldRow& old, RowWriter& writer, TupleId id);
   void change_keys(const Keys& old_keys, const Keys& new_keys, TupleId id);
 
   std::shared_ptr<Database> database_;
@@ -48,7 +51,7 @@ class StoredRelation final : public Relation {
 };
 
 /// Fills the new table of `layout` with the tuples of `source`; sets count, sum and next id in `entry`.
-Status fill_relation(Database& database, const RelationLayout& layout, CatalogueEntry& entry, TupleStream& source,
-                     const algebra3d::Context& context);
+Status fill_relation(Database& database, const std::shared_ptr<const RelationLayout>& layout, CatalogueEntry& entry,
+                     TupleStream& source, const algebra3d::Context& context);
 
 }  // namespace queries

@@ -21,14 +21,6 @@ using Kind = Cell::Kind;
 
 constexpr std::size_t kChecksumColumn = 1;
 
-/// Whether two cells are the same to the last bit.
-bool are_same(const Cell& a, const Cell& b) {
-  if (a.kind != b.kind) return false;
-  if (a.is(Kind::integer)) return a.integer == b.integer;
-  if (a.is(Kind::real)) return std::bit_cast<std::uint64_t>(a.real) == std::bit_cast<std::uint64_t>(b.real);
-  return a.bytes == b.bytes;
-}
-
 /// Over the id and all small columns but the checksum itself, which counts as NULL.
 std::uint64_t row_checksum(const RelationLayout& layout, std::vector<Cell>& cells) {
   const Cell checksum = std::exchange(cells[kChecksumColumn], Cell());
@@ -76,8 +68,9 @@ Status RowReader::take(const SqliteStatement& statement) {
   cells_.resize(layout_->small_column_count());
   statement.read_columns(cells_);
   checked_.clear();
-  if (append_proved(cells_, checked_)) return {};
-  return damaged_row(*layout_, id());
+  if (!append_proved(cells_, checked_)) return damaged_row(*layout_, id());
+  take(checked_, checksum());
+  return {};
 }
 
 void RowReader::take(std::string_view row, std::uint64_t checksum) {

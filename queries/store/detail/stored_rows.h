@@ -21,7 +21,7 @@ class RowReader {
   RowReader(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout, ChangeTime time)
       : database_(std::move(database)), layout_(std::move(layout)), time_(time) {}
 
-  /// Takes the small columns of the current row of `statement`; valid until its next step. Errors: database_corrupt.
+  /// Takes a copy of the small columns of the current row of `statement`. Errors: database_corrupt.
   Status take(const SqliteStatement& statement);
   /// Takes a verified row in the form of `append_cells`; valid as long as these bytes.
   void take(std::string_view row, std::uint64_t checksum);
@@ -80,6 +80,9 @@ class RowWriter {
   /// Writes into the old row what differs from it.
   Status overwrite();
   const WrittenRow& row() const { return row_; }
+  /// All cells of the row.
+  std::span<Cell> cells() { return cells_; }
+  const std::vector<Value>& values() const { return values_; }
   const Value& value(std::size_t attribute) const { return values_[attribute]; }
 
  private:

@@ -10,9 +10,13 @@ inline constexpr std::int64_t kApplicationId = 0x41334442;
 /// Application id of a database under construction, until it gets its name: "A3DR".
 inline constexpr std::int64_t kDraftApplicationId = 0x41334452;
 /// Version of new databases, docs/file_format.md. Newer versions are refused.
-inline constexpr std::int64_t kDatabaseVersion = 4;
-/// The last version whose pages have no checksums, and otherwise as the one above. Older files are upgraded to it at
-/// the first write: room for checksums is made with a file only.
+inline constexpr std::int64_t kDatabaseVersion = 5;
+/// The first version with row groups. A file of the version before becomes one when its first row group is written.
+inline constexpr std::int64_t kFirstVersionWithRowGroups = 5;
+/// The table that came with it.
+inline constexpr const char* kRowGroupsTable = "row_groups";
+/// The last version whose pages have no checksums. Older files are upgraded to it at the first write: room for
+/// checksums is made with a file only.
 inline constexpr std::int64_t kLastVersionWithoutPageSums = 3;
 /// The first version with stored spatial indexes.
 inline constexpr std::int64_t kFirstVersionWithIndexPages = 3;
@@ -37,6 +41,15 @@ inline constexpr const char* kCreateChunks =
     "NULL, bytes BLOB NOT NULL)";
 inline constexpr const char* kCreateChunkIndex =
     "CREATE UNIQUE INDEX chunks_by_place ON chunks(owner, tuple, attribute, part)";
+
+/// Row groups of relations, and their column chunks: docs/file_format.md, "Row groups".
+inline constexpr const char* kCreateRowGroups =
+    "CREATE TABLE row_groups(relation INTEGER NOT NULL, first INTEGER NOT NULL, last INTEGER NOT NULL, count INTEGER "
+    "NOT NULL, ids BLOB NOT NULL, dead BLOB NOT NULL, columns BLOB NOT NULL, checksum INTEGER NOT NULL, PRIMARY "
+    "KEY(relation, first)) WITHOUT ROWID";
+inline constexpr const char* kCreateColumnChunks =
+    "CREATE TABLE column_chunks(relation INTEGER NOT NULL, attribute INTEGER NOT NULL, first INTEGER NOT NULL, bytes "
+    "BLOB NOT NULL, PRIMARY KEY(relation, attribute, first)) WITHOUT ROWID";
 
 /// Levels of detail, in files that have some. Programs that know nothing of them go on working: they leave levels of
 /// values that they change, which are found for no other value.
@@ -63,6 +76,8 @@ inline constexpr std::array kCreateTables = {
     kCreateChunks,
     kCreateChunkIndex,
     kCreateIndexPages,
+    kCreateRowGroups,
+    kCreateColumnChunks,
     "CREATE TABLE imported_files(relation INTEGER NOT NULL, path TEXT NOT NULL, size INTEGER NOT NULL, hash INTEGER "
     "NOT NULL, PRIMARY KEY(relation, path))",
 };

@@ -268,10 +268,10 @@ TEST_F(OlderVersion, a_damaged_one_is_left_as_it_was) {
 // A process that has the file open while another one, of a later version, upgrades it.
 TEST_F(OlderVersion, a_version_that_becomes_newer_while_the_file_is_open_is_refused) {
   reopen(OpenMode::read_write);
-  sql("PRAGMA user_version = 5");
+  sql("PRAGMA user_version = 6");
   EXPECT_EQ(
       store_->begin(true).error().text(),
-      path().string() + ": the database has version 5, this program reads versions up to 4; use a newer algebra3d");
+      path().string() + ": the database has version 6, this program reads versions up to 5; use a newer algebra3d");
 }
 
 }  // namespace

@@ -67,9 +67,9 @@ TEST_F(StoreFiles, an_empty_file_becomes_a_database_only_when_one_may_be_made) {
 TEST_F(StoreFiles, a_newer_version_is_refused) {
   reopen();
   store_.reset();
-  sql("PRAGMA user_version = 5");
+  sql("PRAGMA user_version = 6");
   expect_error(open_error(path(), OpenMode::read_write), ErrorCode::database_version,
-               name() + ": the database has version 5, this program reads versions up to 4; use a newer algebra3d");
+               name() + ": the database has version 6, this program reads versions up to 5; use a newer algebra3d");
 }
 
 TEST_F(StoreFiles, the_file_has_a_log_and_the_mark_of_algebra3d) {

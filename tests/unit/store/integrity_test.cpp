@@ -195,7 +195,7 @@ TEST_F(StoreIntegrity, damaged_pages_are_found_by_sqlite_and_the_rest_is_still_c
 // A leaf of the table: the tuples on it are lost, and those behind it are read. Which tuples lie on a page is told by
 // the table dbstat where SQLite has it; here by their numbers, which stand in the page.
 TEST_F(StoreIntegrity, tuples_behind_a_damaged_page_are_read) {
-  reopen();
+  reopen(OpenMode::open_or_create, {.group_rows = 0});
   write([&] {
     std::vector<Tuple> content;
     for (int i = 1; i <= 3000; ++i)

@@ -76,7 +76,7 @@ TEST_F(PageChecksums, each_page_of_a_database_has_one) {
   const std::string content = bytes(path());
   EXPECT_EQ(content[20], 8);
   EXPECT_EQ(stamped(content), content);
-  EXPECT_EQ(sql("PRAGMA user_version"), "4");
+  EXPECT_EQ(sql("PRAGMA user_version"), "5");
 }
 
 TEST_F(PageChecksums, a_flipped_bit_is_told_with_the_number_of_its_page) {
@@ -124,7 +124,7 @@ TEST_F(PageChecksums, a_header_that_contradicts_the_pages_is_told_in_words) {
   write_bytes(path(), stamped(content));
   EXPECT_EQ(open_error(path(), OpenMode::read_only).text(),
             path().string() +
-                ": the header says that the database has version 4, but its pages have no room for "
+                ": the header says that the database has version 5, but its pages have no room for "
                 "checksums, unlike those of that version; the header was changed");
 }
 

@@ -161,12 +161,12 @@ TEST_F(StoredTrees, a_changed_tuple_costs_few_pages) {
     const auto with = logged_pages([&] { ok(relation("R")->update(id, row(random_box()))); });
     EXPECT_LE(with, without + 10);
   }
-  // A changed number leaves the tree as it is, but for the state of the relation.
+  // A changed number leaves the tree as it is, but for the state of the relation. The row group gets a dead tuple.
   Tuple changed;
   read([&] { changed = **relation("R")->fetch(9); });
   changed.attributes[0] = Value::of(std::int64_t{8});
   const auto number = logged_pages([&] { ok(relation("R")->update(9, changed)); });
-  EXPECT_LE(number, without + 1);
+  EXPECT_LE(number, without + 2);
   EXPECT_TRUE(is_answered_without_scan());
 }
 
