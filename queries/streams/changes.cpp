@@ -1,11 +1,13 @@
 // inserttuple, insert, deletesearch, deletedirect, deletebyid: tuples come into stored relations and go.
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "algebra3d/values/types/tuple_number.h"
 #include "base/propagate.h"
 #include "queries/streams/all.h"
+#include "queries/streams/batch.h"
 #include "queries/streams/detail/block_join.h"
 #include "queries/streams/detail/relation_changes.h"
 
@@ -58,7 +60,6 @@ class InsertedTuples final : public TupleStream {
       : tuples_(std::move(tuples)),
         relation_(std::move(relation)),
         context_(context),
-        of_tuples_(relation_->tuple_type(), std::vector<bool>(relation_->tuple_type().attributes().size(), true)),
         ids_(algebra3d::TypeOf<algebra3d::TupleNumber>::type()) {}
 
   Result<TuplePtr> next() override {
@@ -69,8 +70,7 @@ class InsertedTuples final : public TupleStream {
   bool has_batches() const override { return true; }
   Result<const Batch*> next_batch(std::size_t most) override {
     A3D_TRY(insert());
-    A3D_ASSIGN(const Batch* const batch,
-               inserted_->has_batches() ? inserted_->next_batch(most) : of_tuples_.next(*inserted_, most));
+    A3D_ASSIGN(const Batch* const batch, batches_->next(most));
     if (batch == nullptr) return nullptr;
     ids_.restart(batch->size);
     batch->rows.for_each([&](std::size_t row) { ids_.set(row, id_value(batch->ids[row])); });
@@ -84,6 +84,7 @@ class InsertedTuples final : public TupleStream {
   Status insert() {
     if (inserted_ != nullptr) return {};
     A3D_ASSIGN(inserted_, relation_->insert_all(*tuples_, context_));
+    batches_.emplace(*inserted_);
     return {};
   }
 
@@ -91,7 +92,7 @@ class InsertedTuples final : public TupleStream {
   RelationPtr relation_;
   const Context& context_;
   TupleStreamPtr inserted_;
-  BatchOfTuples of_tuples_;
+  std::optional<BatchReader> batches_;  // of those that were inserted
   algebra3d::ValueColumn ids_;
   Batch batch_;
 };
