@@ -38,6 +38,8 @@ class IndexFeedNode final : public TypedNode {
   /// Finds the way in which it would read now, and the number of tuples that it would give; nothing if the index cannot
   /// be read. To be called before the node is shared. Domain: outside of functions.
   std::optional<std::uint64_t> describe_plan(Context& context);
+  /// That number.
+  std::optional<std::uint64_t> estimate() const { return estimate_; }
 
  private:
   std::vector<IndexSearch> searches_;
@@ -45,6 +47,7 @@ class IndexFeedNode final : public TypedNode {
   ObjectSource& objects_;
   std::vector<bool> read_;
   std::string how_;
+  std::optional<std::uint64_t> estimate_;
 };
 
 }  // namespace queries

@@ -15,7 +15,7 @@ class JoinTable {
  public:
   /// `key`: an attribute of the tuples.
   JoinTable(std::size_t key, const algebra3d::Context& context)
-      : keys_({key}), tuples_(context, HashChains::kBytesPerEntry + 2 * sizeof(std::uint64_t)) {}
+      : keys_({key}), tuples_(context.memory, HashChains::kBytesPerEntry + 2 * sizeof(std::uint64_t)) {}
 
   /// Adds the tuples of a batch; false if the work memory is exhausted now. Errors: those of loading.
   Result<bool> add(const Batch& batch);

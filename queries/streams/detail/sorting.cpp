@@ -188,7 +188,7 @@ class Sorter {
         wanted_(wanted),
         context_(context),
         loaded_(order_.attributes()),
-        tuples_(context, ColumnOrder::kBytesPerTuple) {}
+        tuples_(context.memory, ColumnOrder::kBytesPerTuple) {}
 
   Status add(const Batch& batch) {
     if (wanted_ == std::size_t{0}) return {};
@@ -206,7 +206,7 @@ class Sorter {
 
   Result<TupleStreamPtr> finish() {
     if (runs_.empty()) {
-      A3D_ASSIGN(std::vector<std::uint32_t> places, sorted_places());
+      A3D_ASSIGN(std::vector<std::uint32_t> places, places_in_order());
       if (wanted_ && places.size() > *wanted_) places.resize(*wanted_);
       return TupleStreamPtr(std::make_shared<PlacedTuples>(std::move(tuples_), std::move(places), attribute_count_));
     }
@@ -216,9 +216,7 @@ class Sorter {
   }
 
  private:
-  Result<std::vector<std::uint32_t>> sorted_places() const {
-    return ColumnOrder(keys_, tuples_, context_).sorted_places();
-  }
+  Result<std::vector<std::uint32_t>> places_in_order() const { return sorted_places(tuples_, keys_, context_); }
   bool is_full() const { return tuples_.is_full(); }
 
   void add_selected(const Batch& batch) {
@@ -232,7 +230,7 @@ class Sorter {
   }
 
   Status drop_later_ones() {
-    A3D_ASSIGN(std::vector<std::uint32_t> places, sorted_places());
+    A3D_ASSIGN(std::vector<std::uint32_t> places, places_in_order());
     if (places.size() <= *wanted_) return {};
     places.resize(*wanted_);
     const std::uint32_t last = places.back();
@@ -249,7 +247,7 @@ class Sorter {
     }
     const std::uint64_t begin = file_->end();
     std::uint32_t steps = 0;
-    A3D_ASSIGN(const std::vector<std::uint32_t> places, sorted_places());
+    A3D_ASSIGN(const std::vector<std::uint32_t> places, places_in_order());
     for (const std::uint32_t place : places) {
       if (++steps % 1024 == 0) A3D_TRY(context_.check_cancelled());
       A3D_TRY(file_->append(*tuples_.tuple(place, attribute_count_)));
@@ -324,6 +322,11 @@ std::strong_ordering compare_keys(const std::vector<Value>& a, const std::vector
   for (std::size_t i = 0; i < a.size(); ++i)
     if (const auto order = compare(a[i], b[i]); order != 0) return order;
   return std::strong_ordering::equal;
+}
+
+Result<std::vector<std::uint32_t>> sorted_places(const ColumnBuffer& tuples, const std::vector<SortKey>& order,
+                                                 const Context& context) {
+  return ColumnOrder(order, tuples, context).sorted_places();
 }
 
 Result<TupleStreamPtr> sorted(TupleStream& tuples, const std::vector<SortKey>& order, const Context& context) {
