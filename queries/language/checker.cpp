@@ -2,6 +2,7 @@
 
 #include "algebra3d/operators/registry/operator.h"
 #include "base/propagate.h"
+#include "queries/language/constant_folding.h"
 #include "queries/language/estimates.h"
 #include "queries/language/rewriting.h"
 #include "queries/streams/value_operators.h"
@@ -102,7 +103,8 @@ Result<TypedPtr> Checker::value_application(const Operator& op, const Applicatio
   }
   auto call = registry_.resolve(op, types);
   if (!call) return std::move(call).error().at(place);
-  return make_value_call(*call, std::move(checked), place);
+  TypedPtr node = make_value_call(*call, std::move(checked), place);
+  return objects_.rewrites_plans() ? folded(std::move(node), context_) : node;
 }
 
 Status Checker::check_place_count(const Operator& op, const Application& application, const SourcePlace& place) {

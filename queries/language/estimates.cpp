@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "algebra3d/values/types/nested_relation.h"
 #include "base/diagnostics.h"
@@ -49,11 +48,14 @@ class Estimator {
   }
   // Where an index has found the tuples, the condition is asked of these alone.
   Estimate of_role(const StreamCallView& call, const SelectsElements& /*role*/) const {
-    const Estimate input = of(*call.arguments[0]);
-    const auto scan = call_with<ScansRelation>(*call.arguments[0]);
-    if (!input || !scan) return is_indexed(call) ? input : std::nullopt;
-    if (is_in_function_) return std::nullopt;
-    const auto part = part_of_sample(*scanned(*scan), *call.arguments[1], *input);
+    const TypedNode& from = *call.arguments[0];
+    const Estimate input = of(from);
+    const auto* const index = dynamic_cast<const IndexFeedNode*>(from.unmeasured().get());
+    if (index != nullptr && index->scanned() == nullptr) return input;
+    const auto scan = call_with<ScansRelation>(from);
+    const RelationPtr relation = index != nullptr ? stored(*index->scanned()) : scan ? scanned(*scan) : nullptr;
+    if (!input || relation == nullptr || is_in_function_) return std::nullopt;
+    const auto part = part_of_sample(*relation, *call.arguments[1], *input);
     if (!part) return std::nullopt;
     return static_cast<std::uint64_t>(std::llround(*part * static_cast<double>(*input)));
   }
@@ -67,15 +69,14 @@ class Estimator {
     return std::nullopt;
   }
 
-  static bool is_indexed(const StreamCallView& call) {
-    return dynamic_cast<const IndexFeedNode*>(call.arguments[0]->unmeasured().get()) != nullptr;
-  }
-
   /// The stored relation that a call scans; null if it scans another one.
   RelationPtr scanned(const StreamCallView& scan) const {
-    const std::string name = scanned_relation(scan);
-    if (name.empty()) return nullptr;
-    const auto object = objects_.value_of(name);
+    return scanned_relation(scan).empty() ? nullptr : stored(*scan.arguments[0]);
+  }
+
+  /// The relation that is an object; null if it cannot be read.
+  RelationPtr stored(const TypedNode& relation) const {
+    const auto object = objects_.value_of(view_as<ObjectView>(relation)->name);
     return object ? object->relation() : nullptr;
   }
 

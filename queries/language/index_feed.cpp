@@ -215,6 +215,7 @@ std::shared_ptr<IndexFeedNode> IndexFeedNode::reading(std::vector<bool> read) co
   node->read_ = std::move(read);
   node->how_ = how_;
   node->estimate_ = estimate_;
+  node->is_scan_ = is_scan_;
   return node;
 }
 
@@ -237,6 +238,7 @@ std::optional<std::uint64_t> IndexFeedNode::describe_plan(Context& context) {
     return estimate_ = (*found)->ids.size();
   }
   how_ = fmt::format("a scan: not {}, which would find too many tuples or cannot decide", how_);
+  is_scan_ = true;
   return estimate_ = static_cast<std::uint64_t>(*count);
 }
 

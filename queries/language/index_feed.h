@@ -40,6 +40,8 @@ class IndexFeedNode final : public TypedNode {
   std::optional<std::uint64_t> describe_plan(Context& context);
   /// That number.
   std::optional<std::uint64_t> estimate() const { return estimate_; }
+  /// The relation that it would have scanned then; null if it would have read by an index.
+  const TypedNode* scanned() const { return is_scan_ ? relation_.get() : nullptr; }
 
  private:
   std::vector<IndexSearch> searches_;
@@ -48,6 +50,7 @@ class IndexFeedNode final : public TypedNode {
   std::vector<bool> read_;
   std::string how_;
   std::optional<std::uint64_t> estimate_;
+  bool is_scan_ = false;
 };
 
 }  // namespace queries

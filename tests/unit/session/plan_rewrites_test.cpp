@@ -391,7 +391,7 @@ TEST_F(PlanRewrites, estimates_are_within_a_factor_of_three) {
            "R feed filter[.N < 2500]", "R feed filter[.K = 17]", "R feed filter[(.K = 17) or (.K between[3, 5])]",
            "R feed {r} filter[(.W_r = \"a\") and (.X_r > 50.0)]", "R feed extend[Y: .X / .K] filter[.X > 100.0]",
            "R feed sortby[X desc] head[12]", "R feed project[K, N] filter[not(.N > 700)] sortby[K]",
-           "R feed head[30] R feed {s} head[50] product", "R feed filter[.N > 5000]"}) {
+           "R feed head[30] R feed {s} head[50] product", "R feed filter[.N > 5000]", "R feed filter[.K < 50]"}) {
     SCOPED_TRACE(stream);
     const double count = std::stod(run("query " + stream + " count", true));
     const double estimate =
@@ -399,6 +399,15 @@ TEST_F(PlanRewrites, estimates_are_within_a_factor_of_three) {
     EXPECT_LE(estimate, 3 * count);
     EXPECT_GE(3 * estimate, count);
   }
+}
+
+TEST_F(PlanRewrites, constants_are_folded) {
+  make_relation("R", 30);
+  expect_same({"R feed filter[.N < ((2 * 3) + 4)] consume", {"+ '(int int) -> int' 0 0 0.0 -1 'computed once')"}});
+  expect_same({"R feed sortby[W] head[10 - 7] consume", {"keeps the first 3"}});
+  // What notes something, and what is undefined, stays.
+  expect_same({"R feed filter[.N > (1 div 0)] consume", {}});
+  EXPECT_EQ(run("explain R feed filter[.N > (1 div 0)] count", true).find("computed once"), std::string::npos);
 }
 
 TEST_F(PlanRewrites, a_filter_sees_what_the_statement_has_changed) {
