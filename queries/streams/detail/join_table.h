@@ -62,7 +62,8 @@ class JoinSearch {
   const JoinTable& table_;
   const ValueColumn* keys_ = nullptr;
   SelectedRows rows_;
-  std::vector<std::size_t> hashes_;  // of the rows
+  std::vector<std::size_t> hashes_;     // of the rows
+  std::vector<std::uint32_t> buckets_;  // of them
   std::size_t next_row_ = 0;
   std::uint32_t entry_ = HashChains::kNone;  // the next one for that row
   bool is_row_begun_ = false;
