@@ -2,6 +2,8 @@
 
 #include "algebra3d/operators/registry/operator.h"
 #include "base/propagate.h"
+#include "queries/language/constant_folding.h"
+#include "queries/language/estimates.h"
 #include "queries/language/rewriting.h"
 #include "queries/streams/value_operators.h"
 
@@ -71,7 +73,9 @@ Result<TypedPtr> Checker::check(const Application& application, const SourcePlac
   if (recorder_ == nullptr) return application_node(op, application, place, types);
   const std::size_t step = recorder_->begin(op.name);
   A3D_ASSIGN(TypedPtr node, application_node(op, application, place, types));
-  recorder_->describe(step, node->how(), estimated_tuples(*node, objects_));
+  const auto estimate =
+      recorder_->without_counting([&] { return estimated_tuples(*node, objects_, context_, !scopes_.empty()); });
+  recorder_->describe(step, node->how(), estimate);
   std::string signature = algebra3d::argument_list_text(types) + " -> " + node->type().text();
   return recorder_->finish(step, std::move(signature), std::move(node));
 }
@@ -99,7 +103,8 @@ Result<TypedPtr> Checker::value_application(const Operator& op, const Applicatio
   }
   auto call = registry_.resolve(op, types);
   if (!call) return std::move(call).error().at(place);
-  return make_value_call(*call, std::move(checked), place);
+  TypedPtr node = make_value_call(*call, std::move(checked), place);
+  return objects_.rewrites_plans() ? folded(std::move(node), context_) : node;
 }
 
 Status Checker::check_place_count(const Operator& op, const Application& application, const SourcePlace& place) {
@@ -151,8 +156,12 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
   if (!bound) return std::move(bound).error().at(place);
   if (const auto* attribute = std::get_if<ReadsAttribute>(&bound->role))
     return make_attribute(bound->type, std::move(nodes[0]), attribute->index, place);
-  if (objects_.rewrites_plans())
-    A3D_TRY(rewrite(op, *bound, nodes, {registry_, objects_, context_, recorder_ != nullptr, !scopes_.empty()}));
+  if (objects_.rewrites_plans()) {
+    const auto rewritten = [&] {
+      return rewrite(op, *bound, nodes, {registry_, objects_, context_, recorder_ != nullptr, !scopes_.empty()});
+    };
+    A3D_TRY(recorder_ == nullptr ? rewritten() : recorder_->without_counting(rewritten));
+  }
   return make_stream_call(op, std::move(bound).value(), std::move(nodes), place);
 }
 

@@ -130,6 +130,12 @@ TypedPtr reading(const TypedPtr& node, const ReadAttributes& read) {
 
 }  // namespace
 
+std::vector<bool> attributes_read(const TypedNode& function, std::size_t count) {
+  ReadAttributes read(count);
+  add_attributes_of(function, read);
+  return read;
+}
+
 void read_needed_attributes(BoundOperator& bound, std::vector<TypedPtr>& arguments) {
   if (const auto* scan = std::get_if<ScansRelation>(&bound.role)) {
     const std::size_t count = bound.type.element().attributes().size();

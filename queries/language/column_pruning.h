@@ -1,8 +1,13 @@
 #pragma once
 
+#include <vector>
+
 #include "queries/language/rewriting.h"
 
 namespace queries {
+
+/// The attributes of its tuple, by their places, that a function reads; the tuple has `count`.
+std::vector<bool> attributes_read(const TypedNode& function, std::size_t count);
 
 /// Lets the scans below an operator read only the attributes that it needs, as far down as operators have roles.
 void read_needed_attributes(BoundOperator& bound, std::vector<TypedPtr>& arguments);

@@ -9,6 +9,7 @@
 
 #include "algebra3d/operators/registry/operator.h"
 #include "base/propagate.h"
+#include "queries/language/estimates.h"
 #include "queries/language/index_condition.h"
 #include "queries/language/plan_views.h"
 #include "queries/streams/batch.h"
@@ -153,7 +154,7 @@ class FilterPlacement {
     std::vector<TypedPtr> inputs(below->arguments.begin(), below->arguments.end());
     inputs[place] = make_stream_call(op_, std::move(filter), std::move(arguments), arguments_[0]->place());
     const TypeExpr tuple = arguments_[0]->type().element();
-    arguments_[0] = with_arguments(arguments_[0], *below, below->bound, std::move(inputs));
+    arguments_[0] = with_estimate(with_arguments(arguments_[0], *below, below->bound, std::move(inputs)), rewriting_);
     if (division.staying.empty())
       bound_ = handing_on(bound_.type);
     else

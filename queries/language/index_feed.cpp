@@ -214,6 +214,8 @@ std::shared_ptr<IndexFeedNode> IndexFeedNode::reading(std::vector<bool> read) co
   auto node = std::make_shared<IndexFeedNode>(type(), searches_, relation_, objects_, place());
   node->read_ = std::move(read);
   node->how_ = how_;
+  node->estimate_ = estimate_;
+  node->is_scan_ = is_scan_;
   return node;
 }
 
@@ -233,10 +235,11 @@ std::optional<std::uint64_t> IndexFeedNode::describe_plan(Context& context) {
   if (!found || !count) return std::nullopt;
   if (*found) {
     how_ = fmt::format("by the index {}", (*found)->names);
-    return (*found)->ids.size();
+    return estimate_ = (*found)->ids.size();
   }
   how_ = fmt::format("a scan: not {}, which would find too many tuples or cannot decide", how_);
-  return static_cast<std::uint64_t>(*count);
+  is_scan_ = true;
+  return estimate_ = static_cast<std::uint64_t>(*count);
 }
 
 }  // namespace queries

@@ -38,6 +38,10 @@ class IndexFeedNode final : public TypedNode {
   /// Finds the way in which it would read now, and the number of tuples that it would give; nothing if the index cannot
   /// be read. To be called before the node is shared. Domain: outside of functions.
   std::optional<std::uint64_t> describe_plan(Context& context);
+  /// That number.
+  std::optional<std::uint64_t> estimate() const { return estimate_; }
+  /// The relation that it would have scanned then; null if it would have read by an index.
+  const TypedNode* scanned() const { return is_scan_ ? relation_.get() : nullptr; }
 
  private:
   std::vector<IndexSearch> searches_;
@@ -45,6 +49,8 @@ class IndexFeedNode final : public TypedNode {
   ObjectSource& objects_;
   std::vector<bool> read_;
   std::string how_;
+  std::optional<std::uint64_t> estimate_;
+  bool is_scan_ = false;
 };
 
 }  // namespace queries

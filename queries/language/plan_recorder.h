@@ -21,6 +21,13 @@ struct PlanStep {
   std::string remark;                     ///< how it works, such as the index that it reads
   std::optional<std::uint64_t> estimate;  ///< of `tuples`, before it runs
   std::vector<StageCount> stages;         ///< of its streams, added up
+
+  void take_counts(const PlanStep& other) {
+    calls = other.calls;
+    tuples = other.tuples;
+    seconds = other.seconds;
+    stages = other.stages;
+  }
 };
 
 /// Records the operators of an expression while it is checked, and wraps each to count its calls, tuples and time while
@@ -33,6 +40,14 @@ class PlanRecorder {
   /// To be called before the arguments of an operator are checked; `finish` after them. If they are wrong, the whole
   /// check fails.
   std::size_t begin(const std::string& name);
+  /// Calls a function, and forgets what is counted and timed meanwhile.
+  template <typename Run>
+  auto without_counting(Run run) {
+    const std::deque<PlanStep> before = steps_;
+    auto result = run();
+    for (std::size_t step = 0; step < before.size(); ++step) steps_[step].take_counts(before[step]);
+    return result;
+  }
   /// Adds how an operator works, and how many tuples it is expected to return.
   void describe(std::size_t step, std::string remark, std::optional<std::uint64_t> estimate);
   TypedPtr finish(std::size_t step, std::string signature, TypedPtr node);

@@ -6,18 +6,18 @@
 
 #include "base/propagate.h"
 #include "queries/language/column_pruning.h"
+#include "queries/language/estimates.h"
 #include "queries/language/filter_placement.h"
 #include "queries/language/hash_rewrites.h"
 #include "queries/language/index_rewrites.h"
 #include "queries/language/plan_views.h"
 #include "queries/language/row_group_rewrites.h"
-#include "queries/streams/relation.h"
 
 namespace queries {
 namespace {
 
 // `sortby[...] head[n]`
-void keep_first(const BoundOperator& bound, std::vector<TypedPtr>& arguments) {
+void keep_first(const BoundOperator& bound, std::vector<TypedPtr>& arguments, const RewriteContext& rewriting) {
   // A heap of more tuples costs as much as the sort.
   constexpr std::int64_t kMost = std::int64_t{1} << 16U;
   if (!std::holds_alternative<TakesFirst>(bound.role)) return;
@@ -27,7 +27,8 @@ void keep_first(const BoundOperator& bound, std::vector<TypedPtr>& arguments) {
   const auto wanted = count->value->get<std::int64_t>();
   if (wanted < 0 || wanted > kMost) return;
   const auto& role = std::get<SortsTuples>(sort->bound.role);
-  arguments[0] = with_operator(arguments[0], *sort, role.of_first(static_cast<std::size_t>(wanted)));
+  arguments[0] =
+      with_estimate(with_operator(arguments[0], *sort, role.of_first(static_cast<std::size_t>(wanted))), rewriting);
 }
 
 // `R feed count`: the relation knows the number.
@@ -55,23 +56,12 @@ Status rewrite(const algebra3d::Operator& op, BoundOperator& bound, std::vector<
   A3D_TRY(move_conditions_down(op, bound, arguments, rewriting));
   A3D_TRY(read_by_index(bound, arguments, rewriting));
   leave_out_groups(bound, arguments);
-  keep_first(bound, arguments);
+  keep_first(bound, arguments, rewriting);
   pair_by_hash(bound, arguments);
   group_by_hash(bound, arguments);
   count_without_reading(bound, arguments);
   read_needed_attributes(bound, arguments);
   return {};
-}
-
-std::optional<std::uint64_t> estimated_tuples(const TypedNode& node, ObjectSource& objects) {
-  const auto scan = call_with<ScansRelation>(node);
-  if (!scan) return std::nullopt;
-  const std::string name = scanned_relation(*scan);
-  if (name.empty()) return std::nullopt;
-  const auto relation = objects.value_of(name);
-  if (!relation) return std::nullopt;
-  const auto count = relation->relation()->count();
-  return count ? std::optional(static_cast<std::uint64_t>(*count)) : std::nullopt;
 }
 
 }  // namespace queries

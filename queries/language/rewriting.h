@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "queries/language/typed_tree.h"
@@ -29,8 +27,5 @@ struct RewriteContext {
 /// - `product` before `filter`, and `symmjoin`, with a condition that attributes are equal, find pairs by a hash table.
 Status rewrite(const algebra3d::Operator& op, BoundOperator& bound, std::vector<TypedPtr>& arguments,
                const RewriteContext& rewriting);
-
-/// The number of tuples that an operator returns, if it scans a stored relation.
-std::optional<std::uint64_t> estimated_tuples(const TypedNode& node, ObjectSource& objects);
 
 }  // namespace queries

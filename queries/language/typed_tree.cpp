@@ -43,7 +43,7 @@ class ValueNode : public TypedNode {
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override = 0;
 };
 
-class ConstantNode final : public TypedNode {
+class ConstantNode : public TypedNode {
  public:
   ConstantNode(TypeExpr type, Datum value, SourcePlace place)
       : TypedNode(std::move(type), std::move(place)), value_(std::move(value)) {}
@@ -61,6 +61,12 @@ class ConstantNode final : public TypedNode {
   }
 
   Datum value_;
+};
+
+class FoldedNode final : public ConstantNode {
+ public:
+  using ConstantNode::ConstantNode;
+  std::string how() const override { return "computed once"; }
 };
 
 class UndefinedNode final : public ValueNode {
@@ -387,6 +393,11 @@ Result<Value> TypedNode::evaluate_value(const Frame* frame, Context& context) co
 
 TypedPtr make_constant(TypeExpr type, Datum value, SourcePlace place) {
   return std::make_shared<ConstantNode>(std::move(type), std::move(value), std::move(place));
+}
+
+TypedPtr make_folded(Value value, SourcePlace place) {
+  TypeExpr type = value.type().term();
+  return std::make_shared<FoldedNode>(std::move(type), Datum{std::move(value)}, std::move(place));
 }
 
 TypedPtr make_undefined(TypeExpr type, Value value, std::string reason, SourcePlace place) {

@@ -154,6 +154,8 @@ class ObjectSource {
 // The kinds of nodes, made by the checker.
 
 TypedPtr make_constant(TypeExpr type, Datum value, SourcePlace place);
+/// A constant that was computed from constants.
+TypedPtr make_folded(Value value, SourcePlace place);
 /// An undefined constant, whose reason is reported at each evaluation.
 TypedPtr make_undefined(TypeExpr type, Value value, std::string reason, SourcePlace place);
 TypedPtr make_object(TypeExpr type, std::string name, ObjectSource& objects, SourcePlace place);

@@ -8,7 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include "base/context.h"
 #include "base/work_memory.h"
 #include "queries/streams/batch.h"
 
@@ -21,9 +20,9 @@ void append_prefixes(const ValueColumn& column, const SelectedRows& rows, std::v
 /// their places. Large values stay deferred. Attributes that nobody reads take no memory.
 class ColumnBuffer {
  public:
-  /// `more_bytes`: what the caller keeps for each tuple.
-  explicit ColumnBuffer(const algebra3d::Context& context, std::size_t more_bytes = 0)
-      : account_(context.memory), more_bytes_(more_bytes) {}
+  /// `memory`: null, if the caller counts it. `more_bytes`: what the caller keeps for each tuple.
+  explicit ColumnBuffer(algebra3d::WorkMemory* memory, std::size_t more_bytes = 0)
+      : account_(memory), more_bytes_(more_bytes) {}
 
   /// Adds the tuples of a batch, which all have the attributes of the first batch.
   void add(const Batch& batch);

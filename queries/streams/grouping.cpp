@@ -16,6 +16,8 @@ RelationPtr group_relation(const TypeExpr& tuple, TupleBuffer tuples) {
 /// `sortby groupby` in one.
 BoundOperator hashed_grouping(const TypeExpr& tuple, const TypeExpr& result, HashGrouping grouping) {
   UsesAttributes uses{grouping.keys};
+  for (const auto& attribute : result.attributes())
+    grouping.result_types.push_back(&undefined_of(attribute.type).type());
   for (const GroupAggregate& each : grouping.aggregates)
     if (each.call) uses.indices.push_back(each.attribute);
   return {TypeExpr::stream(result),
@@ -45,7 +47,7 @@ Result<BoundOperator> map_groupby(std::span<const ArgumentType> arguments) {
         })};
       },
       GroupsTuples{keys, [tuple, keys, result](std::vector<SortKey> order, std::vector<GroupAggregate> aggregates) {
-                     return hashed_grouping(tuple, result, {keys, std::move(order), std::move(aggregates)});
+                     return hashed_grouping(tuple, result, {keys, std::move(order), std::move(aggregates), {}});
                    }}};
 }
 

@@ -22,7 +22,7 @@ BoundOperator sorting_of_first(const TypeExpr& tuple, const std::vector<SortKey>
             A3D_ASSIGN(TupleStreamPtr stream, first_sorted(*given[0].tuples(), order, count, context));
             return Datum{std::move(stream)};
           },
-          SortsTuples{order, {}, {}}, "keeps the first " + std::to_string(count)};
+          SortsTuples{order, {}, {}, count}, "keeps the first " + std::to_string(count)};
 }
 
 BoundOperator without_sorting(const TypeExpr& tuple) {

@@ -97,6 +97,7 @@ struct SortsTuples {
   std::function<BoundOperator()> left_out;
   /// Gives only the first tuples, this many.
   std::function<BoundOperator(std::size_t count)> of_first;
+  std::optional<std::size_t> most = {};  ///< that it gives
 };
 /// An aggregate of a group of tuples; without a call the number of tuples.
 struct GroupAggregate {

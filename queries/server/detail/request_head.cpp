@@ -48,12 +48,6 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 // A text of form-urlencoded pairs, in which a blank is a plus sign.
 std::string form_decoded(std::string_view text) {
   std::string result(text);
@@ -84,6 +78,12 @@ std::optional<std::uint64_t> length_of(std::string_view text) {
 }
 
 }  // namespace
+
+std::string_view without_blanks(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
 
 RequestHead::State RequestHead::refuse(Refusal refusal) {
   refusal_ = std::move(refusal);
@@ -135,7 +135,7 @@ std::optional<Refusal> RequestHead::take_header(std::string_view line) {
     return Refusal::bad_request(
         fmt::format("the line '{}' is not a header; expected NAME: VALUE on one line", line.substr(0, kShown)));
   std::string name = in_lower_case(line.substr(0, colon));
-  if (name != "range") headers_.emplace(std::move(name), trimmed(line.substr(colon + 1)));
+  if (name != "range") headers_.emplace(std::move(name), without_blanks(line.substr(colon + 1)));
   return std::nullopt;
 }
 

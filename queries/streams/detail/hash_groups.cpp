@@ -1,12 +1,14 @@
 #include "queries/streams/detail/hash_groups.h"
 
 #include <algorithm>
-#include <array>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "algebra3d/operators/registry/aggregate.h"
 #include "algebra3d/values/types/scalars.h"
 #include "base/propagate.h"
+#include "queries/streams/column_buffer.h"
 #include "queries/streams/detail/adjacent_groups.h"
 #include "queries/streams/detail/key_table.h"
 #include "queries/streams/detail/sorting.h"
@@ -29,7 +31,8 @@ class HashGroups final : public TupleStream {
         functions_(std::move(functions)),
         context_(context),
         table_(grouping_.keys, bytes_of_group(grouping_), context),
-        put_aside_(context) {
+        put_aside_(context),
+        aggregates_(grouping_.aggregates.size()) {
     for (const SortKey& key : grouping_.order) {
       const auto found = std::ranges::find(grouping_.keys, key.attribute);
       order_.push_back({static_cast<std::size_t>(found - grouping_.keys.begin()), key.is_descending});
@@ -38,25 +41,27 @@ class HashGroups final : public TupleStream {
 
   Status take(const Batch& batch) {
     table_.find_numbers(batch, numbers_);
-    for (std::size_t i = 0; i < batch.rows.count; ++i) {
+    first_rows_.clear();
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
       const std::size_t row = batch.rows[i];
-      const std::uint32_t number = numbers_[i];
-      if (number == groups_.size()) groups_.push_back(new_group(batch, row));
-      if (number == KeyTable::kNoRoom)
+      if (numbers_[i] == KeyTable::kNoRoom) {
         A3D_TRY(put_aside_.add(tuple_of(batch, row)));
-      else
-        ++groups_[number].count;
+        continue;
+      }
+      if (numbers_[i] == counts_.size()) add_group(row);
+      ++counts_[numbers_[i]];
     }
-    std::size_t place = 0;
-    for (const GroupAggregate& each : grouping_.aggregates)
-      if (each.call) A3D_TRY(aggregate(batch, *batch.columns[each.attribute], place++));
+    keep_keys(batch);
+    for (std::size_t which = 0; which < aggregates_.size(); ++which)
+      if (const GroupAggregate& each = grouping_.aggregates[which]; each.call)
+        A3D_TRY(aggregate(batch, *batch.columns[each.attribute], aggregates_[which]));
     return {};
   }
 
   /// To be called when all tuples have been taken.
   Status finish() {
     table_.clear();
-    sequence_ = in_order();
+    A3D_ASSIGN(sequence_, sorted_places(keys_, order_, context_));
     if (put_aside_.is_empty()) return {};
     A3D_ASSIGN(TupleStreamPtr in_order, sorted(*put_aside_.scan(), grouping_.order, context_));
     aside_.emplace(std::move(in_order), grouping_.keys);
@@ -66,89 +71,86 @@ class HashGroups final : public TupleStream {
 
   Result<TuplePtr> next() override {
     if (position_ % 1024 == 0) A3D_TRY(context_.check_cancelled());
-    if (next_aside_ &&
-        (position_ == sequence_.size() || precedes(next_aside_->keys, groups_[sequence_[position_]].keys)))
+    if (next_aside_ && (position_ == sequence_.size() || precedes(next_aside_->keys, sequence_[position_])))
       return group_aside();
     if (position_ == sequence_.size()) return TuplePtr();
-    Group& group = groups_[sequence_[position_++]];
-    auto tuple = std::make_shared<Tuple>(Tuple{std::move(group.keys)});
-    auto aggregation = group.aggregates.begin();
-    for (const GroupAggregate& each : grouping_.aggregates) {
-      if (!each.call) {
-        tuple->attributes.push_back(Value::of(group.count));
-        continue;
-      }
-      A3D_ASSIGN(Value result, (aggregation++)->finish(context_));
+    const std::uint32_t group = sequence_[position_++];
+    auto tuple = std::make_shared<Tuple>();
+    for (std::size_t key = 0; key < grouping_.keys.size(); ++key) tuple->attributes.push_back(keys_.value(key, group));
+    for (std::size_t which = 0; which < aggregates_.size(); ++which) {
+      A3D_ASSIGN(Value result, result_of(which, group));
       tuple->attributes.push_back(std::move(result));
     }
-    group.aggregates.clear();
     return TuplePtr(std::move(tuple));
   }
 
- private:
-  struct Group {
-    std::vector<Value> keys;
-    std::int64_t count = 0;
-    std::vector<Aggregation> aggregates;  // without the counts
-  };
+  bool has_batches() const override { return !next_aside_; }
+  Result<const Batch*> next_batch(std::size_t most) override {
+    A3D_TRY(context_.check_cancelled());
+    const auto groups = std::span(sequence_).subspan(position_, std::min(most, sequence_.size() - position_));
+    if (groups.empty()) return nullptr;
+    position_ += groups.size();
+    results_.set_types(grouping_.result_types);
+    const std::size_t key_count = grouping_.keys.size();
+    for (std::size_t key = 0; key < key_count; ++key)
+      keys_.gather(key, groups, groups.size(), {nullptr, groups.size()}, results_.columns[key]);
+    for (std::size_t which = 0; which < aggregates_.size(); ++which) {
+      ValueColumn& column = results_.columns[key_count + which];
+      column.restart(groups.size());
+      for (std::size_t i = 0; i < groups.size(); ++i) {
+        A3D_ASSIGN(const Value result, result_of(which, groups[i]));
+        column.set(i, result);
+      }
+    }
+    results_.finish(groups.size());
+    return &results_.batch;
+  }
 
+ private:
   static std::size_t bytes_of_group(const HashGrouping& grouping) {
-    return sizeof(Group) + grouping.keys.size() * 2 * sizeof(Value) +
+    return 2 * sizeof(std::int64_t) + grouping.keys.size() * 2 * sizeof(std::string) +
            grouping.aggregates.size() * (sizeof(Aggregation) + kStateBytes);
   }
 
-  Group new_group(const Batch& batch, std::size_t row) const {
-    Group group;
-    for (const std::size_t attribute : grouping_.keys) group.keys.push_back(batch.columns[attribute]->value(row));
-    for (const GroupAggregate& each : grouping_.aggregates)
-      if (each.call) group.aggregates.emplace_back(*each.call);
-    return group;
+  /// Adds the group of a tuple with a new key.
+  void add_group(std::size_t row) {
+    first_rows_.push_back(static_cast<std::uint32_t>(row));
+    counts_.push_back(0);
+    for (std::size_t which = 0; which < aggregates_.size(); ++which)
+      if (const GroupAggregate& each = grouping_.aggregates[which]; each.call)
+        aggregates_[which].emplace_back(*each.call);
   }
 
-  Status aggregate(const Batch& batch, const ValueColumn& column, std::size_t place) {
+  /// Keeps the keys of the new groups.
+  void keep_keys(const Batch& batch) {
+    Batch keys;
+    keys.size = batch.size;
+    for (const std::size_t attribute : grouping_.keys) keys.columns.push_back(batch.columns[attribute]);
+    keys.rows = {first_rows_.data(), first_rows_.size()};
+    keys_.add(keys);
+  }
+
+  Status aggregate(const Batch& batch, const ValueColumn& column, std::vector<Aggregation>& groups) {
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
       if (numbers_[i] == KeyTable::kNoRoom) continue;
       const auto row = static_cast<std::uint32_t>(batch.rows[i]);
-      A3D_TRY(groups_[numbers_[i]].aggregates[place].step_rows(column, {&row, 1}, context_));
+      A3D_TRY(groups[numbers_[i]].step_rows(column, {&row, 1}, context_));
     }
     return {};
   }
 
-  bool precedes(const std::vector<Value>& a, const std::vector<Value>& b) const {
+  /// The result of an aggregate for a group, once.
+  Result<Value> result_of(std::size_t which, std::uint32_t group) {
+    if (!grouping_.aggregates[which].call) return Value::of(counts_[group]);
+    return aggregates_[which][group].finish(context_);
+  }
+
+  bool precedes(const std::vector<Value>& keys, std::uint32_t group) const {
     for (const SortKey& key : order_) {
-      const auto order = compare(a[key.attribute], b[key.attribute]);
+      const auto order = compare(keys[key.attribute], keys_.value(key.attribute, group));
       if (order != 0) return key.is_descending ? order > 0 : order < 0;
     }
     return false;
-  }
-
-  /// A group with the prefixes (Type::order_prefix) of its first keys in the order.
-  struct Prefixed {
-    std::array<std::uint64_t, 2> prefixes = {};
-    std::uint32_t number = 0;
-  };
-
-  bool precedes(const Prefixed& a, const Prefixed& b) const {
-    for (std::size_t i = 0; i < std::min(order_.size(), a.prefixes.size()); ++i) {
-      if (a.prefixes[i] != b.prefixes[i]) return (a.prefixes[i] < b.prefixes[i]) != order_[i].is_descending;
-      if (!groups_[a.number].keys[order_[i].attribute].type().is_whole_in_prefix(a.prefixes[i])) break;
-    }
-    return precedes(groups_[a.number].keys, groups_[b.number].keys);
-  }
-
-  /// The numbers of the groups in their order.
-  std::vector<std::uint32_t> in_order() const {
-    std::vector<Prefixed> groups(groups_.size());
-    for (std::uint32_t number = 0; number < groups.size(); ++number) {
-      groups[number].number = number;
-      for (std::size_t i = 0; i < std::min(order_.size(), groups[number].prefixes.size()); ++i)
-        groups[number].prefixes[i] = order_prefix(groups_[number].keys[order_[i].attribute]);
-    }
-    std::ranges::sort(groups, [&](const Prefixed& a, const Prefixed& b) { return precedes(a, b); });
-    std::vector<std::uint32_t> numbers;
-    numbers.reserve(groups.size());
-    for (const Prefixed& group : groups) numbers.push_back(group.number);
-    return numbers;
   }
 
   Result<TuplePtr> group_aside() {
@@ -165,13 +167,18 @@ class HashGroups final : public TupleStream {
   Context& context_;
   KeyTable table_;
   TupleBuffer put_aside_;
-  std::vector<Group> groups_;           // by the number of their key
-  std::vector<std::uint32_t> numbers_;  // of the keys of a batch
-  std::vector<SortKey> order_;          // of the places of keys
+  // Of the groups, by the numbers of their keys.
+  ColumnBuffer keys_{nullptr};  // counted by the table
+  std::vector<std::int64_t> counts_;
+  std::vector<std::vector<Aggregation>> aggregates_;  // by function; empty for numbers of tuples
+  std::vector<std::uint32_t> numbers_;                // of the keys of a batch
+  std::vector<std::uint32_t> first_rows_;             // of the groups that begin in it
+  std::vector<SortKey> order_;                        // of the places of keys
   std::vector<std::uint32_t> sequence_;
   std::size_t position_ = 0;  // in the sequence
   std::optional<AdjacentGroups> aside_;
   std::optional<AdjacentGroups::Group> next_aside_;
+  OwnBatch results_;
 };
 
 }  // namespace

@@ -12,6 +12,7 @@ struct HashGrouping {
   std::vector<std::size_t> keys;
   std::vector<SortKey> order;  ///< of the groups; of the same attributes as the keys
   std::vector<GroupAggregate> aggregates;
+  std::vector<const algebra3d::Type*> result_types;  ///< of the keys, then of the aggregates
 };
 
 /// The keys and the aggregates of each group, in order: what sorting the tuples and aggregating runs of equal keys

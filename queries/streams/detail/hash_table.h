@@ -27,6 +27,22 @@ class HashChains {
   std::uint32_t last(std::size_t hash) const {
     return buckets_.empty() ? kNone : with_hash(hash, buckets_[bucket_of(hash)]);
   }
+  /// Loads the bucket of a hash into the cache, for `bucket`.
+  void prefetch_bucket(std::size_t hash) const {
+    if (!buckets_.empty()) __builtin_prefetch(&buckets_[bucket_of(hash)]);
+  }
+  /// The last entry in the bucket of a hash, or kNone. Loads its link into the cache, for `with_hash`.
+  std::uint32_t bucket(std::size_t hash) const {
+    if (buckets_.empty()) return kNone;
+    const std::uint32_t entry = buckets_[bucket_of(hash)];
+    if (entry != kNone) __builtin_prefetch(&links_[entry]);
+    return entry;
+  }
+  /// The last entry with this hash from one in its bucket on, or kNone.
+  std::uint32_t with_hash(std::size_t hash, std::uint32_t entry) const {
+    while (entry != kNone && links_[entry].hash != hash) entry = links_[entry].before;
+    return entry;
+  }
   /// The previous entry with the same hash, or kNone.
   std::uint32_t before(std::uint32_t entry) const { return with_hash(links_[entry].hash, links_[entry].before); }
 
@@ -37,10 +53,6 @@ class HashChains {
   };
 
   std::size_t bucket_of(std::size_t hash) const { return hash & (buckets_.size() - 1); }
-  std::uint32_t with_hash(std::size_t hash, std::uint32_t entry) const {
-    while (entry != kNone && links_[entry].hash != hash) entry = links_[entry].before;
-    return entry;
-  }
   void link(std::size_t entry);
 
   std::vector<Link> links_;

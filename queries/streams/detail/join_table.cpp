@@ -25,6 +25,9 @@ std::size_t hash_of_element(const Element& number) {
   return hash_of_number(number);
 }
 
+/// How many keys ahead the table is loaded into the cache.
+constexpr std::size_t kAhead = 16;
+
 /// Appends the hashes of rows with defined keys; 0 for the others.
 void append_hashes(const ValueColumn& keys, const SelectedRows& rows, std::vector<std::size_t>& hashes) {
   keys.visit([&](const auto* values) {
@@ -71,6 +74,11 @@ void JoinSearch::start(const ValueColumn& keys, const SelectedRows& rows) {
   rows_ = rows;
   hashes_.clear();
   append_hashes(keys, rows, hashes_);
+  buckets_.clear();
+  for (std::size_t i = 0; i < hashes_.size(); ++i) {
+    if (i + kAhead < hashes_.size()) table_.chains_.prefetch_bucket(hashes_[i + kAhead]);
+    buckets_.push_back(table_.chains_.bucket(hashes_[i]));
+  }
   next_row_ = 0;
   is_row_begun_ = false;
 }
@@ -82,7 +90,8 @@ bool JoinSearch::find_equal(std::size_t most, std::vector<std::uint32_t>& rows, 
   const auto last = static_cast<std::uint32_t>(table_.size()) - 1;
   for (; next_row_ < rows_.count; ++next_row_, is_row_begun_ = false) {
     const std::size_t row = rows_[next_row_];
-    if (!is_row_begun_) entry_ = keys_->is_defined(row) ? chains.last(hashes_[next_row_]) : HashChains::kNone;
+    if (!is_row_begun_)
+      entry_ = keys_->is_defined(row) ? chains.with_hash(hashes_[next_row_], buckets_[next_row_]) : HashChains::kNone;
     is_row_begun_ = true;
     for (; entry_ != HashChains::kNone; entry_ = chains.before(entry_)) {
       if (!is_equal(row, last - entry_)) continue;
@@ -99,7 +108,11 @@ bool JoinSearch::find(std::size_t most, std::vector<std::uint32_t>& rows, std::v
   const std::size_t key = table_.keys_.attribute(0);
   return keys_->visit([&]<typename Element>(const Element* values) {
     return table_.tuples_.visit(key, [&](const auto& kept) {
-      if constexpr (std::is_same_v<Element, std::remove_cvref_t<decltype(kept[0])>> && !std::is_same_v<Element, Value>)
+      constexpr bool kIsOneType = std::is_same_v<Element, std::remove_cvref_t<decltype(kept[0])>>;
+      // Different numbers have different hashes.
+      if constexpr (kIsOneType && std::is_arithmetic_v<Element>)
+        return find_equal(most, rows, places, [](std::size_t, std::uint32_t) { return true; });
+      else if constexpr (kIsOneType && std::is_same_v<Element, std::string>)
         return find_equal(most, rows, places,
                           [&](std::size_t row, std::uint32_t place) { return values[row] == kept[place]; });
       else

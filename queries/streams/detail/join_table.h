@@ -15,7 +15,7 @@ class JoinTable {
  public:
   /// `key`: an attribute of the tuples.
   JoinTable(std::size_t key, const algebra3d::Context& context)
-      : keys_({key}), tuples_(context, HashChains::kBytesPerEntry + 2 * sizeof(std::uint64_t)) {}
+      : keys_({key}), tuples_(context.memory, HashChains::kBytesPerEntry + 2 * sizeof(std::uint64_t)) {}
 
   /// Adds the tuples of a batch; false if the work memory is exhausted now. Errors: those of loading.
   Result<bool> add(const Batch& batch);
@@ -62,7 +62,8 @@ class JoinSearch {
   const JoinTable& table_;
   const ValueColumn* keys_ = nullptr;
   SelectedRows rows_;
-  std::vector<std::size_t> hashes_;  // of the rows
+  std::vector<std::size_t> hashes_;     // of the rows
+  std::vector<std::uint32_t> buckets_;  // of them
   std::size_t next_row_ = 0;
   std::uint32_t entry_ = HashChains::kNone;  // the next one for that row
   bool is_row_begun_ = false;

@@ -64,22 +64,24 @@ void KeyTable::find_words(const ValueColumn& column, const Element* values, cons
     chains_.add(hash);
     return static_cast<std::uint32_t>(size() - 1);
   };
-  rows.for_each([&](std::size_t row) {
-    if (column.is_defined(row)) {
-      const std::size_t hash = hash_of_number(values[row]);
-      std::uint32_t number = chains_.last(hash);
+  hashes_.clear();
+  rows.for_each([&](std::size_t row) { hashes_.push_back(column.is_defined(row) ? hash_of_number(values[row]) : 0); });
+  for (std::size_t i = 0; i < hashes_.size(); ++i) {
+    // The table is loaded into the cache some keys ahead.
+    constexpr std::size_t kToBucket = 16, kToLink = 8;
+    if (i + kToBucket < hashes_.size()) chains_.prefetch_bucket(hashes_[i + kToBucket]);
+    if (i + kToLink < hashes_.size()) static_cast<void>(chains_.bucket(hashes_[i + kToLink]));
+    if (column.is_defined(rows[i])) {
+      std::uint32_t number = chains_.last(hashes_[i]);
       if (number == undefined_) number = chains_.before(number);
-      numbers.push_back(number != HashChains::kNone ? number : add(hash));
-      return;
-    }
-    if (!undefined_) {
-      const std::uint32_t number = add(0);
-      if (number != kNoRoom) undefined_ = number;
-      numbers.push_back(number);
-    } else {
+      numbers.push_back(number != HashChains::kNone ? number : add(hashes_[i]));
+    } else if (undefined_) {
       numbers.push_back(*undefined_);
+    } else {
+      numbers.push_back(add(0));
+      if (numbers.back() != kNoRoom) undefined_ = numbers.back();
     }
-  });
+  }
 }
 
 void KeyTable::find_numbers(const Batch& batch, std::vector<std::uint32_t>& numbers) {

@@ -44,6 +44,7 @@ class KeyTable {
   std::string bytes_;                       // of all keys, unless numbers are the only key
   std::vector<std::size_t> ends_;           // in the bytes
   std::string key_;                         // of the row; reused
+  std::vector<std::size_t> hashes_;         // of rows; reused
   bool is_full_ = false;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -26,7 +27,7 @@ class ColumnOrder {
       : keys_(keys), tuples_(tuples), context_(context) {}
 
   /// The memory for a tuple while it is sorted, besides itself.
-  static constexpr std::size_t kBytesPerTuple = 4 * sizeof(std::uint64_t);
+  static constexpr std::size_t kBytesPerTuple = 2 * sizeof(std::array<std::uint64_t, 3>);
 
   /// The places of the tuples in their order; equal ones keep theirs. Interruptible.
   Result<std::vector<std::uint32_t>> sorted_places() const {
@@ -72,28 +73,65 @@ class ColumnOrder {
     return result;
   }
 
-  /// Block by block, and then twice as large ones, so that a statement can be ended in between.
   template <std::size_t Count>
   Result<std::vector<std::uint32_t>> sorted_by_prefixes() const {
-    constexpr std::size_t kBlock = std::size_t{1} << 17U;
+    // Below that many entries the counts cost more than comparisons.
+    constexpr std::size_t kFew = 2048;
     std::vector<Entry<Count>> sorted = entries<Count>();
-    const auto before = [this](const Entry<Count>& a, const Entry<Count>& b) { return is_before(a, b); };
-    const auto at = [&](std::size_t index) {
-      return sorted.begin() + static_cast<std::ptrdiff_t>(std::min(index, sorted.size()));
-    };
-    for (std::size_t begin = 0; begin < sorted.size(); begin += kBlock) {
-      A3D_TRY(context_.check_cancelled());
-      std::sort(at(begin), at(begin + kBlock), before);
+    if (sorted.size() < kFew) {
+      sort_entries(sorted.begin(), sorted.end());
+    } else {
+      A3D_TRY(sort_by_first_prefix(sorted));
+      A3D_TRY(sort_ties(sorted));
     }
-    for (std::size_t width = kBlock; width < sorted.size(); width *= 2)
-      for (std::size_t begin = 0; begin + width < sorted.size(); begin += 2 * width) {
-        A3D_TRY(context_.check_cancelled());
-        std::inplace_merge(at(begin), at(begin + width), at(begin + 2 * width), before);
-      }
     std::vector<std::uint32_t> places;
     places.reserve(sorted.size());
     for (const Entry<Count>& entry : sorted) places.push_back(entry.place);
     return places;
+  }
+
+  template <typename Iterator>
+  void sort_entries(Iterator begin, Iterator end) const {
+    std::sort(begin, end, [this](const auto& a, const auto& b) { return is_before(a, b); });
+  }
+
+  /// Radix sort by the bytes of the first prefix, the last byte first: stable. Source: [knuth1998], section 5.2.5.
+  template <std::size_t Count>
+  Status sort_by_first_prefix(std::vector<Entry<Count>>& entries) const {
+    constexpr std::size_t kBytes = sizeof(std::uint64_t), kValues = 256;
+    const auto byte_of = [](const Entry<Count>& entry, std::size_t byte) {
+      return static_cast<std::size_t>(entry.prefixes[0] >> (8 * byte)) % kValues;
+    };
+    std::vector<std::array<std::uint32_t, kValues>> counts(kBytes);
+    for (const Entry<Count>& entry : entries)
+      for (std::size_t byte = 0; byte < kBytes; ++byte) ++counts[byte][byte_of(entry, byte)];
+    std::vector<Entry<Count>> moved(entries.size());
+    for (std::size_t byte = 0; byte < kBytes; ++byte) {
+      A3D_TRY(context_.check_cancelled());
+      if (counts[byte][byte_of(entries.front(), byte)] == entries.size()) continue;
+      std::array<std::uint32_t, kValues> places{};
+      std::exclusive_scan(counts[byte].begin(), counts[byte].end(), places.begin(), std::uint32_t{0});
+      for (const Entry<Count>& entry : entries) moved[places[byte_of(entry, byte)]++] = entry;
+      entries.swap(moved);
+    }
+    return {};
+  }
+
+  /// Sorts entries with equal first prefixes, if these do not say all.
+  template <std::size_t Count>
+  Status sort_ties(std::vector<Entry<Count>>& entries) const {
+    const algebra3d::Type& type = tuples_.type(keys_.front().attribute);
+    std::size_t steps = 0;
+    for (auto begin = entries.begin(); begin != entries.end();) {
+      const std::uint64_t prefix = begin->prefixes[0];
+      auto end = std::next(begin);
+      while (end != entries.end() && end->prefixes[0] == prefix) ++end;
+      const std::uint64_t written = keys_.front().is_descending ? ~prefix : prefix;
+      if (end - begin > 1 && (keys_.size() > 1 || !type.is_whole_in_prefix(written))) sort_entries(begin, end);
+      begin = end;
+      if (++steps % 1024 == 0) A3D_TRY(context_.check_cancelled());
+    }
+    return {};
   }
 
   const std::vector<SortKey>& keys_;
@@ -188,7 +226,7 @@ class Sorter {
         wanted_(wanted),
         context_(context),
         loaded_(order_.attributes()),
-        tuples_(context, ColumnOrder::kBytesPerTuple) {}
+        tuples_(context.memory, ColumnOrder::kBytesPerTuple) {}
 
   Status add(const Batch& batch) {
     if (wanted_ == std::size_t{0}) return {};
@@ -206,7 +244,7 @@ class Sorter {
 
   Result<TupleStreamPtr> finish() {
     if (runs_.empty()) {
-      A3D_ASSIGN(std::vector<std::uint32_t> places, sorted_places());
+      A3D_ASSIGN(std::vector<std::uint32_t> places, places_in_order());
       if (wanted_ && places.size() > *wanted_) places.resize(*wanted_);
       return TupleStreamPtr(std::make_shared<PlacedTuples>(std::move(tuples_), std::move(places), attribute_count_));
     }
@@ -216,9 +254,7 @@ class Sorter {
   }
 
  private:
-  Result<std::vector<std::uint32_t>> sorted_places() const {
-    return ColumnOrder(keys_, tuples_, context_).sorted_places();
-  }
+  Result<std::vector<std::uint32_t>> places_in_order() const { return sorted_places(tuples_, keys_, context_); }
   bool is_full() const { return tuples_.is_full(); }
 
   void add_selected(const Batch& batch) {
@@ -232,7 +268,7 @@ class Sorter {
   }
 
   Status drop_later_ones() {
-    A3D_ASSIGN(std::vector<std::uint32_t> places, sorted_places());
+    A3D_ASSIGN(std::vector<std::uint32_t> places, places_in_order());
     if (places.size() <= *wanted_) return {};
     places.resize(*wanted_);
     const std::uint32_t last = places.back();
@@ -249,7 +285,7 @@ class Sorter {
     }
     const std::uint64_t begin = file_->end();
     std::uint32_t steps = 0;
-    A3D_ASSIGN(const std::vector<std::uint32_t> places, sorted_places());
+    A3D_ASSIGN(const std::vector<std::uint32_t> places, places_in_order());
     for (const std::uint32_t place : places) {
       if (++steps % 1024 == 0) A3D_TRY(context_.check_cancelled());
       A3D_TRY(file_->append(*tuples_.tuple(place, attribute_count_)));
@@ -324,6 +360,11 @@ std::strong_ordering compare_keys(const std::vector<Value>& a, const std::vector
   for (std::size_t i = 0; i < a.size(); ++i)
     if (const auto order = compare(a[i], b[i]); order != 0) return order;
   return std::strong_ordering::equal;
+}
+
+Result<std::vector<std::uint32_t>> sorted_places(const ColumnBuffer& tuples, const std::vector<SortKey>& order,
+                                                 const Context& context) {
+  return ColumnOrder(order, tuples, context).sorted_places();
 }
 
 Result<TupleStreamPtr> sorted(TupleStream& tuples, const std::vector<SortKey>& order, const Context& context) {

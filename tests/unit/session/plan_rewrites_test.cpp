@@ -411,6 +411,40 @@ TEST_F(PlanRewrites, plans_say_which_attributes_are_read) {
   EXPECT_NE(run("explain query R feed filter[.N < 3] count", true).find("-> bool' 5 0 "), std::string::npos);
 }
 
+TEST_F(PlanRewrites, estimates_are_within_a_factor_of_three) {
+  ASSERT_EQ(
+      session_.run("let R = intstream(1, 5000) transformstream projectextend[; N: .Elem, K: (.Elem * 7919) mod 101, "
+                   "X: (.Elem * 31) / 1000, W: ifthenelse((.Elem mod 3) = 0, \"a\", \"b\")] consume"),
+      "");
+  ASSERT_EQ(session_.run("let R_K = R createbtree[K]"), "");
+  const auto number_in = [](const std::string& text, const std::string& pattern) {
+    std::smatch found;
+    EXPECT_TRUE(std::regex_search(text, found, std::regex(pattern))) << text;
+    return found.empty() ? -1 : std::stod(found[1]);
+  };
+  for (const std::string& stream : std::vector<std::string>{
+           "R feed filter[.N < 2500]", "R feed filter[.K = 17]", "R feed filter[(.K = 17) or (.K between[3, 5])]",
+           "R feed {r} filter[(.W_r = \"a\") and (.X_r > 50.0)]", "R feed extend[Y: .X / .K] filter[.X > 100.0]",
+           "R feed sortby[X desc] head[12]", "R feed project[K, N] filter[not(.N > 700)] sortby[K]",
+           "R feed head[30] R feed {s} head[50] product", "R feed filter[.N > 5000]", "R feed filter[.K < 50]"}) {
+    SCOPED_TRACE(stream);
+    const double count = std::stod(run("query " + stream + " count", true));
+    const double estimate =
+        number_in(run("explain " + stream + " count", true), "\\(1 [a-zA-Z]+ '[^']*' 0 0 0.0 (-?[0-9]+) ");
+    EXPECT_LE(estimate, 3 * count);
+    EXPECT_GE(3 * estimate, count);
+  }
+}
+
+TEST_F(PlanRewrites, constants_are_folded) {
+  make_relation("R", 30);
+  expect_same({"R feed filter[.N < ((2 * 3) + 4)] consume", {"+ '(int int) -> int' 0 0 0.0 -1 'computed once')"}});
+  expect_same({"R feed sortby[W] head[10 - 7] consume", {"keeps the first 3"}});
+  // What notes something, and what is undefined, stays.
+  expect_same({"R feed filter[.N > (1 div 0)] consume", {}});
+  EXPECT_EQ(run("explain R feed filter[.N > (1 div 0)] count", true).find("computed once"), std::string::npos);
+}
+
 TEST_F(PlanRewrites, a_filter_sees_what_the_statement_has_changed) {
   make_relation("S", 50);
   const std::string query =
