@@ -22,7 +22,7 @@ function NamedButton(props: {
   readonly name: string;
   readonly title: string;
   readonly pressed?: boolean;
-  readonly onClick: () => void;
+  readonly onClick: (event: MouseEvent) => void;
 }) {
   const { icon, name, title, pressed, onClick } = props;
   return (
@@ -76,7 +76,12 @@ export function TopBar() {
           icon="upload"
           name="Import"
           title={`Import ${listedFormats(store.catalogue.formats.value)} files`}
-          onClick={() => workspace.chooseFiles()}
+          onClick={(event) =>
+            openMenu(event.currentTarget as HTMLElement, [
+              { label: "Files…", run: () => workspace.chooseFiles() },
+              { label: "A folder…", run: () => workspace.chooseFolder() },
+            ])
+          }
         />
         <NamedButton
           icon="split"

@@ -2,6 +2,7 @@ import { computed, signal, type ReadonlySignal } from "@preact/signals";
 import type { CellRef } from "../scene/api";
 import { scrollInPanel, type SceneModel } from "../scene_panels";
 import { Uploads } from "../state/uploads";
+import type { RowQuestion } from "../state/row_questions";
 import { Workbench, type SideName } from "../state/workbench";
 import type { Store } from "../state/store";
 import type { Editor } from "./editor/editor";
@@ -85,6 +86,12 @@ export class Workspace {
     void this.workbench.side(side).loadObject(name);
   }
 
+  /** Runs a question about the rows of a result. */
+  async ask({ statement, parameters, column }: RowQuestion): Promise<void> {
+    const outcome = await this.store.run(statement, { parameters });
+    if (outcome && column !== undefined) this.colourBy(column);
+  }
+
   /** Puts a name at the cursor of the editor. */
   insert(text: string): void {
     this.editor.value?.insert(text);
@@ -92,6 +99,8 @@ export class Workspace {
 
   /** Opens the browser's choice of files; the chosen ones are uploaded. */
   chooseFiles: () => void = () => undefined;
+  /** The same of a folder with all that is in it. */
+  chooseFolder: () => void = () => undefined;
 
   /** Runs a statement that is offered, and puts it into the editor, where it can be changed. */
   async tryStatement(statement: string): Promise<void> {

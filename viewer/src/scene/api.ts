@@ -349,6 +349,8 @@ export interface Database {
   ): Promise<readonly Readonly<Record<string, unknown>>[]>;
   /** The R-trees that there are now. */
   indexes(): readonly IndexInfo[];
+  /** What can be asked about an object by a click. */
+  questions(cell: CellRef): readonly { readonly label: string; readonly ask: () => void }[];
   /** Drops a result that is no longer needed. */
   drop(result: string): void;
   /** Shows a statement with its parameters as if it had been run in the editor: as a new result, overlaid. */

@@ -1,5 +1,5 @@
 import { componentsOf, overridden } from "../scene";
-import type { Database, ObjectOverride, SceneView, ShapeInfo } from "../scene";
+import type { CellRef, Database, ObjectOverride, SceneView, ShapeInfo } from "../scene";
 import { ColorField, Section, shortNumber, Slider } from "./fields";
 import { useSceneEvents, useSceneState } from "./hooks";
 
@@ -33,6 +33,7 @@ export function ObjectPanel({ view, database }: Props) {
   return (
     <Section title={title} testId="object-panel">
       {info && cells.length === 1 && <Facts info={info} />}
+      {cells.length === 1 && <Questions database={database} cell={first} />}
       <ColorField
         label="Colour"
         value={known?.color ?? appearance.color}
@@ -82,6 +83,20 @@ export function ObjectPanel({ view, database }: Props) {
         )}
       </div>
     </Section>
+  );
+}
+
+function Questions({ database, cell }: { database: Database; cell: CellRef }) {
+  const questions = database.questions(cell);
+  if (questions.length === 0) return null;
+  return (
+    <div class="row">
+      {questions.map(({ label, ask }) => (
+        <button key={label} type="button" class="btn small" onClick={ask}>
+          {label}
+        </button>
+      ))}
+    </div>
   );
 }
 

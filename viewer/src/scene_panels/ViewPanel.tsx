@@ -15,7 +15,7 @@ const kDisplays: readonly { readonly id: keyof DisplayState; readonly title: str
 
 export const kArrangements = [
   { id: "place", title: "In place" },
-  { id: "grid", title: "Grid" },
+  { id: "grid", title: "Contact sheet" },
   { id: "exploded", title: "Exploded" },
 ] as const;
 

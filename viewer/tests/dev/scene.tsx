@@ -86,6 +86,7 @@ const database: Database = {
   shapes: () => Promise.resolve(buildGlb([square(0, 2)])),
   rows: () => Promise.resolve([]),
   indexes: () => [],
+  questions: () => [],
   drop: () => undefined,
   show: (statement) => console.log("show", statement),
 };

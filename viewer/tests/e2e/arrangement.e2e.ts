@@ -28,7 +28,7 @@ test("on the contact sheet each part has a cell of its own, in the order of a co
   await run(page, "query Stack");
   await plainScene(page);
   await stillScene(page);
-  await choose(page, "display", "Objects", "Grid");
+  await choose(page, "display", "Objects", "Contact sheet");
   const sheet = await stillScene(page);
   await takePicture(page, "sheet-light");
   const columns = Array.from({ length: sheet.width }, (_, x) =>
@@ -48,7 +48,7 @@ test("a measure on the contact sheet is that of the database", async () => {
   const { page } = session;
   await run(page, "query Many");
   await openSettings(page);
-  await choose(page, "display", "Objects", "Grid");
+  await choose(page, "display", "Objects", "Contact sheet");
   await stillScene(page);
   await press(page, "m");
   await field(page, "measure", "What").selectOption("volume");
@@ -86,7 +86,7 @@ test("the others are ghosted, hidden, and shown again", async () => {
   const { page } = session;
   await session.show("query Stack");
   await choose(page, "appearance", "Edges", "None");
-  await choose(page, "display", "Objects", "Grid");
+  await choose(page, "display", "Objects", "Contact sheet");
   const solid = (await stillScene(page)).count(isFace);
   await page.locator('[data-row="0"] [data-column="Name"]').click();
   await press(page, "Home");

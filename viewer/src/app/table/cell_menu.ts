@@ -1,5 +1,6 @@
 import type { CellRef } from "../../scene/api";
 import { downloadsOf } from "../../state/mesh_formats";
+import { questionsAbout } from "../../state/row_questions";
 import type { Outcome } from "../../state/outcome";
 import type { App } from "../context";
 import { saveBlob } from "../ui/save";
@@ -24,6 +25,10 @@ export function cellMenu(
   ];
   if (!isMesh) return items;
   return [
+    ...questionsAbout(outcome, cell).map((question) => ({
+      label: question.label,
+      run: () => void workspace.ask(question),
+    })),
     ...items,
     { label: "Compare: to the left", run: () => workspace.compare("left", cell) },
     { label: "Compare: to the right", run: () => workspace.compare("right", cell) },

@@ -1,16 +1,20 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { useApp } from "../context";
 import { Icon } from "../ui/Icon";
-import { droppedFiles } from "./dropped_files";
+import { droppedFiles, sortedByPath } from "./dropped_files";
 import { listedFormats } from "../../state/mesh_formats";
 
 /** Takes files that are dropped on the page, and those that are chosen by the button in the head. */
 export function DropTarget() {
   const { store, workspace } = useApp();
   const input = useRef<HTMLInputElement>(null);
+  const folder = useRef<HTMLInputElement>(null);
   const [over, setOver] = useState(false);
   useEffect(() => {
     workspace.chooseFiles = () => input.current?.click();
+    workspace.chooseFolder = () => folder.current?.click();
+    // Not among the attributes that Preact knows.
+    folder.current?.setAttribute("webkitdirectory", "");
     const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
     const onOver = (event: DragEvent) => {
       if (!hasFiles(event)) return;
@@ -36,20 +40,15 @@ export function DropTarget() {
       removeEventListener("drop", onDrop);
     };
   }, []);
+  const take = ({ currentTarget }: { readonly currentTarget: HTMLInputElement }) => {
+    const files = sortedByPath(currentTarget.files ?? []);
+    currentTarget.value = "";
+    void workspace.uploads.take(files);
+  };
   return (
     <>
-      <input
-        ref={input}
-        type="file"
-        multiple
-        hidden
-        data-testid="file-input"
-        onChange={(event) => {
-          const files = [...(event.currentTarget.files ?? [])];
-          event.currentTarget.value = "";
-          void workspace.uploads.take(files);
-        }}
-      />
+      <input ref={input} type="file" multiple hidden data-testid="file-input" onChange={take} />
+      <input ref={folder} type="file" hidden data-testid="folder-input" onChange={take} />
       {over && (
         <div class="drop-target">
           <div>

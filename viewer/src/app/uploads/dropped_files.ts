@@ -13,6 +13,13 @@ export async function droppedFiles(transfer: DataTransfer): Promise<readonly Fil
   return Promise.all(found.map((entry) => new Promise<File>((take, fail) => entry.file(take, fail))));
 }
 
+/** Chosen files in the order in which they were chosen, those of a folder by their paths. */
+export function sortedByPath(files: Iterable<File>): readonly File[] {
+  return [...files].sort((a, b) =>
+    a.webkitRelativePath.localeCompare(b.webkitRelativePath, "en", { numeric: true }),
+  );
+}
+
 /** A folder is read in parts; an empty part is the last. */
 async function contentOf(folder: FileSystemDirectoryEntry): Promise<readonly FileSystemEntry[]> {
   const reader = folder.createReader();
