@@ -1,6 +1,7 @@
 #include "queries/server/detail/execution.h"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <utility>
 
@@ -11,13 +12,22 @@
 namespace queries {
 namespace {
 
-// Limits of the copy that a result makes when it leaves the database: its size, and its part in memory. Values with
-// levels of detail in the database do not leave it without need, since these would have to be made anew.
-constexpr CopyLimits kLargestCopy = {.bytes = std::size_t{16} << 20U};
-constexpr CopyLimits kUsualCopy = {.bytes = kLargestCopy.bytes, .value_elements = 20'000};
+// Limits of the copy that a result makes when it leaves the database, most of it in a file, and its part in memory.
+// Values with levels of detail in the database do not leave it without need, since these would have to be made anew.
+constexpr CopyLimits kLargestCopy = {.bytes = std::size_t{1} << 30U};
+constexpr std::size_t kKeptValue = 20'000;
 constexpr std::size_t kCopyMemory = std::size_t{768} << 10U;
-// The time without a question after which a result leaves its session: many are dropped before.
-constexpr std::chrono::milliseconds kUsualStay(250);
+
+/// The time without a question after which a result leaves its session, if its copy is not larger.
+struct Stay {
+  std::chrono::milliseconds time;
+  CopyLimits limits;
+};
+// Many are dropped within the first time. A large copy takes seconds, so it is made only of what is kept for longer.
+constexpr std::array<Stay, 2> kStays = {{
+    {std::chrono::milliseconds(250), {.bytes = std::size_t{16} << 20U, .value_elements = kKeptValue}},
+    {std::chrono::seconds(5), {.bytes = kLargestCopy.bytes, .value_elements = kKeptValue}},
+}};
 
 }  // namespace
 
@@ -88,23 +98,30 @@ Status Execution::ResultPresenter::present(const TypeExpr& type, const Datum& va
     execution_.answer(answer_);
     return serve(*table, context);
   }
-  A3D_ASSIGN(table_, table->loaded_copy(context, execution_.copy_memory_, CopyLimits()));
+  A3D_ASSIGN(table_, table->loaded_copy(context, execution_.copy_memory_, CopyLimits(), {}));
   return {};
 }
 
-// A copy that cannot be made, for want of memory or of space on the disk, say, does not harm the result.
+// A copy that cannot be made, for want of memory or of space on the disk, say, does not harm the result. Questions that
+// come while it is made are answered between its rows.
 Status Execution::ResultPresenter::serve(ResultTable& table, const Context& context) {
-  for (bool stays = false; execution_.serve(table, stays); stays = true) {
+  for (std::size_t stage = 0;; ++stage) {
+    const bool is_last = stage >= kStays.size();
+    if (!execution_.serve(table, is_last ? std::nullopt : std::optional(kStays[stage].time))) return {};
     const bool was_asked = execution_.is_to_leave();
-    Result<ResultTable> copy = algebra3d::without_exceptions(
-        [&] { return table.loaded_copy(context, execution_.copy_memory_, was_asked ? kLargestCopy : kUsualCopy); });
+    const CopyLimits& limits = was_asked ? kLargestCopy : kStays[stage].limits;
+    Result<ResultTable> copy = algebra3d::without_exceptions([&] {
+      return table.loaded_copy(context, execution_.copy_memory_, limits,
+                               [&] { return execution_.answer_waiting(table); });
+    });
     if (copy) {
       table_ = *std::move(copy);
-      break;
+      return {};
     }
-    if (was_asked) execution_.stay();
+    if (!was_asked) continue;
+    execution_.stay();
+    stage = kStays.size();
   }
-  return {};
 }
 
 Status Execution::ResultPresenter::present_inquiry(const NestedList& result) {
@@ -204,18 +221,30 @@ bool Execution::has_result() const {
 }
 
 // Answers questions until the result is dropped (false), or is to leave the database (true): because it was asked to,
-// or, unless it stays, because nobody has asked it for a while.
-bool Execution::serve(ResultTable& table, bool stays) {
+// or because nobody has asked it for the time `stay`.
+bool Execution::serve(ResultTable& table, std::optional<std::chrono::milliseconds> stay) {
   while (true) {
-    Question question;
     {
       std::unique_lock lock(mutex_);
       const auto is_wanted = [this] { return is_dropped_ || is_to_leave_ || !questions_.empty(); };
-      if (stays)
+      if (!stay)
         changed_.wait(lock, is_wanted);
-      else if (!changed_.wait_for(lock, kUsualStay, is_wanted))
+      else if (!changed_.wait_for(lock, *stay, is_wanted))
         return true;
       if (is_dropped_ || is_to_leave_) return !is_dropped_;
+    }
+    if (!answer_waiting(table)) return false;
+  }
+}
+
+// Answers the questions that are there. Errors: interrupted if the result was dropped.
+Status Execution::answer_waiting(ResultTable& table) {
+  while (true) {
+    Question question;
+    {
+      const std::lock_guard lock(mutex_);
+      if (is_dropped_) return Error{ErrorCode::interrupted, "the result was dropped"};
+      if (questions_.empty()) return {};
       question = std::move(questions_.front());
       questions_.pop_front();
       asked_ = question.cancel;
@@ -226,7 +255,7 @@ bool Execution::serve(ResultTable& table, bool stays) {
 
 void Execution::leave_database() {
   const std::lock_guard lock(mutex_);
-  is_to_leave_ = !is_over_ && !is_alone_ && !is_dropped_;
+  is_to_leave_ = !is_over_ && !is_alone_ && !is_dropped_ && !is_large_;
   changed_.notify_all();
 }
 

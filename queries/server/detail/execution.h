@@ -46,9 +46,9 @@ struct StatementAnswer {
 /// A statement, from the request to the end of its result. A session runs it on its own thread (`run`). When its answer
 /// is there, the session stays within the statement, so that the rows and the geometry of the result can still be read
 /// from the database as it was: for a moment, in which most results are dropped, and then until a copy of the result
-/// stands alone, without session, thread and transaction; that of a large result until it is dropped. A statement that
-/// has changed something is committed first, and a copy of its result is served. All functions but `run` may be called
-/// by any thread.
+/// stands alone, without session, thread and transaction; that of a very large result until it is dropped. A statement
+/// that has changed something is committed first, and a copy of its result is served. All functions but `run` may be
+/// called by any thread.
 class Execution {
  public:
   using Clock = std::chrono::steady_clock;
@@ -108,7 +108,8 @@ class Execution {
 
   std::vector<std::string> summary_of(const algebra3d::Diagnostics& diagnostics) const;
   void answer(Result<StatementAnswer> given);
-  bool serve(ResultTable& table, bool stays);
+  bool serve(ResultTable& table, std::optional<std::chrono::milliseconds> stay);
+  Status answer_waiting(ResultTable& table);
   void serve_copy(ResultTable table);
   bool is_to_leave() const;
   void end_leaving();

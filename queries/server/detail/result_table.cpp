@@ -52,7 +52,7 @@ ResultTable ResultTable::of_value(const Value& value) {
 }
 
 Result<ResultTable> ResultTable::loaded_copy(const algebra3d::Context& context, algebra3d::WorkMemory& memory,
-                                             const CopyLimits& limits) {
+                                             const CopyLimits& limits, const std::function<Status()>& between) {
   A3D_ASSIGN(const TupleStreamPtr scan, relation_->scan());
   algebra3d::Context within = context;
   within.memory = &memory;
@@ -62,7 +62,8 @@ Result<ResultTable> ResultTable::loaded_copy(const algebra3d::Context& context, 
     if (Status fits = check_limits(*tuple, bytes, limits); !fits) return fits;
     A3D_ASSIGN(TuplePtr row, loaded(*tuple));
     bytes += heap_bytes(*row);
-    return rows.add(std::move(row));
+    Status added = rows.add(std::move(row));
+    return added && between ? between() : added;
   }));
   const std::size_t count = rows.size();
   ResultTable copy(std::make_shared<MemoryRelation>(tuple_type(), std::move(rows)), count);

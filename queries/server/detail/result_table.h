@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -71,10 +72,11 @@ class ResultTable {
   /// The tuple of a row, which must exist. Errors: those of the store.
   Result<TuplePtr> row(std::size_t index);
   /// A copy whose values are loaded, which outlives the statement. It takes `memory`, which must outlive it, and for
-  /// the rest a temporary file. Errors: limit_exceeded beyond the limits, in time that does not depend on the size
-  /// of a value; those of the store and of temporary files; interrupted.
+  /// the rest a temporary file. `between` is called after each row; it may read this table. Errors: limit_exceeded
+  /// beyond the limits, in time that does not depend on the size of a value; those of the store, of temporary files and
+  /// of `between`; interrupted.
   Result<ResultTable> loaded_copy(const algebra3d::Context& context, algebra3d::WorkMemory& memory,
-                                  const CopyLimits& limits);
+                                  const CopyLimits& limits, const std::function<Status()>& between);
   /// The size of the rows of a loaded copy, about; else 0.
   std::size_t copied_bytes() const { return copied_bytes_; }
   /// Data made of its cells, kept for later requests.
