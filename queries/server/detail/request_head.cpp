@@ -44,7 +44,7 @@ bool is_version(std::string_view text) {
          (text.size() == 3 && is_digit(text[0]) && text[1] == '.' && is_digit(text[2]));
 }
 
-bool is_blank(char c) {
+bool is_space_or_tab(char c) {
   return c == ' ' || c == '\t';
 }
 
@@ -80,8 +80,8 @@ std::optional<std::uint64_t> length_of(std::string_view text) {
 }  // namespace
 
 std::string_view without_blanks(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  while (!text.empty() && is_space_or_tab(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space_or_tab(text.back())) text.remove_suffix(1);
   return text;
 }
 
