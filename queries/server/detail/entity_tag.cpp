@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "queries/server/detail/percent_coding.h"
 
 namespace queries {
 namespace {
 
 constexpr const char* kIfNoneMatch = "if-none-match";
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t";
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
-}
 
 // Calls `use` with each of the tags of a header, without `W/`, until it returns true. Our tags have no commas.
 template <typename Use>
@@ -25,7 +19,7 @@ bool any_tag(const HttpRequest& request, Use use) {
     const std::string_view text = header.second;
     for (std::size_t begin = 0; begin <= text.size();) {
       const std::size_t end = std::min(text.find(',', begin), text.size());
-      std::string_view tag = trimmed(text.substr(begin, end - begin));
+      std::string_view tag = algebra3d::trimmed(text.substr(begin, end - begin));
       if (tag.starts_with("W/")) tag.remove_prefix(2);
       if (use(tag)) return true;
       begin = end + 1;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "queries/server/detail/lower_case.h"
 #include "queries/server/detail/percent_coding.h"
 
@@ -42,16 +43,6 @@ bool is_version(std::string_view text) {
   text.remove_prefix(kName.size());
   return (text.size() == 1 && is_digit(text[0])) ||
          (text.size() == 3 && is_digit(text[0]) && text[1] == '.' && is_digit(text[2]));
-}
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
 }
 
 // A text of form-urlencoded pairs, in which a blank is a plus sign.
@@ -135,7 +126,7 @@ std::optional<Refusal> RequestHead::take_header(std::string_view line) {
     return Refusal::bad_request(
         fmt::format("the line '{}' is not a header; expected NAME: VALUE on one line", line.substr(0, kShown)));
   std::string name = in_lower_case(line.substr(0, colon));
-  if (name != "range") headers_.emplace(std::move(name), trimmed(line.substr(colon + 1)));
+  if (name != "range") headers_.emplace(std::move(name), algebra3d::trimmed(line.substr(colon + 1)));
   return std::nullopt;
 }
 
