@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "queries/server/detail/percent_coding.h"
-#include "queries/server/detail/request_head.h"
 
 namespace queries {
 namespace {
@@ -19,7 +19,7 @@ bool any_tag(const HttpRequest& request, Use use) {
     const std::string_view text = header.second;
     for (std::size_t begin = 0; begin <= text.size();) {
       const std::size_t end = std::min(text.find(',', begin), text.size());
-      std::string_view tag = without_blanks(text.substr(begin, end - begin));
+      std::string_view tag = algebra3d::trimmed(text.substr(begin, end - begin));
       if (tag.starts_with("W/")) tag.remove_prefix(2);
       if (use(tag)) return true;
       begin = end + 1;

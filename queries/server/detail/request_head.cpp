@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "queries/server/detail/lower_case.h"
 #include "queries/server/detail/percent_coding.h"
 
@@ -44,10 +45,6 @@ bool is_version(std::string_view text) {
          (text.size() == 3 && is_digit(text[0]) && text[1] == '.' && is_digit(text[2]));
 }
 
-bool is_space_or_tab(char c) {
-  return c == ' ' || c == '\t';
-}
-
 // A text of form-urlencoded pairs, in which a blank is a plus sign.
 std::string form_decoded(std::string_view text) {
   std::string result(text);
@@ -78,12 +75,6 @@ std::optional<std::uint64_t> length_of(std::string_view text) {
 }
 
 }  // namespace
-
-std::string_view without_blanks(std::string_view text) {
-  while (!text.empty() && is_space_or_tab(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space_or_tab(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 RequestHead::State RequestHead::refuse(Refusal refusal) {
   refusal_ = std::move(refusal);
@@ -135,7 +126,7 @@ std::optional<Refusal> RequestHead::take_header(std::string_view line) {
     return Refusal::bad_request(
         fmt::format("the line '{}' is not a header; expected NAME: VALUE on one line", line.substr(0, kShown)));
   std::string name = in_lower_case(line.substr(0, colon));
-  if (name != "range") headers_.emplace(std::move(name), without_blanks(line.substr(colon + 1)));
+  if (name != "range") headers_.emplace(std::move(name), algebra3d::trimmed(line.substr(colon + 1)));
   return std::nullopt;
 }
 

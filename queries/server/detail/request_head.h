@@ -11,9 +11,6 @@
 
 namespace queries {
 
-/// A text without the blanks and tabs at its ends, which do not belong to the value of a header.
-std::string_view without_blanks(std::string_view text);
-
 /// Limits of the head of a request: its request line and headers.
 struct HeadLimits {
   std::size_t line_bytes = 8192;  ///< of one line with its end
