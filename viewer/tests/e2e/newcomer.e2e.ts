@@ -1,6 +1,6 @@
 /**
  * Ten tasks of somebody who has never seen the page, by what its words and tooltips say, without a statement written by
- * hand. The numbers of clicks are those of the table in README.md, "Tried as a newcomer".
+ * hand. The numbers of clicks are those of the table in the README of the viewer.
  */
 
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
