@@ -83,10 +83,10 @@ void register_box_join(Registry& registry) {
       .name = "itSpatialJoin",
       .syntax = "_ _ itSpatialJoin[attribute, attribute ...]",
       .doc = "The pairs of tuples of both streams whose boxes meet, in the order of the second stream.",
-      .detail =
-          "The first stream is held in memory with an R-tree over it; if it does not fit into the memory of `set "
-          "\"memory\"`, both streams are divided by space into temporary files. Touching counts. Up to three ints (node sizes and memory) are accepted and "
-          "not needed.",
+      .detail = "The first stream is held in memory with an R-tree over it; if it does not fit into the memory of `set "
+                "\"memory\"`, both streams are divided by space into temporary files. Touching counts. Up to three "
+                "ints (node sizes and memory) are accepted and "
+                "not needed.",
       .cost = algebra3d::Cost::sorting,
       .stream = stream_operator(map_box_join(registry)),
       .signatures = {"(stream(tuple) stream(tuple) NAME NAME) -> stream(tuple)"},
