@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -80,6 +81,27 @@ struct NotesNothing {
   /// Values of large types are loaded, which can fail.
   static bool notes_nothing(const TypedNode& node) {
     return type_in_columns(node.type()) != nullptr && std::visit(NotesNothing(), node.view());
+  }
+};
+
+/// Answers for each kind of node whether its evaluation may do more than give a result: write files, change relations.
+struct HasEffects {
+  bool operator()(const ConstantView& /*constant*/) const { return false; }
+  bool operator()(const ObjectView& /*object*/) const { return false; }
+  bool operator()(const ParameterView& /*parameter*/) const { return false; }
+  bool operator()(const AttributeView& use) const { return has_effects(use.tuple); }
+  bool operator()(const ConversionView& conversion) const { return has_effects(conversion.argument); }
+  bool operator()(const ValueCallView& view) const {
+    return view.call.op->writes_files_in(*view.call.overload) || any_has_effects(view.arguments);
+  }
+  bool operator()(const StreamCallView& view) const { return !view.op.is_pure || any_has_effects(view.arguments); }
+  bool operator()(const FunctionView& function) const { return has_effects(function.body); }
+  bool operator()(const ListView& list) const { return any_has_effects(list.elements); }
+  bool operator()(const std::monostate& /*unknown*/) const { return true; }
+
+  static bool has_effects(const TypedNode& node) { return std::visit(HasEffects(), node.view()); }
+  static bool any_has_effects(std::span<const TypedPtr> nodes) {
+    return std::ranges::any_of(nodes, [](const TypedPtr& each) { return has_effects(*each); });
   }
 };
 
@@ -202,8 +224,11 @@ Status move_conditions_down(const algebra3d::Operator& op, BoundOperator& bound,
   if (!below || !arguments[0]->type().is_tuple_stream()) return {};
   FilterPlacement placement(op, bound, arguments, rewriting);
   const std::size_t count = attribute_count(*arguments[0]);
-  if (const auto* making = std::get_if<MakesTuples>(&below->bound.role))
+  if (const auto* making = std::get_if<MakesTuples>(&below->bound.role)) {
+    // Functions with effects are called for all tuples.
+    if (HasEffects::any_has_effects(below->arguments.subspan(1))) return {};
     return placement.move_to(0, origins_of(*making), false);
+  }
   if (const auto* sort = std::get_if<SortsTuples>(&below->bound.role); sort != nullptr && sort->left_out)
     return placement.move_to(0, range_of(count, 0, count), false);
   const auto* pairs = std::get_if<PairsTuples>(&below->bound.role);

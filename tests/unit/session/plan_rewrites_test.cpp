@@ -445,6 +445,18 @@ TEST_F(PlanRewrites, constants_are_folded) {
   EXPECT_EQ(run("explain R feed filter[.N > (1 div 0)] count", true).find("computed once"), std::string::npos);
 }
 
+// A condition below the function would spare it for most tuples.
+TEST_F(PlanRewrites, functions_that_write_files_are_called_for_all_tuples) {
+  make_relation("R", 3);
+  const std::string query =
+      "R feed extend[Done: createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1)) exportSTL[\"cube\", '" +
+      (folder_.path() / "cube").string() + "' + totext(num2string(.N)) + '.stl', TRUE]] filter[.N = 1] count";
+  EXPECT_EQ(run("explain " + query, true).find("moved below"), std::string::npos);
+  EXPECT_EQ(run("query " + query, true), "1");
+  for (const int number : {0, 1, 2})
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / fmt::format("cube{}.stl", number))) << number;
+}
+
 TEST_F(PlanRewrites, a_filter_sees_what_the_statement_has_changed) {
   make_relation("S", 50);
   const std::string query =
