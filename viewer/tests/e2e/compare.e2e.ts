@@ -1,5 +1,5 @@
 import { beforeEach, expect, test } from "vitest";
-import type { Page } from "playwright-core";
+import type { Page, Route } from "playwright-core";
 import { boxOf, copiedLink, expectNoErrors, settled, stillScene } from "./support/actions";
 import { Browser, takePicture } from "./support/browser";
 import { CompareSession, sceneOf } from "./support/compare";
@@ -287,6 +287,24 @@ test("a running step is stopped, and what was there stays", async () => {
   await side("right").getByText("Stopped.").waitFor({ timeout: 60_000 });
   expect(await session.stepsOf("right")).toContain("Ball");
   await side("right").locator('[data-fact="Faces"]').waitFor({ timeout: 60_000 });
+});
+
+test("nothing is told of the shapes of a step that is gone", async () => {
+  const held: Route[] = [];
+  await page.route("**/shapes?*", (route) => void held.push(route));
+  await side("left").getByLabel("Mesh of this side").selectOption("Cube");
+  await expect.poll(() => held.length, { timeout: 30_000 }).toBe(1);
+  await press("left", "Dual");
+  await expectSteps("left", /dual$/);
+  await expect.poll(() => held.length, { timeout: 30_000 }).toBe(2);
+  await held[0]!.abort(); // of the step before; the mesh of the present one is still on its way
+  await expectFact("left", "Faces", "8");
+  expect(await side("left").locator(".scene .error-text").allInnerTexts()).toEqual([]);
+  await held[1]!.continue();
+  expect((await stillScene(page, sceneOf("left"))).colors()).toBeGreaterThan(10);
+  expect(await side("left").locator(".scene .error-text").allInnerTexts()).toEqual([]);
+  await page.unrouteAll({ behavior: "ignoreErrors" });
+  session.browser.errors.length = 0; // the request that broke off
 });
 
 test("an operation that is not possible says why", async () => {
