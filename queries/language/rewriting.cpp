@@ -18,7 +18,7 @@ namespace {
 
 // `sortby[...] head[n]`
 void keep_first(const BoundOperator& bound, std::vector<TypedPtr>& arguments, const RewriteContext& rewriting) {
-  // A heap of more tuples costs as much as the sort.
+  // To keep more tuples, and to sort them several times, costs as much as the sort.
   constexpr std::int64_t kMost = std::int64_t{1} << 16U;
   if (!std::holds_alternative<TakesFirst>(bound.role)) return;
   const auto sort = call_with<SortsTuples>(*arguments[0]);
