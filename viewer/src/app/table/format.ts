@@ -54,7 +54,8 @@ export function canOpen(view: CellView): boolean {
 /** Widths of columns in pixels, from their types and the first rows. */
 export function columnWidths(columns: readonly Column[], rows: readonly (Row | null)[]): number[] {
   return columns.map(({ name, type, shape }) => {
-    if (shape) return 230;
+    // "volume3d, 1,350,000 triangles" with its buttons.
+    if (shape) return 270;
     const lengths = rows.map((row) => {
       const view = row ? viewOf(row[name] ?? null, type) : null;
       return view && "text" in view ? view.text.length : view?.kind === "geometry" ? 26 : 9;
