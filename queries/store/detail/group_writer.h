@@ -27,7 +27,6 @@ class GroupWriter {
   void drop_pending();
   /// The groups that were written since the last call.
   std::vector<RowGroup> take_groups() { return std::exchange(groups_, {}); }
-  bool has_groups() const { return !groups_.empty(); }
 
  private:
   bool is_full() const;

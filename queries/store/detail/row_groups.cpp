@@ -141,12 +141,6 @@ std::optional<GroupRow> GroupList::find(std::int64_t id) const {
   return found;
 }
 
-std::int64_t GroupList::live_count() const {
-  std::int64_t count = 0;
-  for (const RowGroup& group : groups_) count += group.live_count();
-  return count;
-}
-
 std::uint64_t GroupList::sum() const {
   std::uint64_t sum = 0;
   for (const RowGroup& group : groups_) sum += group.checksum;

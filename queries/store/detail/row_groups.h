@@ -71,7 +71,6 @@ class GroupList {
   bool holds(std::int64_t id) const { return place(id).has_value(); }
   /// The last id of all groups; 0 without groups.
   std::int64_t last() const { return groups_.empty() ? 0 : groups_.back().content->last; }
-  std::int64_t live_count() const;
   /// The sum of the groups' checksums.
   std::uint64_t sum() const;
 
