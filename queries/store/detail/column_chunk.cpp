@@ -288,7 +288,7 @@ EncodedChunk ChunkBuilder::encode_reals() const {
                      reals_.size() * sizeof(double));
   for (std::size_t row = 0; row < size(); ++row) {
     if (undefined_[row] != 0) continue;
-    const std::uint64_t bits = std::bit_cast<std::uint64_t>(reals_[row]);
+    const auto bits = std::bit_cast<std::uint64_t>(reals_[row]);
     if (!chunk.range.is_known) chunk.range = {true, bits, bits};
     if (reals_[row] < std::bit_cast<double>(chunk.range.least)) chunk.range.least = bits;
     if (reals_[row] > std::bit_cast<double>(chunk.range.greatest)) chunk.range.greatest = bits;
@@ -557,7 +557,7 @@ Status ColumnChunk::audit(const ValueRange& range) const {
       if (own < static_cast<std::int64_t>(found.least)) found.least = bits;
       if (own > static_cast<std::int64_t>(found.greatest)) found.greatest = bits;
     } else if (attribute_form_ == AttributeForm::real) {
-      const std::uint64_t bits = std::bit_cast<std::uint64_t>(real(row));
+      const auto bits = std::bit_cast<std::uint64_t>(real(row));
       if (!found.is_known) found = {true, bits, bits};
       if (real(row) < std::bit_cast<double>(found.least)) found.least = bits;
       if (real(row) > std::bit_cast<double>(found.greatest)) found.greatest = bits;

@@ -13,6 +13,7 @@
 #include "base/context.h"
 #include "base/propagate.h"
 #include "base/work_memory.h"
+#include "queries/streams/datum.h"
 #include "queries/streams/detail/temporary_file.h"
 
 namespace queries {

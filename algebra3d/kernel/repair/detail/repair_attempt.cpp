@@ -121,7 +121,7 @@ Result<bool> is_valid_volume(const TriangleMesh& mesh, const FaceSet& known, con
 TriangleMesh::Triangle corners_in(const PointTable& table, const TriangleRef& face) {
   TriangleMesh::Triangle result{};
   std::ranges::transform(face, result.begin(), [&](const PointRef& corner) { return table.find(corner); });
-  std::ranges::rotate(result, std::ranges::min_element(result));
+  std::rotate(result.begin(), std::ranges::min_element(result), result.end());
   return result;
 }
 
@@ -371,7 +371,7 @@ Status RepairAttempt::report_turned() {
 std::vector<bool> RepairAttempt::are_flipped_so_far(const std::vector<FaceId>& triangles) const {
   const auto as_listed = [](const Triangle3& corners) {
     Triangle3 result = corners;
-    std::ranges::rotate(result, std::ranges::min_element(result));
+    std::rotate(result.begin(), std::ranges::min_element(result), result.end());
     return result;
   };
   std::vector<Triangle3> given;
