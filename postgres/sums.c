@@ -1,6 +1,7 @@
 /* Exact sums of doubles, for sums of several servers: rounded once, they are those of one server, in whatever order.
  *
- * A sum is kept as doubles whose bits do not overlap, by ascending magnitude, whose sum is exact (shewchuk1997). */
+ * A sum is kept as doubles whose bits do not overlap, by ascending magnitude, whose sum is exact (shewchuk1997): some
+ * 50 bytes that travel between servers as an array of SQL, where RealSum of the library has 0.6 kB. */
 #include "module.h"
 
 #include <math.h>

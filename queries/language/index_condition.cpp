@@ -90,8 +90,8 @@ std::optional<IndexCondition> range_condition(const ValueCallView& call) {
                         call.arguments[2]->unmeasured()};
 }
 
-/// What holds where a condition on an ordered index is FALSE, the equal values included; nothing if an index does not
-/// help then.
+/// Conditions of which one holds wherever a condition on an ordered index is FALSE (equal values included); empty if an
+/// index does not help then.
 IndexConditions negated(IndexCondition condition) {
   if (condition.use == IndexUse::at_least || condition.use == IndexUse::at_most) {
     condition.use = condition.use == IndexUse::at_least ? IndexUse::at_most : IndexUse::at_least;
@@ -102,7 +102,8 @@ IndexConditions negated(IndexCondition condition) {
   return {{IndexUse::at_most, condition.attribute, condition.operand}, std::move(above)};
 }
 
-/// What indexes may answer of a condition or, if `is_negated`, of its being FALSE; empty if they cannot.
+/// Conditions for indexes of which one holds wherever a condition is TRUE or, if `is_negated`, FALSE; empty if indexes
+/// do not help.
 IndexConditions alternatives(const TypedNode& condition, bool is_negated) {
   const NodeView view = condition.view();
   const auto* call = std::get_if<ValueCallView>(&view);
@@ -112,7 +113,7 @@ IndexConditions alternatives(const TypedNode& condition, bool is_negated) {
   if (name == "and" || name == "or") {
     IndexConditions first = alternatives(*call->arguments[0], is_negated);
     IndexConditions second = alternatives(*call->arguments[1], is_negated);
-    // Of a conjunction one part suffices.
+    // One part of a conjunction suffices.
     if ((name == "and") != is_negated) return first.empty() ? second : first;
     if (first.empty() || second.empty()) return {};
     std::ranges::move(second, std::back_inserter(first));

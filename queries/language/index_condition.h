@@ -27,7 +27,8 @@ bool is_same_for_all_tuples(const TypedNode& expression);
 /// The conditions of which a predicate is the conjunction by `and`, in their order.
 std::vector<TypedPtr> conjuncts(const TypedNode& predicate);
 
-/// What indexes may answer of a filter's predicate: for each of its conjuncts, in their order, if they can.
+/// The conditions for indexes of a filter's predicate: those of its conjuncts, in their order, for which indexes may
+/// help.
 std::vector<IndexConditions> index_conditions(const TypedNode& predicate);
 
 }  // namespace queries

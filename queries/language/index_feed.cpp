@@ -72,7 +72,7 @@ std::string names_of(const IndexSearch& search) {
 /// The questions of a search: nothing for those whose operands cannot be evaluated.
 using IndexQuestions = std::vector<std::optional<IndexQuestion>>;
 
-/// What a search finds: the tuples of each index, and all their ids.
+/// The result of a search: the tuples of each index, and all their ids.
 struct Found {
   std::vector<IndexCandidates> by_index;
   std::vector<TupleId> ids;  // ascending

@@ -9,7 +9,7 @@
 
 namespace queries {
 
-// What rewrites of plans read of nodes, and how they replace them.
+// Views of the nodes of a plan, and replacements of nodes, for rewrites.
 
 template <typename View>
 std::optional<View> view_as(const TypedNode& node) {

@@ -47,8 +47,8 @@ Status check_derivable(const Expression& value, Store& store, const algebra3d::R
                "derive: the expression {}, which it would do again whenever it is evaluated; use let", change->text()};
 }
 
-/// What is evaluated for an object that is to be stored: for `consume` its stream, which the store takes in columns if
-/// it has them.
+/// The expression that is evaluated for an object that is to be stored: of `consume` its stream, which the store takes
+/// in columns if it has them.
 TypedPtr stored_part(const TypedPtr& node, bool rewrites_plans) {
   const NodeView view = node->view();
   const auto* const call = std::get_if<StreamCallView>(&view);

@@ -52,7 +52,7 @@ struct OwnBatch {
   std::vector<TupleId> ids;
   Batch batch;
 
-  /// Makes a column of each type, if there are none.
+  /// Makes a column of each type, unless there are columns.
   void set_types(const std::vector<const algebra3d::Type*>& types);
   /// Makes the batch of the first `count` rows, which have been filled.
   void finish(std::size_t count);

@@ -143,7 +143,7 @@ void examine(const std::string& path) {
   std::fflush(stdout);
 }
 
-/// The bodies of a file in one position, each with its cavities; -1 if there is no solid.
+/// The bodies of a file in one position, each with its cavities; -1 without a solid.
 struct Bodies {
   std::ptrdiff_t count = -1;
   std::ptrdiff_t groups = -1;  ///< bodies that touch, or nearly, count as one

@@ -27,7 +27,7 @@ inline std::uint64_t order_prefix_of(bool value) {
   return value ? 2 : 1;
 }
 
-/// Of characters or bytes: the first eight, filled up with zeros.
+/// The first eight characters or bytes, filled up with zeros.
 inline std::uint64_t order_prefix_of(const std::string& characters) {
   std::uint64_t result = 0;
   for (std::size_t i = 0; i < sizeof result; ++i)

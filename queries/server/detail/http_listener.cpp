@@ -194,7 +194,7 @@ class Listener final : public HttpListener {
         sockets_.run();
         is_over = true;
       } catch (const std::bad_alloc&) {
-        // There is no memory for this connection; the others go on.
+        // Memory did not suffice for this connection; the others go on.
       }
     }
     threads_.shutdown();
@@ -301,7 +301,7 @@ class Listener final : public HttpListener {
     });
   }
 
-  // What comes within kHaste, as far as it comes at once, unless others wait for the thread.
+  // Reads the next request if it begins within kHaste and no others wait for the thread: as much as has come.
   RequestHead::State read_next(RequestHead& head, ClientConnection& client) {
     if (threads_.waiting() > 0 || !client.has_come_within(kHaste)) return RequestHead::State::incomplete;
     std::array<char, std::size_t{16} << 10U> piece;  // NOLINT(*-member-init): written by the system
@@ -323,7 +323,7 @@ class Listener final : public HttpListener {
     } catch (const std::exception&) {
       answer = Refusal{500, "internal", "the request could not be answered"}.answer();
     }
-    // What is left of a body, or has come too early, must never be taken for the next request.
+    // The rest of a body, or bytes that have come too early, must never be taken for the next request.
     const bool stays_open = head.keeps_connection() && body.is_at_end() && !client.is_late() && !is_stopping_;
     const AnswerForm form{.stays_open = stays_open, .in_chunks = head.is_of_version_1_1()};
     return send_answer(client, answer, common_, form, head.is_of_head_method()) && stays_open;

@@ -130,7 +130,7 @@ std::optional<Refusal> RequestHead::take_header(std::string_view line) {
   return std::nullopt;
 }
 
-// What the lines say together: the address, and the form of the body.
+// The address and the form of the body, about which several lines decide together.
 std::optional<Refusal> RequestHead::take_form() {
   if (!target_.starts_with('/') || has_control(percent_decoded(target_.substr(0, target_.find('?')))))
     return Refusal::bad_request("the request has no valid path");
@@ -185,7 +185,7 @@ HttpRequest RequestHead::request() const {
           .headers = headers_};
 }
 
-// Of a list of tokens, or of several such lines.
+// Whether a header, a list of tokens in one line or several, has a token.
 bool RequestHead::has_token(const std::string& name, std::string_view token) const {
   const auto [first, last] = headers_.equal_range(name);
   return std::any_of(first, last,

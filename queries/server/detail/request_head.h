@@ -35,7 +35,7 @@ class RequestHead {
   /// Why it is refused. Statuses: 400, 411, 414, 415, 431, 501, 505.
   const Refusal& refusal() const { return *refusal_; }
 
-  // Of a complete head:
+  // The rest is for a complete head.
 
   /// The request without its body, and without the headers `Range`, which the server ignores.
   HttpRequest request() const;
@@ -47,7 +47,7 @@ class RequestHead {
   bool keeps_connection() const;
   /// True if the client waits to be told that it may send the body.
   bool expects_continue() const;
-  /// What came after the head.
+  /// The bytes that came after the head.
   std::string take_rest() { return std::move(rest_); }
 
  private:

@@ -119,7 +119,7 @@ class Database : public std::enable_shared_from_this<Database> {
   /// To be called before a tuple is erased or overwritten; copies it if streams may still read it. Errors: those of
   /// copying.
   Status note_tuple(const RelationLayout& layout, TupleId tuple);
-  /// The same of a tuple in a row group, which stays there for streams that have begun.
+  /// As `note_tuple`, for a tuple in a row group, which stays there for streams that have begun.
   void note_group_tuple(std::int64_t table_number, TupleId tuple);
   void note_inserted(std::int64_t table_number, TupleId tuple) { changes_.note_inserted(table_number, tuple); }
   void note_created(std::int64_t table_number);

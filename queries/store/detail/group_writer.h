@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "queries/store/detail/chunk_builder.h"
 #include "queries/store/detail/database.h"
 #include "queries/streams/batch.h"
 

@@ -102,7 +102,7 @@ class RelationLayout {
   const std::string& keys_table(std::size_t attribute) const { return attributes_[attribute].keys_table; }
   std::string create_keys_sql(std::size_t attribute) const;
   std::string fill_keys_sql(std::size_t attribute) const;   ///< from the relation's table
-  std::string drop_keys_sql(std::size_t attribute) const;   ///< does nothing if there is none
+  std::string drop_keys_sql(std::size_t attribute) const;   ///< does nothing without such a table
   std::string insert_key_sql(std::size_t attribute) const;  ///< id, key
   std::string update_key_sql(std::size_t attribute) const;  ///< key, id
   std::string erase_key_sql(std::size_t attribute) const;   ///< id

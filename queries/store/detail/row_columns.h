@@ -38,7 +38,7 @@ class RowColumns final : public RowSink {
   /// are alive. `chunks`: one for each attribute that is read.
   Status take_group(const RowGroup& group, const std::vector<std::shared_ptr<const ColumnChunk>>& chunks,
                     std::size_t first, std::size_t count);
-  /// The same without any row.
+  /// As `take_group`, without any row.
   void take_none();
   /// Puts rows with these ids, which are ascending, between the others, like `replace`.
   template <typename Fetch>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "queries/store/detail/catalogue.h"
-#include "queries/store/detail/column_chunk.h"
+#include "queries/store/detail/chunk_builder.h"
 #include "queries/store/detail/relation_layout.h"
 #include "queries/store/detail/sqlite_connection.h"
 #include "queries/store/detail/tables.h"
@@ -93,7 +93,7 @@ class RowGroups {
   /// A column chunk, which is proved by its checksum. Errors: database_corrupt with relation, attribute and tuples.
   algebra3d::Result<std::shared_ptr<const ColumnChunk>> read(const RelationLayout& layout, const GroupContent& group,
                                                              std::size_t attribute);
-  /// The same for single tuples: chunks are kept for the next one.
+  /// As `read`, for single tuples: chunks are kept for the next one.
   algebra3d::Result<std::shared_ptr<const ColumnChunk>> kept(const RelationLayout& layout, const GroupContent& group,
                                                              std::size_t attribute);
 

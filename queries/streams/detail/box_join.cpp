@@ -22,10 +22,9 @@ class BoxTable {
  public:
   explicit BoxTable(const Context& context) : account_(context.memory) {}
 
-  /// False if there is no room. `box` is not empty.
+  /// False if the tuple does not fit. `box` is not empty.
   bool add(const TuplePtr& tuple, const Box3& box) {
-    // An entry stands once in the list and once, or nearly so, in the tree.
-    if (!account_.take(heap_bytes(*tuple) + sizeof(TuplePtr) + 3 * sizeof(Entry))) return false;
+    if (!account_.take(heap_bytes(*tuple) + sizeof(TuplePtr) + kBytesOfEntry)) return false;
     entries_.push_back({box, tuples_.size()});
     tuples_.push_back(tuple);
     return true;

@@ -51,7 +51,7 @@ class JoinSearch {
   /// keys or comparable with it.
   void start(const ValueColumn& keys, const SelectedRows& rows);
   /// Appends pairs of a row and the place of a tuple with an equal key, `most` at most: row by row, and the tuples of a
-  /// row in their order. False if there are no more.
+  /// row in their order. False at the end of the pairs.
   bool find(std::size_t most, std::vector<std::uint32_t>& rows, std::vector<std::uint32_t>& places);
 
  private:

@@ -17,8 +17,6 @@ using algebra3d::Vec3;
 using Tree = rtree::RTree<std::uint64_t>;
 using Entry = rtree::Entry<std::uint64_t>;
 
-/// An entry stands once in the list and once, or nearly so, in the tree.
-constexpr std::size_t kBytesOfEntry = 3 * sizeof(Entry);
 constexpr std::size_t kMostParts = 1024, kSampleSize = 8192;
 
 /// The low corner of what two boxes have in common.

@@ -11,7 +11,7 @@ using algebra3d::Vec3;
 
 namespace {
 
-/// Twice the middle of a box on an axis; without overflow beyond the range of doubles only for finite sums.
+/// The middle of a box on an axis. Halves are added, since the sum of its ends may overflow.
 double middle_of(const Box3& box, std::size_t axis) {
   return box.min[axis] / 2 + box.max[axis] / 2;
 }

@@ -12,6 +12,10 @@ bool is_spatial(const algebra3d::Registry& registry, const TypeExpr& type);
 Result<std::size_t> spatial_attribute(const algebra3d::Registry& registry, const MappingCheck& check,
                                       std::size_t position, const TypeExpr& tuple);
 
+/// Work memory of an entry of a tree that is to be loaded: it stands once in the list and once, or nearly so, in the
+/// tree.
+inline constexpr std::size_t kBytesOfEntry = 3 * sizeof(rtree::Entry<std::uint64_t>);
+
 /// The bounding box of a spatial value; empty for an undefined or empty value.
 algebra3d::Box3 window_of(const Value& value);
 

@@ -260,6 +260,12 @@ class PlanRewrites : public testing::Test {
     return kinds;
   }
 
+  void begin_random_plans() {
+    const char* seed = std::getenv("ALGEBRA3D_RANDOM_SEED");
+    random_.seed(static_cast<unsigned>(seed != nullptr ? std::atoi(seed) : 1));
+    ASSERT_EQ(session_.run("let Limit = 4"), "");
+  }
+
   void expect_same(const Sample& sample) {
     SCOPED_TRACE(sample.query);
     const std::string plain = run("query " + sample.query, false);
@@ -280,9 +286,7 @@ class PlanRewrites : public testing::Test {
 };
 
 TEST_F(PlanRewrites, give_the_tuples_of_plain_plans) {
-  const char* seed = std::getenv("ALGEBRA3D_RANDOM_SEED");
-  random_.seed(static_cast<unsigned>(seed != nullptr ? std::atoi(seed) : 1));
-  ASSERT_EQ(session_.run("let Limit = 4"), "");
+  begin_random_plans();
   for (const int size : {0, 1, 60}) {
     for (const int other_size : {0, 1, 80}) {
       SCOPED_TRACE(fmt::format("{} and {} tuples", size, other_size));
@@ -307,9 +311,7 @@ TEST_F(PlanRewrites, give_the_tuples_of_plain_plans) {
 }
 
 TEST_F(PlanRewrites, give_the_tuples_of_plain_plans_in_many_batches) {
-  const char* seed = std::getenv("ALGEBRA3D_RANDOM_SEED");
-  random_.seed(static_cast<unsigned>(seed != nullptr ? std::atoi(seed) : 1));
-  ASSERT_EQ(session_.run("let Limit = 4"), "");
+  begin_random_plans();
   make_relation("R", 2500);
   make_relation("S", 40);
   for (int round = 0; round < 12 && !HasFailure(); ++round) {
@@ -324,9 +326,7 @@ TEST_F(PlanRewrites, give_the_tuples_of_plain_plans_in_many_batches) {
 
 // Tuples in row groups, dead ones among them, and tuples beside them.
 TEST_F(PlanRewrites, give_the_tuples_of_plain_plans_in_row_groups) {
-  const char* seed = std::getenv("ALGEBRA3D_RANDOM_SEED");
-  random_.seed(static_cast<unsigned>(seed != nullptr ? std::atoi(seed) : 1));
-  ASSERT_EQ(session_.run("let Limit = 4"), "");
+  begin_random_plans();
   make_relation("R", 270);
   make_relation("S", 20);
   ASSERT_EQ(session_.run("query R feed filter[.N mod 50 = 3] R updatedirect[K: .K - 2, X: .N / 10] count"), "6");

@@ -1,7 +1,7 @@
-// Column chunks: what is encoded is read back, and bytes that are no chunk are refused.
+// Column chunks: what is encoded is read back, and other bytes are refused.
 #include <random>
 
-#include "queries/store/detail/column_chunk.h"
+#include "queries/store/detail/chunk_builder.h"
 #include "unit/store/store_fixture.h"
 
 namespace queries {

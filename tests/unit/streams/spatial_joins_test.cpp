@@ -106,8 +106,8 @@ TEST_F(SpatialJoins, find_each_pair_once) {
 TEST_F(SpatialJoins, find_the_same_pairs_in_the_same_order_with_little_memory) {
   WorkMemory memory(1, WorkMemory::default_folder());
   // Spread, in one line, and so that none can be told from another by planes.
-  std::vector<std::vector<Box3>> sets{random_boxes(3000, 50), random_boxes(1500, 1)};
-  sets.push_back(random_boxes(4000, 4000));
+  std::vector<std::vector<Box3>> sets{random_boxes(1500, 50), random_boxes(350, 1)};
+  sets.push_back(random_boxes(1500, 1500));
   for (Box3& box : sets.back()) box.min.y = box.min.z = 0, box.max.y = box.max.z = 1;
   for (std::vector<Box3>& boxes : sets) {
     for (std::size_t i = 0; i < boxes.size(); i += 97)

@@ -99,7 +99,7 @@ export class Workspace {
 
   /** Opens the browser's choice of files; the chosen ones are uploaded. */
   chooseFiles: () => void = () => undefined;
-  /** The same of a folder with all that is in it. */
+  /** Opens the choice of a folder; all that is in it is uploaded. */
   chooseFolder: () => void = () => undefined;
 
   /** Runs a statement that is offered, and puts it into the editor, where it can be changed. */

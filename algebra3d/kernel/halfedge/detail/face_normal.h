@@ -15,7 +15,7 @@ namespace algebra3d::detail {
 /// Limits for results that are good enough: squared sums relative to the products in them, and squared sums.
 inline constexpr double kLeastSquaredShare = 0x1p-40, kLeastSquare = 0x1p-800, kLargestSquare = 0x1p800;
 
-/// The same for corners that are not doubles themselves: relative to the lengths of the vectors that are multiplied and
+/// A limit for corners that are not doubles themselves: relative to the lengths of the vectors that are multiplied and
 /// to the largest coordinate.
 inline constexpr double kLeastExactShare = 0x1p-36;
 

@@ -56,7 +56,7 @@ export class Firefox {
     const changing =
       '[data-testid="scene-loading"], [aria-busy="true"] > canvas, canvas[data-drawn="changing"]';
     const scene = await this.page.waitForSelector(selector);
-    if (!scene) throw new Error(`there is no ${selector}`);
+    if (!scene) throw new Error(`${selector} is not on the page`);
     let last: Uint8Array | null = null;
     for (let attempt = 0; attempt < 100; attempt++) {
       await this.page.waitForFunction((busy) => !document.querySelector(busy), {}, changing);

@@ -9,16 +9,9 @@ import type { Look } from "../../../src/scene/look";
 import { closestOnLine, draggedTo, moveVertices, placeOf } from "../../../src/scene/vertex_drag";
 import { buildGlb } from "./support/glb_builder";
 import { cube, points, sphere } from "./support/solids";
-import { sceneOf } from "./support/store";
+import { kWhite, sceneOf } from "./support/store";
 
-const look: Look = {
-  color: "#ff0000",
-  opacity: 1,
-  pointSize: 4,
-  selected: false,
-  offset: [0, 0, 0],
-  elements: null,
-};
+const look: Look = { ...kWhite, color: "#ff0000" };
 
 describe("geometries", () => {
   it("draw from the bytes of the server", () => {

@@ -15,7 +15,7 @@ import { buildGlb } from "./glb_builder";
 import type { TestShape } from "./glb_builder";
 
 /** What is drawn without a look of its own. */
-const kWhite: Look = {
+export const kWhite: Look = {
   color: "#ffffff",
   opacity: 1,
   pointSize: 4,
