@@ -174,6 +174,8 @@ class Store {
 
   /// Number of geometry blobs read and decoded since the store was opened, for tests that filters read none.
   virtual std::uint64_t geometry_loads() const = 0;
+  /// How many faces of large values were read in blocks, without loading the value, since the store was opened.
+  virtual std::uint64_t faces_in_blocks() const = 0;
 
   /// A file that `algebra3d import` has imported into a relation; recorded for resuming.
   struct ImportedFile {

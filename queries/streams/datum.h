@@ -64,6 +64,8 @@ class TupleStream {
   /// The next tuples, one at least and `most` at most, or null at the end; valid until the next call. The consumer
   /// wants them all: for as many tuples as it might leave, it asks later.
   virtual Result<const Batch*> next_batch(std::size_t most);
+  /// The number of all its tuples, if it is known before they are made.
+  virtual std::optional<std::uint64_t> known_count() const { return std::nullopt; }
   /// The numbers of its stages, such as the pairs that a join has examined; by default none.
   virtual std::vector<StageCount> stages() const { return {}; }
 };

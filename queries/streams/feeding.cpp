@@ -126,6 +126,7 @@ Result<Datum> count_values(ValueStream& values, Context& context) {
 }
 
 Result<Datum> count_tuples(TupleStream& tuples, Context& context) {
+  if (const auto known = tuples.known_count()) return counted(static_cast<std::int64_t>(*known));
   std::int64_t count = 0;
   if (tuples.has_batches())
     A3D_TRY(for_each_batch(tuples, context, [&](const Batch& batch) -> Status {

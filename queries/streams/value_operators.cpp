@@ -75,12 +75,20 @@ Result<std::optional<Row>> next_row(RowSource& rows, std::uint32_t& step, Contex
   return rows.next(context);
 }
 
-TupleStreamPtr tuples_of_rows(std::shared_ptr<RowSource> rows, Context& context) {
-  return make_stream([rows = std::move(rows), &context, step = 0U]() mutable -> Result<TuplePtr> {
-    A3D_ASSIGN(std::optional<Row> row, next_row(*rows, step, context));
+class TuplesOfRows final : public TupleStream {
+ public:
+  TuplesOfRows(RowSourcePtr rows, Context& context) : rows_(std::move(rows)), context_(context) {}
+  Result<TuplePtr> next() override {
+    A3D_ASSIGN(std::optional<Row> row, next_row(*rows_, step_, context_));
     return row ? std::make_shared<const Tuple>(Tuple{*std::move(row)}) : TuplePtr();
-  });
-}
+  }
+  std::optional<std::uint64_t> known_count() const override { return rows_->count(); }
+
+ private:
+  RowSourcePtr rows_;
+  Context& context_;
+  std::uint32_t step_ = 0;
+};
 
 ValueStreamPtr values_of_rows(std::shared_ptr<RowSource> rows, Context& context) {
   return make_value_stream([rows = std::move(rows), &context, step = 0U]() mutable -> Result<std::optional<Value>> {
@@ -103,7 +111,7 @@ Result<BoundOperator> bind_operator(const Registry& registry, const Operator& op
 
 Datum stream_of(RowSourcePtr rows, const Overload& overload, Context& context) {
   if (overload.gives_elements) return Datum{values_of_rows(std::move(rows), context)};
-  return Datum{tuples_of_rows(std::move(rows), context)};
+  return Datum{std::make_shared<TuplesOfRows>(std::move(rows), context)};
 }
 
 }  // namespace queries

@@ -23,6 +23,10 @@ const Undefined kNoDistance{"the empty set has no distance"};
 template <typename A, typename B>
 Result<Maybe<double>> distance_of(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
   if (is_either_empty(a.header(), b.header())) return Maybe<double>(kNoDistance);
+  A3D_ASSIGN(const auto by_blocks, ask_by_blocks(context, a, b, [&](const BlockedSet& first, const BlockedSet& second) {
+               return squared_distance_by_blocks(first, second, context.monitor());
+             }));
+  if (by_blocks) return Maybe<double>(by_blocks->nearest_root());
   return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<Maybe<double>> {
     A3D_ASSIGN(const auto square, squared_distance_of(first, second, context.monitor()));
     return square ? Maybe<double>(square->nearest_root()) : Maybe<double>(kNoDistance);
@@ -33,6 +37,10 @@ template <typename A, typename B>
 Result<bool> is_within(Context& context, const OnDemand<A>& a, const OnDemand<B>& b, double limit) {
   if (is_either_empty(a.header(), b.header()) || limit < 0) return false;
   if (const std::optional<bool> by_boxes = are_within_by_boxes(a.header().box, b.header().box, limit)) return *by_boxes;
+  A3D_ASSIGN(const auto by_blocks, ask_by_blocks(context, a, b, [&](const BlockedSet& first, const BlockedSet& second) {
+               return are_within_by_blocks(first, second, limit, context.monitor());
+             }));
+  if (by_blocks) return *by_blocks;
   return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) {
     return are_within(first, second, Rational(limit), context.monitor());
   });

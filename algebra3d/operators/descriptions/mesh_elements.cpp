@@ -43,6 +43,13 @@ detail::EdgeRows edges_of_value(const T& value) {
   });
 }
 
+/// Triangles have three.
+template <typename T>
+detail::HalfedgeRows halfedges_of_triangles(const OnDemand<T>& given) {
+  return detail::rows_of_loaded<detail::HalfedgeRows>(std::size_t{3} * given.header().size, given, [](const T& value) {
+    return [value](std::size_t i) { return detail::halfedge_cells(value, HalfedgeId(i)); };
+  });
+}
 template <typename T>
 detail::HalfedgeRows halfedges_of_value(const T& value) {
   return detail::rows_up_to<detail::HalfedgeRows>(
@@ -74,12 +81,13 @@ class LazyComponents<Mesh3d> {
 };
 
 template <typename T>
-FaceAndComponentRows faces_of_value(const T& value) {
-  return detail::rows_up_to<FaceAndComponentRows>(
-      value.mesh().face_count(), [value, components = LazyComponents<T>()](std::size_t i) mutable {
-        const FaceId f(i);
-        return std::tuple_cat(detail::face_cells(value.mesh(), f), std::tuple(components.of(value, f)));
-      });
+FaceAndComponentRows faces_of_value(const OnDemand<T>& given) {
+  return detail::rows_of_loaded<FaceAndComponentRows>(given.header().size, given, [](const T& value) {
+    return [value, components = LazyComponents<T>()](std::size_t i) mutable {
+      const FaceId f(i);
+      return std::tuple_cat(detail::face_cells(value.mesh(), f), std::tuple(components.of(value, f)));
+    };
+  });
 }
 
 // ---- descriptions
@@ -171,7 +179,7 @@ void register_halfedges(Registry& registry) {
                 kNumbering,
       .exactness = Exactness::exact,
       .sources = {"campagna1998"},
-      .overloads = detail::mesh_tables<&halfedges_of_value<Surface3d>, &halfedges_of_value<Volume3d>,
+      .overloads = detail::mesh_tables<&halfedges_of_triangles<Surface3d>, &halfedges_of_triangles<Volume3d>,
                                        &halfedges_of_value<Mesh3d>>(
           {"Id", "Origin", "Target", "Next", "Previous", "Opposite", "Face", "Edge"}),
       .examples = {{{kFoldedSurface},

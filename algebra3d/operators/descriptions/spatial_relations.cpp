@@ -69,9 +69,33 @@ Result<bool> answer(Predicate predicate, const SpatialSet& a, const SpatialSet& 
   }
 }
 
+/// True for predicates that say whether two sets meet, or the contrary: `inside` and `contains` where the set that has
+/// to be inside is a point.
+template <Predicate kPredicate, typename A, typename B>
+constexpr bool asks_whether_they_meet() {
+  switch (kPredicate) {
+    case Predicate::intersects:
+    case Predicate::disjoint:
+      return true;
+    case Predicate::inside:
+      return std::is_same_v<A, Point3d>;
+    case Predicate::contains:
+      return std::is_same_v<B, Point3d>;
+    default:
+      return false;
+  }
+}
+
 template <Predicate kPredicate, typename A, typename B>
 Result<bool> holds(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
   if (are_apart(a.header(), b.header())) return answer_apart(kPredicate, a.header(), b.header());
+  if constexpr (asks_whether_they_meet<kPredicate, A, B>()) {
+    const auto meet = ask_by_blocks(context, a, b, [&](const BlockedSet& first, const BlockedSet& second) {
+      return do_meet_by_blocks(first, second, context.monitor());
+    });
+    if (!meet) return meet.error();
+    if (*meet) return **meet != (kPredicate == Predicate::disjoint);
+  }
   return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) {
     return answer(kPredicate, first, second, context.monitor());
   });

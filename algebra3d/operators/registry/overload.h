@@ -33,6 +33,13 @@ class OnDemand {
     A3D_ASSIGN(const Value loaded, value_->loaded());
     return loaded.template get<T>();
   }
+  /// Blocks of its faces (DeferredValue::face_blocks); null if it has none. Errors: those of loading.
+  Result<std::shared_ptr<const FaceBlocks>> face_blocks() const {
+    if (!value_->is_deferred()) return std::shared_ptr<const FaceBlocks>();
+    return value_->deferred()->face_blocks();
+  }
+  /// The value, perhaps deferred, for who needs it after the call.
+  const Value& value() const { return *value_; }
 
  private:
   const Value* value_;

@@ -105,6 +105,7 @@ class RepeatableRows final : public RowSource {
     if (!row) note_failed_call(call_, arguments_, row.error(), context);
     return row;
   }
+  std::optional<std::uint64_t> count() const override { return rows_->count(); }
 
  private:
   RowSourcePtr rows_;

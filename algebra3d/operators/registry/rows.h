@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -34,6 +35,8 @@ class RowSource {
   RowSource& operator=(const RowSource&) = delete;
   /// The next row, or nothing at the end. `context`: that of the call that made this source.
   virtual Result<std::optional<Row>> next(Context& context) = 0;
+  /// The number of all rows, if it is known before they are made.
+  virtual std::optional<std::uint64_t> count() const { return std::nullopt; }
 };
 using RowSourcePtr = std::unique_ptr<RowSource>;
 
@@ -64,6 +67,8 @@ class Rows {
   using Next = std::function<Result<std::optional<Cells>>(Context&)>;
 
   explicit Rows(Next next) : next_(std::move(next)) {}
+  /// So many rows.
+  Rows(std::uint64_t count, Next next) : next_(std::move(next)), count_(count) {}
   /// Rows that exist already.
   explicit Rows(std::vector<Cells> rows)
       : next_([rows = std::move(rows), position = std::size_t{0}](Context&) mutable {
@@ -72,12 +77,13 @@ class Rows {
         }) {}
 
   static std::vector<const Type*> types() { return {&detail::CellOf<T>::type()...}; }
-  RowSourcePtr source() && { return std::make_unique<Source>(std::move(next_)); }
+  RowSourcePtr source() && { return std::make_unique<Source>(std::move(next_), count_); }
 
  private:
   class Source final : public RowSource {
    public:
-    explicit Source(Next next) : next_(std::move(next)) {}
+    Source(Next next, std::optional<std::uint64_t> count) : next_(std::move(next)), count_(count) {}
+    std::optional<std::uint64_t> count() const override { return count_; }
     Result<std::optional<Row>> next(Context& context) override {
       A3D_ASSIGN(std::optional<Cells> cells, next_(context));
       if (!cells) return std::optional<Row>();
@@ -93,9 +99,11 @@ class Rows {
 
    private:
     Next next_;
+    std::optional<std::uint64_t> count_;
   };
 
   Next next_;
+  std::optional<std::uint64_t> count_;
 };
 
 /// The rows of a table of one column, which a host with streams of plain values returns as such a stream.

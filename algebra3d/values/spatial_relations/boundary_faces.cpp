@@ -26,13 +26,13 @@ void BoundaryFaces::take(const PointSet& set) {
 /// and points of it.
 void BoundaryFaces::take(const Box3& box) {
   PointArray points;
-  std::uint32_t extended_axes = 0;
+  auto extended_axes = 0U;
   for (std::uint32_t axis = 0; axis < 3; ++axis)
     if (box.min[axis] < box.max[axis]) extended_axes |= 1U << axis;
   for (unsigned i = 0; i < 8; ++i) points.push_back(ExactPoint(corner_of(box, i)));
   std::vector<IndexTriangle> faces(kBoxTriangles.begin(), kBoxTriangles.end());
   for (IndexTriangle& face : faces)
-    for (std::uint32_t& corner : face) corner &= extended_axes;
+    for (auto& corner : face) corner &= extended_axes;
   own({std::move(points), faces});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "algebra3d/kernel/halfedge/triangle_mesh.h"
 #include "algebra3d/kernel/halfedge/vertex_facts.h"
 #include "algebra3d/kernel/search/box_hierarchy.h"
+#include "algebra3d/kernel/search/solid_cells.h"
 #include "algebra3d/kernel/validity/validity.h"
 #include "algebra3d/values/types/value.h"
 
@@ -66,12 +68,17 @@ struct Geometry {
   /// The numbers of the edges, likewise.
   const EdgeNumbers& edge_numbers() const;
   const HubFacts& hub_facts() const { return hub_facts_; }
+  /// The cells of a solid in which so many more points are to be located; null until those so far are worth the cost of
+  /// making them, and for a solid without (SolidCells::make). Made by one thread.
+  const SolidCells* cells_after(std::size_t points, const SolidCells::AreInside& are_inside) const;
 
  private:
-  mutable std::once_flag hierarchy_once_, components_once_, edge_numbers_once_;
+  mutable std::once_flag hierarchy_once_, components_once_, edge_numbers_once_, cells_once_;
   mutable std::unique_ptr<const BoxHierarchy> hierarchy_;
   mutable std::unique_ptr<const EdgeComponents> components_;
   mutable std::unique_ptr<const EdgeNumbers> edge_numbers_;
+  mutable std::unique_ptr<const SolidCells> cells_;
+  mutable std::atomic<std::size_t> points_located_ = 0;
   HubFacts hub_facts_;
 };
 

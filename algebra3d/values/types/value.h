@@ -17,6 +17,7 @@
 
 namespace algebra3d {
 
+class FaceBlocks;  // face_blocks.h
 class TypeExpr;
 class Value;
 
@@ -116,6 +117,9 @@ class DeferredValue {
   virtual GeometryHeader header() const = 0;
   /// Loads the value, or returns it from a cache.
   virtual Result<Value> load() const = 0;
+  /// The faces of a surface or solid in blocks that are read by need; null where loading the value is cheaper, or it
+  /// has none. Errors: those of loading.
+  virtual Result<std::shared_ptr<const FaceBlocks>> face_blocks() const { return std::shared_ptr<const FaceBlocks>(); }
   /// The source from which the value can be restored without loading it: `source()->value(reference)` is this value.
   virtual std::shared_ptr<const DeferredSource> source() const = 0;
   virtual void append_reference(std::string& bytes) const = 0;

@@ -252,4 +252,41 @@ Result<Value> Database::load(const LargeValue& value) {
   return result;
 }
 
+bool Database::is_in_memory(const LargeValue& value) {
+  const std::lock_guard lock(mutex_);
+  const auto where = changes_.where(value.layout->table_number(), value.tuple, value.time);
+  return where == ChangeLog::Whereabouts::current &&
+         cache_.find({value.layout->table_number(), value.tuple, value.attribute}).has_value();
+}
+
+void Database::keep_face_blocks_later(BlockedValue value) {
+  // They are made before the next statement runs, and the values stay in memory until then.
+  constexpr std::size_t kMostFaces = 4'000'000;
+  const std::lock_guard lock(mutex_);
+  std::size_t faces = value.value.header().size;
+  for (const BlockedValue& waiting : values_to_block_) {
+    if (waiting.place == value.place) return;
+    faces += waiting.value.header().size;
+  }
+  if (values_to_block_.empty() || faces <= kMostFaces) values_to_block_.push_back(std::move(value));
+}
+
+std::uint64_t Database::block_faces(const LevelPlace& place, std::uint64_t checksum) const {
+  const std::lock_guard lock(mutex_);
+  const auto known = block_faces_.find({place, checksum});
+  return known == block_faces_.end() ? 0 : known->second;
+}
+
+void Database::note_block_faces(const LevelPlace& place, std::uint64_t checksum, std::uint64_t count) {
+  const std::lock_guard lock(mutex_);
+  block_faces_[{place, checksum}] += count;
+}
+
+std::uint64_t Database::faces_in_blocks() const {
+  const std::lock_guard lock(mutex_);
+  std::uint64_t sum = 0;
+  for (const auto& [place, count] : block_faces_) sum += count;
+  return sum;
+}
+
 }  // namespace queries

@@ -15,6 +15,7 @@
 #include "queries/store/detail/relation_layout.h"
 #include "queries/store/detail/row_groups.h"
 #include "queries/store/detail/row_snapshot.h"
+#include "queries/store/detail/stored_face_blocks.h"
 #include "queries/store/detail/value_cache.h"
 #include "queries/store/store_options.h"
 
@@ -96,6 +97,12 @@ class Database : public std::enable_shared_from_this<Database> {
   bool makes_row_groups(const RelationLayout& layout) const;
   /// Makes SQLite's index of an ordered index anew when the statement has ended, if the file can be written then.
   void restore_order_later(IndexPlace place) { orders_to_restore_.push_back(std::move(place)); }
+  /// Keeps the face blocks of a value when the statement has ended, if the file can be written then. May be called by
+  /// any thread.
+  void keep_face_blocks_later(BlockedValue value);
+  /// The number of faces of a value that were read in blocks, since the file was opened. May be called by any thread.
+  std::uint64_t block_faces(const LevelPlace& place, std::uint64_t checksum) const;
+  void note_block_faces(const LevelPlace& place, std::uint64_t checksum, std::uint64_t count);
   const ChangeLog& changes() const { return changes_; }
   ChangeCounts& change_counts() { return change_counts_; }  // since opening
   /// The attributes of a relation that have a key table.
@@ -133,11 +140,14 @@ class Database : public std::enable_shared_from_this<Database> {
   /// The error for a tuple that is missing where `source_of` says.
   static Error missing(const RelationLayout& layout, TupleId tuple);
 
+  /// Whether a large value is in memory. May be called by any thread.
+  bool is_in_memory(const LargeValue& value);
   // Loads a large value. Errors: database_corrupt; internal after the end of the statement.
   Result<Value> load(const LargeValue& value);
   /// Calls `visit` with the encoded bytes, after checking their checksum. The bytes are valid during the call.
   Status with_bytes(const LargeValue& value, const std::function<Status(std::string_view)>& visit);
   std::uint64_t geometry_loads() const { return geometry_loads_; }
+  std::uint64_t faces_in_blocks() const;
 
  private:
   Database(std::unique_ptr<SqliteConnection> connection, std::filesystem::path file,
@@ -156,6 +166,7 @@ class Database : public std::enable_shared_from_this<Database> {
   void end_statement();
   Result<SqliteConnection*> original();
   void restore_indexes();
+  void keep_face_blocks();
   Status restore_order(const IndexPlace& place);
   static Error lost(const RelationLayout& layout, TupleId tuple);
   Result<Value> decode(const LargeValue& value, std::uint64_t& byte_count);
@@ -199,6 +210,8 @@ class Database : public std::enable_shared_from_this<Database> {
   std::unique_ptr<SqliteConnection> original_;  // sees the database as it was when the transaction began
   RowSnapshot kept_;                            // rows of this transaction as they were when the statement began
   std::atomic<std::uint64_t> geometry_loads_ = 0;
+  std::vector<BlockedValue> values_to_block_;
+  std::map<std::pair<LevelPlace, std::uint64_t>, std::uint64_t> block_faces_;  // by place and checksum
 };
 
 }  // namespace queries

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/interruption_scope.h"
 #include "base/propagate.h"
 #include "queries/store/detail/chunks.h"
 #include "queries/store/detail/compaction.h"
@@ -17,6 +18,16 @@ namespace {
 constexpr const char* kBeginStatement = "SAVEPOINT statement";
 constexpr const char* kEndStatement = "RELEASE statement";
 constexpr const char* kUndoStatement = "ROLLBACK TO statement";
+
+/// Writes the face blocks of a value, unless another process has changed or removed it.
+Status write_if_there(SqliteConnection& connection, const BlockedValue& value) {
+  A3D_ASSIGN(SqliteStatement statement, connection.use(value.presence_sql));
+  statement.bind(1, value.place.tuple).bind(2, as_signed(value.checksum));
+  A3D_ASSIGN(const bool is_there, statement.step());
+  if (!is_there) return {};
+  { const SqliteStatement done = std::move(statement); }
+  return write_face_blocks(connection, value);
+}
 
 }  // namespace
 
@@ -151,6 +162,7 @@ Status Database::commit() {
   if (is_explicit_) earlier_.add(changes_);
   end_statement();
   restore_indexes();
+  keep_face_blocks();
   return {};
 }
 
@@ -183,6 +195,23 @@ void Database::restore_indexes() {
   if (!status && connection_->in_transaction()) static_cast<void>(connection_->execute("ROLLBACK"));
   if (!status) return;
   for (const IndexPlace& place : places) indexes_.drop_ordered(place.layout->table_number(), place.attribute);
+}
+
+// A statement that asked about a large value had to load it whole. Another writer, or a full disk, is no failure: the
+// next statement that asks tries again.
+void Database::keep_face_blocks() {
+  if (values_to_block_.empty()) return;
+  const std::vector<BlockedValue> values = std::exchange(values_to_block_, {});
+  if (is_explicit_ || is_read_only_) return;
+  const algebra3d::UninterruptedScope to_the_end;
+  connection_->wait_at_most(0);
+  Status status = connection_->execute("BEGIN IMMEDIATE");
+  connection_->wait_at_most(options_.busy_milliseconds);
+  if (!status) return;
+  for (const BlockedValue& value : values)
+    if (status) status = write_if_there(*connection_, value);
+  if (status) status = connection_->execute("COMMIT");
+  if (!status && connection_->in_transaction()) static_cast<void>(connection_->execute("ROLLBACK"));
 }
 
 // SQLite frees the pages of an index along its links, which may lead to pages of others if they are damaged. Then the

@@ -3,6 +3,7 @@
 #include "base/propagate.h"
 #include "queries/store/detail/integrity_check.h"
 #include "queries/store/detail/shape_levels.h"
+#include "queries/store/detail/stored_face_blocks.h"
 
 namespace queries {
 
@@ -24,10 +25,11 @@ Status IntegrityCheck::check_levels() {
     const Cell bytes = rows->column(6);
     if (bytes.is(Cell::Kind::blob) && number(5) == key.checksum(bytes.bytes)) continue;
     Finding damaged = where;
+    const bool is_block = is_of_face_blocks(key.number);
     damaged.message += fmt::format(
-        "the level {} of owner {}, tuple {}, attribute {} is not what was written; it is made "
-        "anew when it is needed",
-        key.number, key.place.owner, key.place.tuple, key.place.attribute);
+        "the {} {} of owner {}, tuple {}, attribute {} is not what was written; {}", is_block ? "face block" : "level",
+        key.number, key.place.owner, key.place.tuple, key.place.attribute,
+        is_block ? "save and restore the database, which leaves face blocks out" : "it is made anew when it is needed");
     add(std::move(damaged));
   }
 }

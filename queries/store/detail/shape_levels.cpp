@@ -82,13 +82,15 @@ Result<bool> read_level(SqliteConnection& connection, const LevelKey& key,
   if (!has_row) return false;
   const Cell checksum = statement.column(0), bytes = statement.column(1);
   if (!checksum.is(Cell::Kind::integer) || !bytes.is(Cell::Kind::blob) || checksum.integer != key.checksum(bytes.bytes))
-    return Error{ErrorCode::database_corrupt, "a level of detail is not what was written"}.about(connection.file());
+    return Error{ErrorCode::database_corrupt, "a level of detail, or a block of faces, is not what was written"}.about(
+        connection.file());
   visit(bytes.bytes);
   return true;
 }
 
 Status write_level(SqliteConnection& connection, const LevelKey& key, std::string_view bytes) {
-  A3D_TRY(connection.execute(kCreateShapeLevels));
+  A3D_ASSIGN(const bool has_table, has_level_table(connection));
+  if (!has_table) A3D_TRY(connection.execute(kCreateShapeLevels));
   A3D_ASSIGN(SqliteStatement statement,
              connection.use("INSERT OR REPLACE INTO shape_levels VALUES(?, ?, ?, ?, ?, ?, ?)"));
   bind(statement, key);

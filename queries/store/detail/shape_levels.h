@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -16,6 +17,8 @@ struct LevelPlace {
   std::int64_t owner = 0;
   std::int64_t tuple = 0;
   std::int64_t attribute = 0;
+
+  friend auto operator<=>(const LevelPlace&, const LevelPlace&) = default;
 };
 
 /// A row of the table shape_levels: docs/file_format.md. A file has this table from its first level on.

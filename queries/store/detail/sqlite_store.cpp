@@ -38,6 +38,7 @@ class StoredObjectValue final : public StoredBytes, public std::enable_shared_fr
 
   algebra3d::GeometryHeader header() const override { return header_; }
   Result<Value> load() const override;
+  Result<std::shared_ptr<const algebra3d::FaceBlocks>> face_blocks() const override;
   std::shared_ptr<const algebra3d::DeferredSource> source() const override;
   void append_reference(std::string& bytes) const override { bytes.push_back('\0'); }
 
@@ -120,6 +121,17 @@ Result<Value> StoredObjectValue::load() const {
   if (!value) return std::move(value).error().about(entry_.name);
   loaded_ = *std::move(value);
   return *loaded_;
+}
+
+Result<std::shared_ptr<const algebra3d::FaceBlocks>> StoredObjectValue::face_blocks() const {
+  using Found = std::shared_ptr<const algebra3d::FaceBlocks>;
+  A3D_TRY(database_->check_statement(statement_));
+  if (!may_have_face_blocks(type_, header_.size)) return Found();
+  {
+    const std::lock_guard lock(mutex_);
+    if (loaded_) return Found();
+  }
+  return found_face_blocks(database_);
 }
 
 std::shared_ptr<const algebra3d::DeferredSource> StoredObjectValue::source() const {
@@ -262,7 +274,10 @@ Status SqliteStore::assign_value(CatalogueEntry& entry, const Value& value) {
         .about(entry.name);
   A3D_ASSIGN(const Value loaded, value.loaded());
   A3D_ASSIGN(const std::string bytes, algebra3d::encode_to_store(loaded));
-  return write_object_bytes(*database_, entry, bytes);
+  A3D_TRY(write_object_bytes(*database_, entry, bytes));
+  if (!loaded.is_defined() || !may_have_face_blocks(loaded.type(), loaded.type().is_large() ? loaded.header().size : 0))
+    return {};
+  return write_face_blocks(database_->connection(), {{0, entry.id, 0}, entry.value_sum, {}, loaded});
 }
 
 Result<std::vector<Finding>> SqliteStore::check(const algebra3d::Context& context,

@@ -48,6 +48,7 @@ class SqliteStore final : public Store {
 
   ChangeCounts change_counts() const override { return database_->change_counts(); }
   std::uint64_t geometry_loads() const override { return database_->geometry_loads(); }
+  std::uint64_t faces_in_blocks() const override { return database_->faces_in_blocks(); }
   Result<bool> is_imported(const std::string& relation, const ImportedFile& file) override;
   Status remember_imported(const std::string& relation, const ImportedFile& file) override;
   Status forget_imported(const std::string& relation, const std::string& path) override;

@@ -47,6 +47,24 @@ class StoredValues final : public algebra3d::DeferredSource {
 
 }  // namespace
 
+Result<std::shared_ptr<const algebra3d::FaceBlocks>> StoredBytes::found_face_blocks(
+    const std::shared_ptr<Database>& database) const {
+  A3D_ASSIGN(auto found, find_face_blocks(database, level_place(), checksum(), header()));
+  if (found != nullptr || database->is_read_only() || database->is_in_explicit_transaction()) return found;
+  if (database->block_faces(level_place(), checksum()) > 0) return found;  // it has some
+  A3D_ASSIGN(Value value, load());
+  database->keep_face_blocks_later({level_place(), checksum(), presence_sql(), std::move(value)});
+  return found;
+}
+
+Result<std::shared_ptr<const algebra3d::FaceBlocks>> StoredValue::face_blocks() const {
+  using Found = std::shared_ptr<const algebra3d::FaceBlocks>;
+  A3D_TRY(database_->check_statement(value_.statement));
+  const algebra3d::Type& type = *value_.layout->attributes()[value_.attribute].type;
+  if (!may_have_face_blocks(type, value_.header.size) || database_->is_in_memory(value_)) return Found();
+  return found_face_blocks(database_);
+}
+
 std::shared_ptr<const algebra3d::DeferredSource> StoredValue::source() const {
   return std::make_shared<StoredValues>(database_, value_.layout, value_.statement);
 }

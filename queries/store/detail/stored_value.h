@@ -18,6 +18,11 @@ class StoredBytes : public algebra3d::DeferredValue {
   virtual LevelPlace level_place() const = 0;
   /// A query with a row if the file holds this very value: the tuple of `level_place`, the checksum.
   virtual std::string presence_sql() const = 0;
+
+ protected:
+  /// The face blocks of this value. If it has none yet, it is loaded, and they are kept when the statement has ended.
+  Result<std::shared_ptr<const algebra3d::FaceBlocks>> found_face_blocks(
+      const std::shared_ptr<Database>& database) const;
 };
 
 /// A large attribute of a stored tuple, read on demand while its statement runs. Loaded values are kept in the
@@ -29,6 +34,7 @@ class StoredValue final : public StoredBytes {
 
   algebra3d::GeometryHeader header() const override { return value_.header; }
   Result<Value> load() const override { return database_->load(value_); }
+  Result<std::shared_ptr<const algebra3d::FaceBlocks>> face_blocks() const override;
   std::shared_ptr<const algebra3d::DeferredSource> source() const override;
   void append_reference(std::string& bytes) const override;
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/solids.h"
 
@@ -48,11 +50,42 @@ TEST(point_location, many_points_are_placed_as_one_after_the_other) {
   const std::vector<PointRef> refs(points.begin(), points.end());
   const std::vector<Placement> together = place_in_solid(refs, ball.geometry());
   std::array<int, 3> seen{};
+  std::optional<Volume3d> other_ball;
   for (std::size_t i = 0; i < points.size(); ++i) {
+    // So often a new one that its cells are never made: by rays alone.
+    if (i % 256 == 0) other_ball = Volume3d::trusted(solids::geodesic_sphere(4));
+    ASSERT_EQ(together[i], place_in_solid(refs[i], other_ball->geometry())) << i;
     ASSERT_EQ(together[i], place_in_solid(refs[i], ball.geometry())) << i;
     ++seen[static_cast<std::size_t>(together[i])];
   }
   for (const int count : seen) EXPECT_GT(count, 50);
+}
+
+TEST(point_location, cells_are_made_when_they_are_worth_their_cost) {
+  const Volume3d ball = Volume3d::trusted(solids::geodesic_sphere(4));
+  std::size_t asked = 0;
+  const auto are_inside = [&](std::span<const Vec3> middles) {
+    ++asked;
+    return std::vector<bool>(middles.size());
+  };
+  EXPECT_EQ(ball.geometry().cells_after(256, are_inside), nullptr);
+  EXPECT_EQ(asked, 0U);
+  const SolidCells* const cells = ball.geometry().cells_after(1024, are_inside);
+  EXPECT_NE(cells, nullptr);
+  EXPECT_EQ(ball.geometry().cells_after(1, are_inside), cells);
+  EXPECT_EQ(asked, 1U);
+}
+
+TEST(point_location, exact_points_beside_a_solid_with_cells_are_placed) {
+  const Volume3d ball = Volume3d::trusted(solids::geodesic_sphere(4));
+  std::vector<ExactPoint> points;
+  points.emplace_back(RationalVec3(Rational(1, 3), Rational(1, 7), Rational(1, 11)));
+  points.emplace_back(RationalVec3(Rational(1, 3), Rational(1, 7), Rational(10, 3)));
+  std::vector<PointRef> refs(4096, points[0]);
+  refs.emplace_back(points[1]);
+  const std::vector<Placement> together = place_in_solid(refs, ball.geometry());
+  EXPECT_EQ(together.front(), Placement::inside);
+  EXPECT_EQ(together.back(), Placement::outside);
 }
 
 TEST(point_location, a_point_on_a_surface_is_inside_or_on_a_boundary_edge) {

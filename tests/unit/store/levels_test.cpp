@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "algebra3d/values/types/face_blocks.h"
 #include "unit/store/store_fixture.h"
 
 namespace queries {
@@ -51,7 +52,9 @@ class Levels : public StoreTest {
     });
     return texts;
   }
-  std::string level_count() { return sql("SELECT count(*) FROM shape_levels"); }
+  // From 2^62 on the numbers are those of face blocks.
+  std::string level_count() { return sql("SELECT count(*) FROM shape_levels WHERE number < 4611686018427387904"); }
+  std::string block_count() { return sql("SELECT count(*) FROM shape_levels WHERE number >= 4611686018427387904"); }
 
   /// A sphere that is stored in some hundred kilobytes.
   Value large_solid() {
@@ -274,6 +277,78 @@ TEST_F(Levels, of_large_objects) {
   EXPECT_EQ(level_count(), "1");
   write([&] { ok(store_->assign("sphere", Datum{value("volume3d", this->solid(1))}, context_)); });
   EXPECT_EQ(level_count(), "0");
+}
+
+std::string found_text(const Result<std::shared_ptr<const algebra3d::FaceBlocks>>& found) {
+  return !found ? found.error().text() : *found == nullptr ? "none" : "blocks";
+}
+
+TEST_F(Levels, face_blocks_are_written_and_go_with_a_large_object) {
+  const Value solid = large_solid();
+  write([&] { let_object("sphere", solid); });
+  const std::size_t blocks = (solid.header().size + algebra3d::kFacesOfBlock - 1) / algebra3d::kFacesOfBlock;
+  EXPECT_GT(std::stoul(block_count()), blocks) << "with their list";
+  EXPECT_LT(std::stoul(block_count()), 4 * blocks);
+  EXPECT_EQ(findings(), std::vector<std::string>());
+  reopen(OpenMode::read_write);
+  read([&] {
+    const auto found = object("sphere").deferred()->face_blocks();
+    ASSERT_EQ(found_text(found), "blocks");
+    const std::vector<std::uint32_t> some{3, 5};
+    const auto faces = (*found)->faces(some);
+    ASSERT_TRUE(faces.ok()) << faces.error().text();
+    EXPECT_EQ(faces->face_count(), (*found)->face_count(some));
+    EXPECT_GT(faces->face_count(), 0U);
+    EXPECT_EQ(store_->faces_in_blocks(), faces->face_count());
+    const Value loaded_before = object("sphere");
+    ASSERT_TRUE(loaded_before.loaded().ok());
+    EXPECT_EQ(found_text(loaded_before.deferred()->face_blocks()), "none");
+  });
+  write([&] { ok(store_->assign("sphere", Datum{value("volume3d", this->solid(1))}, context_)); });
+  EXPECT_EQ(block_count(), "0");
+}
+
+TEST_F(Levels, face_blocks_that_are_missing_are_made_at_the_end_of_a_statement) {
+  write([&] { let_object("sphere", large_solid()); });
+  const std::string count = block_count();
+  store_.reset();
+  sql("DROP TABLE shape_levels");
+  reopen(OpenMode::read_only);
+  read([&] { EXPECT_EQ(found_text(object("sphere").deferred()->face_blocks()), "none"); });
+  reopen(OpenMode::read_write);
+  read([&] { EXPECT_EQ(found_text(object("sphere").deferred()->face_blocks()), "none"); });
+  EXPECT_EQ(block_count(), count);
+  read([&] { EXPECT_EQ(found_text(object("sphere").deferred()->face_blocks()), "blocks"); });
+}
+
+TEST_F(Levels, damaged_face_blocks_are_errors) {
+  write([&] { let_object("sphere", large_solid()); });
+  const auto with_damage = [&](const std::string& statement) {
+    store_.reset();
+    sql(statement);
+    reopen(OpenMode::read_write);
+    std::string text;
+    read([&] {
+      const auto found = object("sphere").deferred()->face_blocks();
+      const std::vector<std::uint32_t> first{0};
+      if (!found) text = found.error().text();
+      if (!found || *found == nullptr) return;
+      const auto faces = (*found)->faces(first);
+      text = faces ? "read" : faces.error().text();
+    });
+    return text;
+  };
+  EXPECT_EQ(with_damage("SELECT 1"), "read");
+  EXPECT_NE(with_damage("UPDATE shape_levels SET bytes = zeroblob(9) WHERE number = 4611686018427387905")
+                .find("a level of detail, or a block of faces, is not what was written"),
+            std::string::npos);
+  ASSERT_EQ(findings().size(), 1U);
+  EXPECT_NE(findings()[0].find("the face block 4611686018427387905 of owner 0"), std::string::npos) << findings()[0];
+  EXPECT_NE(with_damage("DELETE FROM shape_levels WHERE number = 4611686018427387905").find("is missing"),
+            std::string::npos);
+  EXPECT_NE(with_damage("UPDATE shape_levels SET bytes = zeroblob(9) WHERE number = 4611686018427387904")
+                .find("a level of detail, or a block of faces, is not what was written"),
+            std::string::npos);
 }
 
 TEST_F(Levels, a_large_object_can_be_its_own_new_value) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "algebra3d/kernel/halfedge/circulators.h"
 #include "algebra3d/kernel/halfedge/normals.h"
 #include "algebra3d/kernel/halfedge/vertex_facts.h"
+#include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/operators/registry/rows.h"
 #include "algebra3d/values/types/mesh3d.h"
 #include "algebra3d/values/types/scalars.h"
@@ -133,11 +135,30 @@ inline Status check_sometimes(const Context& context, std::size_t step) {
 template <typename RowsType, typename Cells>
 RowsType rows_up_to(std::size_t count, Cells cells) {
   using Next = Result<std::optional<typename RowsType::Cells>>;
-  return RowsType([count, cells = std::move(cells), next = std::size_t{0}](Context& context) mutable -> Next {
+  return RowsType(count, [count, cells = std::move(cells), next = std::size_t{0}](Context& context) mutable -> Next {
     if (next == count) return Next(std::nullopt);
     A3D_TRY(check_sometimes(context, next));
     return Next(cells(next++));
   });
+}
+
+/// As `rows_up_to`, for elements of a value that is loaded when the first row is asked for: the rows are those of
+/// cells_of(value), which makes the cells.
+template <typename RowsType, typename T, typename CellsOf>
+RowsType rows_of_loaded(std::size_t count, const OnDemand<T>& given, CellsOf cells_of) {
+  using Next = Result<std::optional<typename RowsType::Cells>>;
+  using Cells = decltype(cells_of(std::declval<const T&>()));
+  return RowsType(count,
+                  [count, value = given.value(), cells_of, cells = std::shared_ptr<Cells>(),
+                   next = std::size_t{0}](Context& context) mutable -> Next {
+                    if (next == count) return Next(std::nullopt);
+                    A3D_TRY(check_sometimes(context, next));
+                    if (cells == nullptr) {
+                      A3D_ASSIGN(const T loaded, OnDemand<T>(value).load());
+                      cells = std::make_shared<Cells>(cells_of(loaded));
+                    }
+                    return Next((*cells)(next++));
+                  });
 }
 
 /// The rows of the listed elements of a value.

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "algebra3d/operators/registry/overload.h"
 #include "algebra3d/values/constructions/region_meshes.h"
+#include "algebra3d/values/spatial_relations/block_relations.h"
 #include "algebra3d/values/spatial_relations/relation.h"
 #include "algebra3d/values/types/planar.h"
 #include "algebra3d/values/types/spatial.h"
@@ -55,6 +58,42 @@ auto ask_loaded(Context& context, const OnDemand<A>& a, const OnDemand<B>& b, co
   A3D_ASSIGN(const SpatialSet first_set, set_of(first, context));
   A3D_ASSIGN(const SpatialSet second_set, set_of(second, context));
   return ask(first_set, second_set);
+}
+
+/// The kinds of sets that may be asked beside a surface or solid in blocks.
+template <typename T>
+inline constexpr bool kGoesWithBlocks =
+    std::is_same_v<T, Box3> || std::is_same_v<T, Point3d> || std::is_same_v<T, Points3d> ||
+    std::is_same_v<T, Surface3d> || std::is_same_v<T, Volume3d>;
+
+/// The operand for a set with these blocks; a set without is loaded into `loaded`.
+template <typename T>
+Result<BlockedSet> blocked_set(Context& context, const OnDemand<T>& given, const FaceBlocks* blocks,
+                               std::optional<T>& loaded) {
+  if (blocks != nullptr) return BlockedSet(*blocks, std::is_same_v<T, Volume3d>);
+  A3D_ASSIGN(T content, given.load());
+  loaded = std::move(content);
+  A3D_ASSIGN(SpatialSet set, set_of(*loaded, context));
+  return BlockedSet(std::move(set), given.header().box);
+}
+
+/// Calls ask(a, b), which returns an optional answer, if a set has face blocks; nothing if none has.
+template <typename A, typename B, typename Ask>
+auto ask_by_blocks(Context& context, const OnDemand<A>& a, const OnDemand<B>& b, const Ask& ask)
+    -> decltype(ask(std::declval<BlockedSet>(), std::declval<BlockedSet>())) {
+  using Answer = decltype(ask(std::declval<BlockedSet>(), std::declval<BlockedSet>()));
+  if constexpr (kGoesWithBlocks<A> && kGoesWithBlocks<B>) {
+    A3D_ASSIGN(const auto blocks_of_a, a.face_blocks());
+    A3D_ASSIGN(const auto blocks_of_b, b.face_blocks());
+    if (blocks_of_a != nullptr || blocks_of_b != nullptr) {
+      std::optional<A> loaded_a;
+      std::optional<B> loaded_b;
+      A3D_ASSIGN(const BlockedSet first, blocked_set(context, a, blocks_of_a.get(), loaded_a));
+      A3D_ASSIGN(const BlockedSet second, blocked_set(context, b, blocks_of_b.get(), loaded_b));
+      return ask(first, second);
+    }
+  }
+  return Answer(typename Answer::value_type());
 }
 
 /// Adds the overloads Maker::make<First, Second>() for one kind and each of several.

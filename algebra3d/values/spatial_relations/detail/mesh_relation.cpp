@@ -70,7 +70,7 @@ int dimension_of(Contact contact) {
 
 /// The half-edge of a face whose ends are its two corners with side 0; invalid if it has not exactly two.
 HalfedgeId edge_in_plane(FaceId face, const Sides& sides) {
-  for (std::uint32_t i = 0; i < 3; ++i)
+  for (auto i = 0U; i < 3; ++i)
     if (sides[i] == 0 && sides[kNext[i]] == 0 && sides[kNext[kNext[i]]] != 0) return TriangleMesh::halfedge(face, i);
   return {};
 }
@@ -141,7 +141,7 @@ void MeshRelation::compare_faces() {
   SlabGaps slab_gaps(first.mesh, first.hierarchy(), second.mesh, second.hierarchy());
   first.hierarchy().for_each_pair_with(
       second.hierarchy(),
-      [&](std::uint32_t f, std::uint32_t g) {
+      [&](auto f, auto g) {
         gaps.note_visit();
         return visit(FaceId(f), FaceId(g));
       },
@@ -172,7 +172,7 @@ bool MeshRelation::visit(FaceId f, FaceId g) {
 /// A face of a mesh in which a point lies; invalid if there is none.
 FaceId face_with(const PointRef& point, const Geometry& geometry) {
   FaceId result;
-  geometry.hierarchy().for_each_meeting(box_of(point), [&](std::uint32_t face) {
+  geometry.hierarchy().for_each_meeting(box_of(point), [&](auto face) {
     if (is_on_triangle(point, geometry.mesh.corners(FaceId(face)))) result = FaceId(face);
     return !result.is_valid();
   });
@@ -227,7 +227,7 @@ void MeshRelation::visit_coplanar(const FacePairContact& pair) {
   for (const Role role : kRoles) {
     const auto& own = pair.corners[index_of(role)];
     const auto& others = pair.corners[index_of(other(role))];
-    for (std::uint32_t i = 0; i < 3; ++i) {
+    for (auto i = 0U; i < 3; ++i) {
       if (intersect_segment_triangle(others[i], others[kNext[i]], own) != Contact::segment) continue;
       touching[index_of(other(role))] = TriangleMesh::halfedge(pair.faces[index_of(other(role))], i);
       visit_edge_in_plane(pair, role, touching[index_of(other(role))]);
@@ -281,13 +281,13 @@ void MeshRelation::compare_boundaries(const FacePairContact& pair) {
   const auto is_boundary = [&](Role of, std::uint32_t i) {
     return set(of).mesh().is_boundary(TriangleMesh::halfedge(pair.faces[index_of(of)], i));
   };
-  for (std::uint32_t i = 0; i < 3; ++i) {
+  for (auto i = 0U; i < 3; ++i) {
     if (!is_boundary(role, i)) continue;
     if (set(other(role)).is_solid) {
       add(intersect_segment_triangle(own[i], own[kNext[i]], others));
       continue;
     }
-    for (std::uint32_t j = 0; j < 3; ++j)
+    for (auto j = 0U; j < 3; ++j)
       if (is_boundary(other(role), j)) add(intersect_segments(own[i], own[kNext[i]], others[j], others[kNext[j]]));
   }
 }

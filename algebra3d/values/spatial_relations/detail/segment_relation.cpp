@@ -67,7 +67,7 @@ ExactPoint middle_of(const ExactPoint& p, const ExactPoint& q) {
 void relate_segment(const Box3& segment, const MeshSet& mesh, Role role, Findings& findings, const Monitor& monitor) {
   findings.add_leaving(other(role));
   SegmentCuts cuts(segment);
-  mesh.geometry->hierarchy().for_each_meeting(segment, [&](std::uint32_t face) {
+  mesh.geometry->hierarchy().for_each_meeting(segment, [&](auto face) {
     cuts.add(mesh.mesh().corners(FaceId(face)));
     return !monitor.is_cancelled();
   });

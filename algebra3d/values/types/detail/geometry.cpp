@@ -68,6 +68,17 @@ const EdgeNumbers& Geometry::edge_numbers() const {
   return *edge_numbers_;
 }
 
+const SolidCells* Geometry::cells_after(std::size_t points, const SolidCells::AreInside& are_inside) const {
+  // Making the cells costs as much as locating a point without them for every tenth of them.
+  constexpr std::size_t kFewest = 4096, kMost = std::size_t{1} << 21U, kFacesForAPoint = 8;
+  const std::size_t located = points_located_.fetch_add(points, std::memory_order_relaxed) + points;
+  if (located * kFacesForAPoint < mesh.face_count() + kFewest) return nullptr;
+  std::call_once(cells_once_, [&] {
+    cells_ = SolidCells::make(mesh, box, std::clamp(2 * mesh.face_count(), kFewest, kMost), are_inside);
+  });
+  return cells_.get();
+}
+
 std::shared_ptr<const Geometry> make_geometry(TriangleMesh mesh) {
   constexpr std::size_t kVerticesPerTask = 20000;
   std::vector<Box3> boxes((mesh.vertex_count() + kVerticesPerTask - 1) / kVerticesPerTask);
