@@ -90,7 +90,7 @@ TEST_F(LazyFaces, two_solids_are_compared_by_the_faces_that_are_near) {
     reopen();
     EXPECT_EQ(run(questions[i]), answers[i]);
     EXPECT_EQ(loads(), 0U) << questions[i];
-    EXPECT_GT(faces_in_blocks(), 0U) << questions[i];
+    EXPECT_EQ(faces_in_blocks() == 0, i == 0) << questions[i] << ": boxes that are apart suffice for the first one";
     EXPECT_LT(faces_in_blocks(), 31'000U) << questions[i];
   }
 }
@@ -101,7 +101,7 @@ TEST_F(LazyFaces, who_asks_often_loads_the_solid) {
   run("query intstream(1, 1000) transformstream filter[P inside " + ball(0) + "] count");
   for (int i = 0; i < 200 && loads() == 0; ++i) run("query P inside " + ball(0));
   EXPECT_EQ(loads(), 1U);
-  EXPECT_LT(faces_in_blocks(), 33'000U);
+  EXPECT_LT(faces_in_blocks(), 36'000U);
 }
 
 TEST_F(LazyFaces, blocks_go_with_their_value) {
@@ -113,7 +113,7 @@ TEST_F(LazyFaces, blocks_go_with_their_value) {
   reopen();
   EXPECT_EQ(run("query makePoint3D(100, 2, 3) inside " + ball(0)), "TRUE");
   EXPECT_EQ(loads(), 0U);
-  EXPECT_EQ(run("check database"), "");
+  EXPECT_EQ(run("check database"), "(inquiry (findings ()))");
 }
 
 }  // namespace
