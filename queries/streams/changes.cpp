@@ -186,8 +186,28 @@ Result<TupleBuffer> equal_tuples(const TupleStreamPtr& wanted, Relation& relatio
 
 /// Erases the tuples, and passes them on with their ids.
 Result<TupleStreamPtr> erase_all(const TupleBuffer& doomed, Relation& relation, const Context& context) {
-  A3D_TRY(for_each_tuple(*doomed.scan(), context, [&](const TuplePtr& tuple) { return relation.erase(tuple->id); }));
+  std::vector<TupleId> ids;
+  A3D_TRY(for_each_tuple(*doomed.scan(), context, [&](const TuplePtr& tuple) {
+    ids.push_back(tuple->id);
+    return Status();
+  }));
+  A3D_TRY(relation.erase_all(ids, context));
   return tuples_with_ids(doomed);
+}
+
+/// The same, of a relation that changes in columns. `read`: by attribute of the result.
+Result<TupleStreamPtr> erase_in_columns(Operand operand, const std::vector<bool>& read, const Context& context) {
+  const RelationPtr relation = operand.relation;
+  std::vector<TupleId> ids;
+  {
+    OwnTuples own(std::move(operand));
+    A3D_TRY(for_each_batch(own, context, [](const Batch&) { return Status(); }));
+    ids = own.take_ids();
+  }
+  A3D_ASSIGN(auto erased, ChangedTuples::make(relation, 0, read));
+  A3D_TRY(relation->erase_all(ids, context));
+  A3D_TRY(erased->begin(std::move(ids)));
+  return TupleStreamPtr(std::move(erased));
 }
 
 Result<BoundOperator> map_deletesearch(std::span<const ArgumentType> arguments) {
@@ -201,16 +221,28 @@ Result<BoundOperator> map_deletesearch(std::span<const ArgumentType> arguments) 
                        }};
 }
 
+/// `read`: by attribute of the result. `are_own`: the plan says that the tuples are of the relation.
+BoundOperator delete_operator(const TypeExpr& result, const std::vector<bool>& read, bool are_own) {
+  ChangesTuples role{
+      [result, are_own](const std::vector<bool>& wanted) { return delete_operator(result, wanted, are_own); }};
+  if (!are_own) role.of_own = [result, read] { return delete_operator(result, read, true); };
+  return {TypeExpr::stream(result),
+          [read, are_own](std::vector<Datum> given, Context& context) -> Result<Datum> {
+            Operand operand{given[0].tuples(), given[1].relation(), "deletedirect", are_own};
+            return Datum{
+                made_when_asked([operand = std::move(operand), read, &context]() mutable -> Result<TupleStreamPtr> {
+                  if (operand.relation->changes_in_columns())
+                    return erase_in_columns(std::move(operand), read, context);
+                  A3D_ASSIGN(const TupleBuffer doomed, own_tuples(operand, context));
+                  return erase_all(doomed, *operand.relation, context);
+                })};
+          },
+          std::move(role)};
+}
+
 Result<BoundOperator> map_deletedirect(std::span<const ArgumentType> arguments) {
   A3D_ASSIGN(const TypeExpr result, changed_type(MappingCheck("deletedirect", arguments)));
-  return BoundOperator{
-      TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        return Datum{made_when_asked(
-            [tuples = given[0].tuples(), relation = given[1].relation(), &context]() -> Result<TupleStreamPtr> {
-              A3D_ASSIGN(const TupleBuffer doomed, own_tuples(*tuples, *relation, "deletedirect", context));
-              return erase_all(doomed, *relation, context);
-            })};
-      }};
+  return delete_operator(result, std::vector<bool>(result.attributes().size(), true), false);
 }
 
 Result<BoundOperator> map_deletebyid(std::span<const ArgumentType> arguments) {

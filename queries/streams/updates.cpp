@@ -1,6 +1,8 @@
 // updatedirect, updatebyid: tuples of stored relations get new values.
 #include "base/propagate.h"
 #include "queries/streams/all.h"
+#include "queries/streams/batch_buffer.h"
+#include "queries/streams/detail/column_streams.h"
 #include "queries/streams/detail/relation_changes.h"
 
 namespace queries {
@@ -59,6 +61,80 @@ Result<TupleStreamPtr> update_all(const TupleBuffer& old_tuples, Relation& relat
   });
 }
 
+/// How `updatedirect` works.
+struct UpdatePlan {
+  TypeExpr tuple, result;
+  Assignments assigned;
+  std::vector<bool> read;  ///< by attribute of the result
+  bool are_own;            ///< the plan says that the tuples are of the relation
+};
+
+/// The results of functions, converted.
+class ConvertedColumns {
+ public:
+  explicit ConvertedColumns(const std::vector<Conversion>& conversions) : conversions_(conversions) {}
+
+  Batch converted_batch(const Batch& batch) {
+    Batch result = batch;
+    columns_.clear();
+    columns_.reserve(conversions_.size());  // the batch refers to them
+    for (std::size_t i = 0; i < conversions_.size(); ++i) {
+      if (conversions_[i] == nullptr) continue;
+      ValueColumn& column = columns_.emplace_back(*conversions_[i]);
+      column.restart(batch.size);
+      batch.rows.for_each(
+          [&](std::size_t row) { column.set(row, converted(batch.columns[i]->value(row), conversions_[i])); });
+      result.columns[i] = &column;
+    }
+    return result;
+  }
+
+ private:
+  const std::vector<Conversion>& conversions_;
+  std::vector<ValueColumn> columns_;
+};
+
+// The functions may ask for the relation, so that all of them are called before anything is written.
+Result<TupleStreamPtr> update_in_columns(Operand operand, const UpdatePlan& plan, const DatumList& functions,
+                                         const Context& context) {
+  const RelationPtr relation = operand.relation;
+  BatchBuffer values(context);
+  std::vector<TupleId> ids;
+  {
+    const auto own = std::make_shared<OwnTuples>(std::move(operand));
+    AttributeSources sources;
+    for (std::size_t i = 0; i < functions.size(); ++i) sources.push_back({true, i});
+    ConvertedColumns conversion(plan.assigned.conversions);
+    A3D_TRY(for_each_batch(*made_tuples(own, std::move(sources), functions), context,
+                           [&](const Batch& batch) { return values.add(conversion.converted_batch(batch)); }));
+    ids = own->take_ids();
+  }
+  A3D_ASSIGN(auto changed, ChangedTuples::make(relation, plan.tuple.attributes().size(), plan.read));
+  A3D_TRY(relation->update_all(ids, plan.assigned.attributes, *values.take(), context));
+  A3D_TRY(changed->begin(std::move(ids)));
+  return TupleStreamPtr(std::move(changed));
+}
+
+BoundOperator update_operator(const UpdatePlan& plan) {
+  ChangesTuples role{[plan](std::vector<bool> read) {
+    return update_operator({plan.tuple, plan.result, plan.assigned, std::move(read), plan.are_own});
+  }};
+  if (!plan.are_own)
+    role.of_own = [plan] { return update_operator({plan.tuple, plan.result, plan.assigned, plan.read, true}); };
+  return {TypeExpr::stream(plan.result),
+          [plan](std::vector<Datum> given, Context& context) -> Result<Datum> {
+            Operand operand{given[0].tuples(), given[1].relation(), "updatedirect", plan.are_own};
+            return Datum{made_when_asked([operand = std::move(operand), functions = given[2].list(), plan,
+                                          &context]() mutable -> Result<TupleStreamPtr> {
+              if (operand.relation->changes_in_columns())
+                return update_in_columns(std::move(operand), plan, functions, context);
+              A3D_ASSIGN(const TupleBuffer old, own_tuples(operand, context));
+              return update_all(old, *operand.relation, plan.assigned, functions, context);
+            })};
+          },
+          std::move(role)};
+}
+
 Result<BoundOperator> map_updatedirect(std::span<const ArgumentType> arguments) {
   const MappingCheck check("updatedirect", arguments);
   A3D_ASSIGN(const TypeExpr given_tuple, check.stream(0));
@@ -66,14 +142,7 @@ Result<BoundOperator> map_updatedirect(std::span<const ArgumentType> arguments) 
   if (!(given_tuple == tuple)) return check.expected("a stream of " + tuple.text(), given_tuple);
   A3D_ASSIGN(const Assignments assigned, assignments(check, 2, tuple));
   A3D_ASSIGN(const TypeExpr result, updated_type(check, tuple));
-  return BoundOperator{
-      TypeExpr::stream(result), [assigned](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        return Datum{made_when_asked([tuples = given[0].tuples(), relation = given[1].relation(),
-                                      functions = given[2].list(), assigned, &context]() -> Result<TupleStreamPtr> {
-          A3D_ASSIGN(const TupleBuffer old, own_tuples(*tuples, *relation, "updatedirect", context));
-          return update_all(old, *relation, assigned, functions, context);
-        })};
-      }};
+  return update_operator({tuple, result, assigned, std::vector<bool>(result.attributes().size(), true), false});
 }
 
 Result<BoundOperator> map_updatebyid(std::span<const ArgumentType> arguments) {

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/context.h"
+#include "base/work_memory.h"
+#include "queries/streams/batch.h"
+#include "queries/streams/tuple_buffer.h"
+
+namespace queries {
+
+/// A copy of a batch with the rows that are selected alone.
+class KeptBatch {
+ public:
+  explicit KeptBatch(const Batch& batch);
+  const Batch& batch() const { return own_->batch; }
+  /// Estimated memory.
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  std::unique_ptr<OwnBatch> own_;  // where it is: the batch refers to its columns
+  std::size_t bytes_ = 0;
+};
+
+/// A sequence of tuples in columns, to be read once: in memory while the work memory lasts, the rest in a temporary
+/// file, tuple by tuple.
+class BatchBuffer {
+ public:
+  explicit BatchBuffer(const algebra3d::Context& context) : context_(context), account_(context.memory) {}
+
+  /// Errors: those of the temporary file.
+  Status add(const Batch& batch);
+  /// Reads all tuples, which are released as they are read.
+  TupleStreamPtr take();
+
+ private:
+  const algebra3d::Context& context_;
+  algebra3d::MemoryAccount account_;
+  std::deque<KeptBatch> batches_;
+  std::optional<TupleBuffer> rest_;
+};
+
+}  // namespace queries
