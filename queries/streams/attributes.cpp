@@ -109,8 +109,8 @@ Result<BoundOperator> map_feedproject(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_attributes(algebra3d::Registry& registry) {
-  registry.add({
+void register_attributes(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "attr",
       .syntax = "attr(_, attribute)",
       .doc = "The value of an attribute of a tuple; `.Name` is short for `attr(., Name)`.",
@@ -123,7 +123,7 @@ void register_attributes(algebra3d::Registry& registry) {
                           "((undefined undefined))"}},
       .query_errors = {{"query attr(5, X)", "attr: expected a tuple, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "project",
       .syntax = "_ project[attributes]",
       .doc = "The tuples with the named attributes only, in the order given.",
@@ -135,7 +135,7 @@ void register_attributes(algebra3d::Registry& registry) {
       .query_errors = {{"query intstream(1, 2) transformstream project[Elm] count",
                         "project: unknown attribute 'Elm', did you mean 'Elem'?"}},
   });
-  registry.add({
+  group.add({
       .name = "feedproject",
       .syntax = "_ feedproject[attributes]",
       .doc = "The tuples of a relation with the named attributes only: `feed` and `project` in one.",
@@ -149,7 +149,7 @@ void register_attributes(algebra3d::Registry& registry) {
                         "feedproject: unknown attribute 'B'"},
                        {"query 5 feedproject[B] count", "feedproject: expected a relation, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "remove",
       .syntax = "_ remove[attributes]",
       .doc = "The tuples without the named attributes.",
@@ -164,7 +164,7 @@ void register_attributes(algebra3d::Registry& registry) {
                        {"query intstream(1, 2) transformstream remove[Elm] count",
                         "remove: unknown attribute 'Elm', did you mean 'Elem'?"}},
   });
-  registry.add({
+  group.add({
       .name = "rename",
       .syntax = "_ rename[name]",
       .doc = "The same tuples; each attribute A is named A_x. `S {x}` is short for `S rename[x]`.",
@@ -175,7 +175,7 @@ void register_attributes(algebra3d::Registry& registry) {
                          {"[const int value undefined] feed transformstream {a} consume", "((undefined))"}},
       .query_errors = {{"query 5 rename[x]", "rename: expected a stream of tuples, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "renameAttr",
       .syntax = "_ renameAttr[renames]",
       .doc = "The same tuples with new names for single attributes: the new name, a colon, the old name.",

@@ -261,8 +261,8 @@ Result<BoundOperator> map_deletebyid(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_changes(algebra3d::Registry& registry) {
-  registry.add({
+void register_changes(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "inserttuple",
       .syntax = "_ inserttuple[_ ...]",
       .doc = "Inserts one tuple into a stored relation and returns it with its id as TID; takes effect when consumed "
@@ -284,7 +284,7 @@ void register_changes(algebra3d::Registry& registry) {
                        {"query [const rel(tuple([A: int])) value ()] inserttuple[1] count",
                         "only a relation that is stored as an object can be changed"}},
   });
-  registry.add({
+  group.add({
       .name = "insert",
       .syntax = "_ _ insert",
       .doc = "Inserts all tuples of a stream into a stored relation and returns them with their new ids as TID; "
@@ -303,7 +303,7 @@ void register_changes(algebra3d::Registry& registry) {
                        {"query intstream(1, 2) transformstream [const rel(tuple([Elem: int])) value ()] insert count",
                         "only a relation that is stored as an object can be changed"}},
   });
-  registry.add({
+  group.add({
       .name = "deletesearch",
       .syntax = "_ _ deletesearch",
       .doc = "Deletes every tuple of a stored relation that equals one of the stream, and returns the deleted tuples "
@@ -320,7 +320,7 @@ void register_changes(algebra3d::Registry& registry) {
           {{"query intstream(1, 2) transformstream [const rel(tuple([A: int])) value ()] deletesearch count",
             "deletesearch: expected a stream of (tuple ((A int))), got (tuple ((Elem int)))"}},
   });
-  registry.add({
+  group.add({
       .name = "deletedirect",
       .syntax = "_ _ deletedirect",
       .doc = "Deletes the tuples of a stream from their stored relation, and returns them with their ids.",
@@ -339,7 +339,7 @@ void register_changes(algebra3d::Registry& registry) {
                        {"query Boxes feed project[No] Boxes deletedirect count",
                         "deletedirect: expected a stream of (tuple ((No int) (B rect3))), got (tuple ((No int)))"}},
   });
-  registry.add({
+  group.add({
       .name = "deletebyid",
       .syntax = "_ deletebyid[_]",
       .doc = "Deletes the tuple with this id from a stored relation, and returns it with its id.",

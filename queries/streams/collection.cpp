@@ -123,10 +123,10 @@ ValueStreamPtr elements_of(const Value& collection) {
   });
 }
 
-void register_collections(algebra3d::Registry& registry) {
+void register_collections(algebra3d::OperatorGroup& group) {
   for (const CollectionTexts& texts : kCollections) {
     const std::string name = std::string("collect_") + texts.type;
-    registry.add({
+    group.add({
         .name = name,
         .syntax = "_ " + name,
         .doc = texts.doc,

@@ -147,8 +147,8 @@ Result<BoundOperator> map_import_csv(std::span<const ArgumentType> arguments, Co
 
 }  // namespace
 
-void register_csv_import(algebra3d::Registry& registry) {
-  registry.add({
+void register_csv_import(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "importCSV",
       .syntax = "importCSV(_ ...)",
       .doc = "The lines of a CSV file as tuples, in order; types are guessed or those of a given relation.",

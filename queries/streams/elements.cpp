@@ -57,8 +57,8 @@ Result<BoundOperator> map_projecttransformstream(std::span<const ArgumentType> a
 
 }  // namespace
 
-void register_elements(algebra3d::Registry& registry) {
-  registry.add({
+void register_elements(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "transformstream",
       .syntax = "_ transformstream",
       .doc = "A stream of values as tuples with the single attribute Elem, or such tuples as a stream of their values.",
@@ -72,7 +72,7 @@ void register_elements(algebra3d::Registry& registry) {
       .query_errors = {{"query 5 transformstream",
                         "transformstream: expected a stream of values, or of tuples with one attribute, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "namedtransformstream",
       .syntax = "_ namedtransformstream[name]",
       .doc = "A stream of values as tuples with a single attribute of that name.",
@@ -86,7 +86,7 @@ void register_elements(algebra3d::Registry& registry) {
                        {"query intstream(1, 2) transformstream namedtransformstream[No] count",
                         "namedtransformstream: expected a stream of values, got (stream (tuple"}},
   });
-  registry.add({
+  group.add({
       .name = "projecttransformstream",
       .syntax = "_ projecttransformstream[attribute]",
       .doc = "The stream of the values of an attribute.",

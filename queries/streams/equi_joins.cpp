@@ -61,8 +61,8 @@ constexpr std::string_view kLeft = "[const rel(tuple([A: int])) value ((1) (2) (
 constexpr std::string_view kRight = "[const rel(tuple([B: int])) value ((2) (3) (undefined))] feed ";
 constexpr std::string_view kPairSignature = "(stream(tuple) stream(tuple) NAME NAME) -> stream(tuple)";
 
-void register_hash_joins(algebra3d::Registry& registry, const std::string& left, const std::string& right) {
-  registry.add({
+void register_hash_joins(algebra3d::OperatorGroup& group, const std::string& left, const std::string& right) {
+  group.add({
       .name = "hashjoin",
       .syntax = "_ _ hashjoin[attribute, attribute ...]",
       .doc = "The pairs of tuples of both streams with equal, defined values of the two attributes.",
@@ -78,7 +78,7 @@ void register_hash_joins(algebra3d::Registry& registry, const std::string& left,
       .query_errors = {{"query " + left + right + "extend[C: TRUE] hashjoin[A, C] count",
                         "hashjoin: expected attributes of one type, got int and bool"}},
   });
-  registry.add({
+  group.add({
       .name = "itHashJoin",
       .syntax = "_ _ itHashJoin[attribute, attribute ...]",
       .doc = "The pairs of tuples of both streams with equal, defined values of the two attributes: another name of "
@@ -95,8 +95,8 @@ void register_hash_joins(algebra3d::Registry& registry, const std::string& left,
   });
 }
 
-void register_merge_joins(algebra3d::Registry& registry, const std::string& left, const std::string& right) {
-  registry.add({
+void register_merge_joins(algebra3d::OperatorGroup& group, const std::string& left, const std::string& right) {
+  group.add({
       .name = "mergejoin",
       .syntax = "_ _ mergejoin[attribute, attribute]",
       .doc = "The pairs of tuples of two streams that are sorted by the two attributes, with equal, defined values of "
@@ -112,7 +112,7 @@ void register_merge_joins(algebra3d::Registry& registry, const std::string& left
                        {"query " + left + right + "extend[C: TRUE] mergejoin[A, C] count",
                         "mergejoin: expected attributes of one type, got int and bool"}},
   });
-  registry.add({
+  group.add({
       .name = "sortmergejoin",
       .syntax = "_ _ sortmergejoin[attribute, attribute]",
       .doc = "The pairs of tuples of two streams with equal, defined values of the two attributes, in their order.",
@@ -125,7 +125,7 @@ void register_merge_joins(algebra3d::Registry& registry, const std::string& left
       .query_errors = {{"query " + left + right + "extend[C: TRUE] sortmergejoin[A, C] count",
                         "sortmergejoin: expected attributes of one type, got int and bool"}},
   });
-  registry.add({
+  group.add({
       .name = "smouterjoin",
       .syntax = "_ _ smouterjoin[attribute, attribute]",
       .doc = "The full outer join: the pairs with equal, defined values of the two attributes, and every tuple without "
@@ -144,11 +144,11 @@ void register_merge_joins(algebra3d::Registry& registry, const std::string& left
 
 }  // namespace
 
-void register_equi_joins(algebra3d::Registry& registry) {
+void register_equi_joins(algebra3d::OperatorGroup& group) {
   const std::string left(kLeft);
   const std::string right(kRight);
-  register_hash_joins(registry, left, right);
-  register_merge_joins(registry, left, right);
+  register_hash_joins(group, left, right);
+  register_merge_joins(group, left, right);
 }
 
 }  // namespace queries

@@ -98,8 +98,8 @@ Result<BoundOperator> map_addcounter(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_extending(algebra3d::Registry& registry) {
-  registry.add({
+void register_extending(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "extend",
       .syntax = "_ extend[functions(TUPLE)]",
       .doc = "The tuples with new attributes appended; all functions see the input tuple only.",
@@ -113,7 +113,7 @@ void register_extending(algebra3d::Registry& registry) {
       .query_errors = {{"query intstream(1, 2) transformstream extend[Elem: 1] count",
                         "extend: duplicate attribute name 'Elem'"}},
   });
-  registry.add({
+  group.add({
       .name = "projectextend",
       .syntax = "_ projectextend[attributes; functions(TUPLE)]",
       .doc =
@@ -128,7 +128,7 @@ void register_extending(algebra3d::Registry& registry) {
       .query_errors = {{"query intstream(1, 2) transformstream projectextend[Elem; Elem: 1] count",
                         "projectextend: duplicate attribute name 'Elem'"}},
   });
-  registry.add({
+  group.add({
       .name = "replaceAttr",
       .syntax = "_ replaceAttr[functions(TUPLE)]",
       .doc = "The tuples with new values of some attributes, possibly of other types, at their old positions.",
@@ -145,7 +145,7 @@ void register_extending(algebra3d::Registry& registry) {
                        {"query intstream(1, 2) transformstream replaceAttr[Elem: intstream(1, 2)] count",
                         "replaceAttr: expected a value for the attribute 'Elem', got (stream int)"}},
   });
-  registry.add({
+  group.add({
       .name = "addcounter",
       .syntax = "_ addcounter[name ...]",
       .doc = "The tuples with a new attribute that counts them, from the start on; from 1 if no start is given.",

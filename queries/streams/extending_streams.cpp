@@ -68,8 +68,8 @@ Result<BoundOperator> map_projectextendstream(std::span<const ArgumentType> argu
 
 }  // namespace
 
-void register_extending_streams(algebra3d::Registry& registry) {
-  registry.add({
+void register_extending_streams(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "extendstream",
       .syntax = "_ extendstream[functions(TUPLE)]",
       .doc =
@@ -91,7 +91,7 @@ void register_extending_streams(algebra3d::Registry& registry) {
            {"query intstream(1, 3) transformstream extendstream[B: intstream(1, 2), C: intstream(1, 2)] count",
             "extendstream: expected one new attribute, got 2"}},
   });
-  registry.add({
+  group.add({
       .name = "projectextendstream",
       .syntax = "_ projectextendstream[attributes; functions(TUPLE)]",
       .doc = "For each tuple one tuple per element of the stream that the function returns for it: the named "

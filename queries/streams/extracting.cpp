@@ -21,10 +21,10 @@ Result<BoundOperator> map_extract(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_extracting(algebra3d::Registry& registry) {
+void register_extracting(algebra3d::OperatorGroup& group) {
   const std::string numbers = "[const rel(tuple([A: int, B: real])) value ((1 0.5) (2 undefined) (6 1.0))] feed ";
   const std::string nothing = "[const rel(tuple([A: int])) value ((undefined))] feed ";
-  registry.add({
+  group.add({
       .name = "extract",
       .syntax = "_ extract[attribute]",
       .doc = "The value of an attribute in the first tuple; undefined for an empty stream.",

@@ -64,11 +64,11 @@ TypeMapping map_extreme_value(const char* op, bool is_least) {
 
 }  // namespace
 
-void register_extremes(algebra3d::Registry& registry) {
+void register_extremes(algebra3d::OperatorGroup& group) {
   constexpr const char* kDetail =
       "The values have one type; ints with reals become reals, strings with texts become texts. Of equal values the "
       "first is taken. Undefined if one value is.";
-  registry.add({
+  group.add({
       .name = "getMinVal",
       .syntax = "getMinVal(_ ...)",
       .doc = "The least of several values, in the order of their type.",
@@ -82,7 +82,7 @@ void register_extremes(algebra3d::Registry& registry) {
       .query_errors = {{R"(query getMinVal(1, "a"))", "getMinVal: expected values of one type, got (int string)"},
                        {"query getMinVal(intstream(1, 2))", "getMinVal: expected values, got (stream int)"}},
   });
-  registry.add({
+  group.add({
       .name = "getMaxVal",
       .syntax = "getMaxVal(_ ...)",
       .doc = "The greatest of several values, in the order of their type.",

@@ -154,8 +154,8 @@ Result<BoundOperator> map_count(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_feeding(algebra3d::Registry& registry) {
-  registry.add({
+void register_feeding(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "feed",
       .syntax = "_ feed",
       .doc = "A stream of the tuples of a relation or nested relation, in storage order, of the elements of a "
@@ -173,7 +173,7 @@ void register_feeding(algebra3d::Registry& registry) {
       .query_errors = {{"query (fun(x: int) x) feed count",
                         "feed: expected a relation, a stream or a value, got (map int int)"}},
   });
-  registry.add({
+  group.add({
       .name = "consume",
       .syntax = "_ consume",
       .doc = "The relation of all tuples of a stream.",
@@ -184,7 +184,7 @@ void register_feeding(algebra3d::Registry& registry) {
                          {"[const int value undefined] feed transformstream consume", "((undefined))"}},
       .query_errors = {{"query 5 consume", "consume: expected a stream of tuples, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "tconsume",
       .syntax = "_ tconsume",
       .doc = "The relation of all tuples of a stream, in memory: another name of consume.",
@@ -195,7 +195,7 @@ void register_feeding(algebra3d::Registry& registry) {
                          {"[const int value undefined] feed transformstream tconsume", "((undefined))"}},
       .query_errors = {{"query 5 tconsume", "tconsume: expected a stream of tuples, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "count",
       .syntax = "_ count",
       .doc = "The number of tuples of a relation or nested relation, or of elements of a stream or collection.",

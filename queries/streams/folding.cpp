@@ -135,9 +135,9 @@ Result<BoundOperator> map_extend_aggr(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_folding(algebra3d::Registry& registry) {
+void register_folding(algebra3d::OperatorGroup& group) {
   const std::string runs = "[const rel(tuple([A: int, R: bool])) value ((1 FALSE) (2 FALSE) (3 TRUE) (4 FALSE))] feed ";
-  registry.add({
+  group.add({
       .name = "extend_aggr",
       .syntax = "_ extend_aggr[attributes; functions]",
       .doc = "The tuples with a new attribute: the fold of an attribute up to this tuple by a function of two values.",
@@ -161,7 +161,7 @@ void register_folding(algebra3d::Registry& registry) {
                        {"query " + runs + "extend_aggr[A; R: fun(a: int, b: int) a + b] count",
                         "extend_aggr: duplicate attribute name 'R'"}},
   });
-  registry.add({
+  group.add({
       .name = "aggregateB",
       .syntax = "_ aggregateB[attribute; fun; _]",
       .doc = "The values of an attribute combined by a function of two values; the last argument is the result for "

@@ -53,8 +53,8 @@ Result<BoundOperator> map_groupby(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_grouping(algebra3d::Registry& registry) {
-  registry.add({
+void register_grouping(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "groupby",
       .syntax = "_ groupby[attributes; functions(GROUP)]",
       .doc = "One tuple per run of adjacent tuples with equal keys: the keys, then the results of the functions on the "

@@ -71,8 +71,8 @@ Result<BoundOperator> map_gettuples(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_ids(algebra3d::Registry& registry) {
-  registry.add({
+void register_ids(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "tupleid",
       .syntax = "tupleid(_)",
       .doc = "The id of a tuple within its stored relation.",
@@ -87,7 +87,7 @@ void register_ids(algebra3d::Registry& registry) {
                          {"intstream(7, 7) transformstream extend[Id: tupleid(.)] consume", "((7 undefined))"}},
       .query_errors = {{"query tupleid(5)", "tupleid: expected a tuple, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "addid",
       .syntax = "_ addid",
       .doc = "The tuples of a stored relation with their ids as an attribute TID.",
@@ -102,7 +102,7 @@ void register_ids(algebra3d::Registry& registry) {
                        {"query Boxes addid count",
                         "addid: expected a stream of tuples (write `feed` after the relation)"}},
   });
-  registry.add({
+  group.add({
       .name = "gettuples",
       .syntax = "_ _ gettuples",
       .doc = "The tuples of a relation with the ids in the attribute of type tid of a stream.",

@@ -286,9 +286,9 @@ constexpr std::string_view kTwoBoxes =
 
 }  // namespace
 
-void register_indexes(algebra3d::Registry& registry) {
+void register_indexes(algebra3d::OperatorGroup& group) {
   const std::string boxes(kTwoBoxes);
-  registry.add({
+  group.add({
       .name = "creatertree",
       .syntax = "_ creatertree[attribute]",
       .doc = "An R-tree over the boxes of a spatial attribute.",
@@ -296,7 +296,7 @@ void register_indexes(algebra3d::Registry& registry) {
                 "index on a stream is a frozen copy. The stream has the ids in an attribute of type tid, or its tuples "
                 "come straight from a stored relation. Undefined and empty values have no box and are left out.",
       .cost = algebra3d::Cost::sorting,
-      .stream = stream_operator(map_creatertree(registry, "creatertree")),
+      .stream = stream_operator(map_creatertree(group.registry(), "creatertree")),
       .signatures = {"(rel(tuple) NAME) -> rtree3(tuple SPATIAL3D)", "(stream(tuple) NAME) -> rtree3(tuple SPATIAL3D)"},
       .handles_undefined = true,
       .query_examples =
@@ -309,13 +309,13 @@ void register_indexes(algebra3d::Registry& registry) {
                         "creatertree: expected an attribute of kind SPATIAL2D or SPATIAL3D, got int"},
                        {"query " + boxes + "creatertree[B]", "creatertree: the tuples have no ids"}},
   });
-  registry.add({
+  group.add({
       .name = "bulkloadrtree",
       .syntax = "_ bulkloadrtree[attribute]",
       .doc = "An R-tree over the boxes of a spatial attribute of a stream, as by creatertree.",
       .detail = "The order of the stream does not matter here.",
       .cost = algebra3d::Cost::sorting,
-      .stream = stream_operator(map_bulkloadrtree(registry)),
+      .stream = stream_operator(map_bulkloadrtree(group.registry())),
       .signatures = {"(stream(tuple) NAME) -> rtree3(tuple SPATIAL3D)"},
       .handles_undefined = true,
       .query_examples = {{"Boxes feed addid bulkloadrtree[B]", "(frozen B 2)"}},
@@ -323,12 +323,12 @@ void register_indexes(algebra3d::Registry& registry) {
                         "bulkloadrtree: expected a stream of tuples (write `feed` after the relation)"},
                        {"query " + boxes + "bulkloadrtree[B]", "bulkloadrtree: the tuples have no ids"}},
   });
-  registry.add({
+  group.add({
       .name = "windowintersectsS",
       .syntax = "_ windowintersectsS[_]",
       .doc = "The ids of the tuples whose indexed box meets the window, ascending, as tuples with the attribute Id.",
       .detail = "Use gettuples to fetch the tuples. The window is a rect3 or the box of any spatial value.",
-      .stream = stream_operator(map_window_ids(registry)),
+      .stream = stream_operator(map_window_ids(group.registry())),
       .signatures = {"(rtree3(tuple SPATIAL3D) SPATIAL3D) -> stream(tuple((Id tid)))"},
       .handles_undefined = true,
       .query_examples = {{"Boxes_B windowintersectsS[rectangle3(0, 9, 0, 9, 0, 9)] consume", "((1) (2))"},
@@ -337,7 +337,7 @@ void register_indexes(algebra3d::Registry& registry) {
                        {"query Boxes_B windowintersectsS[6] count",
                         "windowintersectsS: expected a rect3 or another spatial value, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "nodes",
       .syntax = "_ nodes",
       .doc = "The nodes of an R-tree as tuples (Level, Leaf, Members, Box), a parent before its children.",
@@ -351,7 +351,7 @@ void register_indexes(algebra3d::Registry& registry) {
                          {"Boxes feed filter[.No > 5] creatertree[B] nodes count", "0"}},
       .query_errors = {{"query 5 nodes", "nodes: expected an R-tree, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "windowintersects",
       .syntax = "_ _ windowintersects[_ ...]",
       .doc = "The tuples of a relation whose indexed box meets the window, in the order of their ids; with \"exact\" "
@@ -359,7 +359,7 @@ void register_indexes(algebra3d::Registry& registry) {
       .detail =
           "The window is a rect3 or the box of any spatial value. Touching counts. Undefined and empty windows meet "
           "nothing. With \"exact\" the result is that of `intersects`, asked only where boxes meet.",
-      .stream = stream_operator(map_windowintersects(registry)),
+      .stream = stream_operator(map_windowintersects(group.registry())),
       .signatures = {"(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D) -> stream(tuple)",
                      "(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D string) -> stream(tuple)"},
       .handles_undefined = true,
@@ -372,7 +372,7 @@ void register_indexes(algebra3d::Registry& registry) {
                        {"query Boxes_B Boxes windowintersects[makePoint3D(5, 0, 0), \"fast\"] count",
                         "windowintersects: expected the constant \"exact\""}},
   });
-  registry.add({
+  group.add({
       .name = "distancescan",
       .syntax = "_ _ distancescan[_ ...]",
       .doc = "The tuples of a relation by ascending distance of their indexed boxes from the box of a value; if k is "
@@ -383,7 +383,7 @@ void register_indexes(algebra3d::Registry& registry) {
           "compared "
           "before it is rounded.",
       .sources = {"hjaltason1999"},
-      .stream = stream_operator(map_distancescan(registry)),
+      .stream = stream_operator(map_distancescan(group.registry())),
       .signatures = {"(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D) -> stream(tuple)",
                      "(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D int) -> stream(tuple)",
                      "(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D string) -> stream(tuple)",

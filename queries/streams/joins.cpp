@@ -152,10 +152,10 @@ Result<BoundOperator> map_loopsel(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_joins(algebra3d::Registry& registry) {
+void register_joins(algebra3d::OperatorGroup& group) {
   const std::string left = "[const rel(tuple([A: int])) value ((1) (2) (undefined))] feed ";
   const std::string right = "[const rel(tuple([B: int])) value ((2) (3) (undefined))] feed ";
-  registry.add({
+  group.add({
       .name = "product",
       .syntax = "_ _ product",
       .doc = "Every tuple of the first stream joined with every tuple of the second.",
@@ -169,7 +169,7 @@ void register_joins(algebra3d::Registry& registry) {
       .query_errors = {{"query " + left + left + "product count",
                         "product: duplicate attribute name 'A'; rename one side"}},
   });
-  registry.add({
+  group.add({
       .name = "symmjoin",
       .syntax = "_ _ symmjoin[fun(TUPLE, TUPLE2)]",
       .doc = "The pairs of tuples of both streams for which the predicate is a defined TRUE.",
@@ -182,7 +182,7 @@ void register_joins(algebra3d::Registry& registry) {
       .query_errors = {{"query " + left + right + "symmjoin[.A] count",
                         "symmjoin: expected a function that gives bool, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "loopjoin",
       .syntax = "_ loopjoin[fun(TUPLE)]",
       .doc = "Each tuple joined with each tuple of the stream that the function returns for it.",
@@ -194,7 +194,7 @@ void register_joins(algebra3d::Registry& registry) {
       .query_errors = {{"query " + left + "loopjoin[.A] count",
                         "loopjoin: expected a function that gives a stream of tuples, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "loopsel",
       .syntax = "_ loopsel[fun(TUPLE)]",
       .doc = "The concatenation of the streams that the function returns for the tuples.",

@@ -293,8 +293,8 @@ Result<BoundOperator> map_import_json(std::span<const ArgumentType> arguments, C
 
 }  // namespace
 
-void register_json_import(algebra3d::Registry& registry) {
-  registry.add({
+void register_json_import(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "importJSON",
       .syntax = "importJSON(_ ...)",
       .doc = "The records of a JSON file as tuples, in order; types are guessed or those of a given relation.",

@@ -201,9 +201,9 @@ constexpr MergeTexts kMerges[] = {
 
 }  // namespace
 
-void register_merging(algebra3d::Registry& registry) {
+void register_merging(algebra3d::OperatorGroup& group) {
   const std::string ints = "intstream(1, 3) transformstream intstream(2, 4) transformstream ";
-  registry.add({
+  group.add({
       .name = "concat",
       .syntax = "_ _ concat",
       .doc = "The elements of the first stream, then those of the second.",
@@ -222,7 +222,7 @@ void register_merging(algebra3d::Registry& registry) {
   });
   for (const MergeTexts& texts : kMerges) {
     const std::string name = texts.rule.name;
-    registry.add({
+    group.add({
         .name = name,
         .syntax = "_ _ " + name,
         .doc = texts.doc,

@@ -87,8 +87,8 @@ constexpr const char* kSuffixes =
     " In the result the attributes of the first tuple end in `_a`, those of the second in `_b`.";
 constexpr const char* kNotSpatial = ": expected an attribute of kind SPATIAL2D or SPATIAL3D, got int";
 
-void register_knn_joins(Registry& registry) {
-  registry.add({
+void register_knn_joins(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "knnJoin",
       .syntax = "_ _ knnJoin[attribute, attribute, _]",
       .doc = "Each tuple of the first stream with each of the k tuples of the second one that are nearest to it, in "
@@ -99,7 +99,7 @@ void register_knn_joins(Registry& registry) {
       .exactness = algebra3d::Exactness::exact,
       .cost = algebra3d::Cost::sorting,
       .sources = {"hjaltason1999"},
-      .stream = stream_operator(map_knn_join(registry, "knnJoin", Operands::two_streams)),
+      .stream = stream_operator(map_knn_join(group.registry(), "knnJoin", Operands::two_streams)),
       .signatures = {"(stream(tuple) stream(tuple) NAME NAME int) -> stream(tuple)"},
       .handles_undefined = true,
       .query_examples = {{kTwoOperands + "knnJoin[P_a, P_b, 2] project[No_a, No_b] consume",
@@ -108,7 +108,7 @@ void register_knn_joins(Registry& registry) {
       .query_errors = {{"query " + kTwoOperands + "knnJoin[No_a, P_b, 1] count", std::string("knnJoin") + kNotSpatial},
                        {"query " + kTwoOperands + "knnJoin[P_a, P_b, 0.5] count", "knnJoin: expected int, got real"}},
   });
-  registry.add({
+  group.add({
       .name = "knnSelfJoin",
       .syntax = "_ knnSelfJoin[attribute, _]",
       .doc = "Each tuple of a stream with each of the k other ones that are nearest to it, in the order of the stream, "
@@ -119,7 +119,7 @@ void register_knn_joins(Registry& registry) {
       .exactness = algebra3d::Exactness::exact,
       .cost = algebra3d::Cost::sorting,
       .sources = {"hjaltason1999"},
-      .stream = stream_operator(map_knn_join(registry, "knnSelfJoin", Operands::one_stream)),
+      .stream = stream_operator(map_knn_join(group.registry(), "knnSelfJoin", Operands::one_stream)),
       .signatures = {"(stream(tuple) NAME int) -> stream(tuple)"},
       .handles_undefined = true,
       .query_examples = {{kPoints + "knnSelfJoin[P, 1] project[No_a, No_b] consume", "((1 2) (2 3) (3 2))"},
@@ -128,8 +128,8 @@ void register_knn_joins(Registry& registry) {
   });
 }
 
-void register_closest_pairs(Registry& registry) {
-  registry.add({
+void register_closest_pairs(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "closestPair",
       .syntax = "_ _ closestPair[attribute, attribute]",
       .doc = "The tuple of the first stream and the tuple of the second one that are nearest to each other, as a "
@@ -140,7 +140,7 @@ void register_closest_pairs(Registry& registry) {
       .exactness = algebra3d::Exactness::exact,
       .cost = algebra3d::Cost::sorting,
       .sources = {"hjaltason1999"},
-      .stream = stream_operator(map_closest_pair(registry, "closestPair", Operands::two_streams)),
+      .stream = stream_operator(map_closest_pair(group.registry(), "closestPair", Operands::two_streams)),
       .signatures = {"(stream(tuple) stream(tuple) NAME NAME) -> stream(tuple)"},
       .handles_undefined = true,
       .gives_one_tuple = true,
@@ -149,7 +149,7 @@ void register_closest_pairs(Registry& registry) {
       .query_errors = {{"query " + kTwoOperands + "closestPair[No_a, P_b] count",
                         std::string("closestPair") + kNotSpatial}},
   });
-  registry.add({
+  group.add({
       .name = "closestSelfPair",
       .syntax = "_ closestSelfPair[attribute]",
       .doc = "The two different tuples of a stream that are nearest to each other, the earlier one first, as a stream "
@@ -160,7 +160,7 @@ void register_closest_pairs(Registry& registry) {
       .exactness = algebra3d::Exactness::exact,
       .cost = algebra3d::Cost::sorting,
       .sources = {"hjaltason1999"},
-      .stream = stream_operator(map_closest_pair(registry, "closestSelfPair", Operands::one_stream)),
+      .stream = stream_operator(map_closest_pair(group.registry(), "closestSelfPair", Operands::one_stream)),
       .signatures = {"(stream(tuple) NAME) -> stream(tuple)"},
       .handles_undefined = true,
       .gives_one_tuple = true,
@@ -174,9 +174,9 @@ void register_closest_pairs(Registry& registry) {
 
 }  // namespace
 
-void register_nearest_joins(Registry& registry) {
-  register_knn_joins(registry);
-  register_closest_pairs(registry);
+void register_nearest_joins(algebra3d::OperatorGroup& group) {
+  register_knn_joins(group);
+  register_closest_pairs(group);
 }
 
 }  // namespace queries

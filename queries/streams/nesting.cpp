@@ -126,8 +126,8 @@ constexpr const char* kNested =
 
 }  // namespace
 
-void register_nesting(algebra3d::Registry& registry) {
-  registry.add({
+void register_nesting(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "nest",
       .syntax = "_ nest[attributes; name]",
       .doc = "One tuple per run of adjacent tuples with equal values of the named attributes: these attributes, then "
@@ -147,7 +147,7 @@ void register_nesting(algebra3d::Registry& registry) {
                         "nest: no attribute would be left for the nested relation"},
                        {"query " + std::string(kFlat) + "nest[K; K] count", "nest: duplicate attribute name 'K'"}},
   });
-  registry.add({
+  group.add({
       .name = "unnest",
       .syntax = "_ unnest[attribute]",
       .doc = "For each tuple one tuple per tuple of the named nested relation: the other attributes, then those of the "
@@ -165,7 +165,7 @@ void register_nesting(algebra3d::Registry& registry) {
                             "aconsume] unnest[R] count",
                         "unnest: duplicate attribute name 'K'"}},
   });
-  registry.add({
+  group.add({
       .name = "afeed",
       .syntax = "_ afeed",
       .doc = "A stream of the tuples of a nested relation, in their order; `feed` does the same.",
@@ -177,7 +177,7 @@ void register_nesting(algebra3d::Registry& registry) {
                           "((1 1) (2 0) (3 0))"}},
       .query_errors = {{"query 5 afeed count", "afeed: expected a nested relation, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "aconsume",
       .syntax = "_ aconsume",
       .doc = "The nested relation of all tuples of a stream: a relation as the value of an attribute.",

@@ -151,8 +151,8 @@ constexpr SearchTexts kSearches[] = {
 
 }  // namespace
 
-void register_ordered_indexes(algebra3d::Registry& registry) {
-  registry.add({
+void register_ordered_indexes(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "createbtree",
       .syntax = "_ createbtree[attribute]",
       .doc = "An ordered index over the values of an attribute.",
@@ -174,7 +174,7 @@ void register_ordered_indexes(algebra3d::Registry& registry) {
   for (const SearchTexts& texts : kSearches) {
     const std::string name = texts.bounds.op;
     const std::string start = "Boxes createbtree[No] Boxes " + name + "[";
-    registry.add({
+    group.add({
         .name = name,
         .syntax = "_ _ " + name + "[" + texts.places + "]",
         .doc = texts.doc,

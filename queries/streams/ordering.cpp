@@ -276,9 +276,9 @@ Result<BoundOperator> map_rdup(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_ordering(algebra3d::Registry& registry) {
+void register_ordering(algebra3d::OperatorGroup& group) {
   const std::string pairs = "[const rel(tuple([A: int, B: int])) value ((2 1) (undefined 5) (2 1) (1 7) (2 0))] feed ";
-  registry.add({
+  group.add({
       .name = "sortby",
       .syntax = "_ sortby[keys]",
       .doc = "The tuples in the order of the named attributes, ascending unless `desc` follows; undefined comes first.",
@@ -292,7 +292,7 @@ void register_ordering(algebra3d::Registry& registry) {
       .query_errors = {{"query intstream(1, 3) transformstream sortby[Name] count",
                         "sortby: unknown attribute 'Name'"}},
   });
-  registry.add({
+  group.add({
       .name = "sort",
       .syntax = "_ sort",
       .doc = "The tuples in the order of all their attributes, from the first to the last; undefined comes first.",
@@ -304,7 +304,7 @@ void register_ordering(algebra3d::Registry& registry) {
                        {"query intstream(1, 3) sort count",
                         "sort: expected a stream of tuples (write `transformstream` after the stream of values)"}},
   });
-  registry.add({
+  group.add({
       .name = "rdup",
       .syntax = "_ rdup",
       .doc = "The elements of a stream without those that equal their predecessor.",
@@ -317,7 +317,7 @@ void register_ordering(algebra3d::Registry& registry) {
                          {pairs + "projecttransformstream[A] rdup count", "5"}},
       .query_errors = {{"query 5 rdup", "rdup: expected a stream, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "rduph",
       .syntax = "_ rduph[...]",
       .doc = "The tuples without those that equal any earlier tuple; the stream need not be sorted.",
@@ -332,7 +332,7 @@ void register_ordering(algebra3d::Registry& registry) {
       .query_errors = {{"query 5 rduph", "rduph: expected a stream of tuples, got int"},
                        {"query " + pairs + "rduph[TRUE] count", "rduph: expected int, got bool"}},
   });
-  registry.add({
+  group.add({
       .name = "krdup",
       .syntax = "_ krdup[attributes]",
       .doc = "The tuples without those whose named attributes equal those of their predecessor.",
@@ -346,7 +346,7 @@ void register_ordering(algebra3d::Registry& registry) {
       .query_errors = {{"query " + pairs + "krdup[C] count", "krdup: unknown attribute 'C'"},
                        {"query " + pairs + "krdup[A, A] count", "krdup: duplicate attribute name 'A'"}},
   });
-  registry.add({
+  group.add({
       .name = "krduph",
       .syntax = "_ krduph[attributes]",
       .doc = "The tuples without those whose named attributes equal those of any earlier tuple; the stream need not "

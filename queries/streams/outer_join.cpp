@@ -101,10 +101,10 @@ Result<BoundOperator> map_symmouterjoin(std::span<const ArgumentType> arguments)
 
 }  // namespace
 
-void register_outer_join(algebra3d::Registry& registry) {
+void register_outer_join(algebra3d::OperatorGroup& group) {
   const std::string left = "[const rel(tuple([A: int])) value ((1) (2) (undefined))] feed ";
   const std::string right = "[const rel(tuple([B: int])) value ((2) (0) (undefined))] feed ";
-  registry.add({
+  group.add({
       .name = "symmouterjoin",
       .syntax = "_ _ symmouterjoin[fun(TUPLE, TUPLE2)]",
       .doc = "The full outer join: the pairs for which the predicate is a defined TRUE, and every tuple without a "

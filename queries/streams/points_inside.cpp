@@ -55,11 +55,11 @@ Result<BoundOperator> map_points_inside(std::span<const ArgumentType> arguments)
 
 }  // namespace
 
-void register_points_inside(algebra3d::Registry& registry) {
+void register_points_inside(algebra3d::OperatorGroup& group) {
   const std::string points =
       "[const rel(tuple([No: int, P: point3d])) value ((1 (0 0 0)) (2 (0.5 0.5 0.5)) (3 (2 0 0)) (4 undefined))] feed ";
   const std::string cube = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1))";
-  registry.add({
+  group.add({
       .name = "pointsInside",
       .syntax = "_ pointsInside[attribute, _]",
       .doc = "The tuples whose point lies in a solid, its boundary included, in their order.",

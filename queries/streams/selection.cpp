@@ -311,8 +311,8 @@ Result<BoundOperator> map_exist(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_selection(algebra3d::Registry& registry) {
-  registry.add({
+void register_selection(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "filter",
       .syntax = "_ filter[fun(STREAMELEM)]",
       .doc = "The elements of a stream for which the predicate is a defined TRUE.",
@@ -329,7 +329,7 @@ void register_selection(algebra3d::Registry& registry) {
                         "filter: expected a function that gives bool, got int"},
                        {"query 5 filter[TRUE]", "filter: expected a stream as operand 1, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "head",
       .syntax = "_ head[_]",
       .doc = "The first n elements of a stream.",
@@ -343,7 +343,7 @@ void register_selection(algebra3d::Registry& registry) {
       .query_errors = {{"query intstream(1, 3) transformstream head[1.5] count", "head: expected int, got real"},
                        {"query 5 head[1]", "head: expected a stream, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "tail",
       .syntax = "_ tail[_ ...]",
       .doc = "The last n elements of a stream, in their order or, with FALSE as the last argument, the last one first.",
@@ -357,7 +357,7 @@ void register_selection(algebra3d::Registry& registry) {
                          {"intstream(1, 10) transformstream tail[[const int value undefined]] count", "0"}},
       .query_errors = {{"query intstream(1, 3) transformstream tail[1, 2] count", "tail: expected bool, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "nth",
       .syntax = "_ nth[_ ...]",
       .doc = "Every n-th element of a stream or, with TRUE as the last argument, the n-th element alone.",
@@ -372,7 +372,7 @@ void register_selection(algebra3d::Registry& registry) {
       .query_errors = {{"query intstream(1, 3) nth[TRUE] count", "nth: expected int, got bool"},
                        {"query intstream(1, 3) nth[1, 2] count", "nth: expected bool, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "some",
       .syntax = "_ some[_]",
       .doc = "A sample of n elements of a stream, or all if there are no more, in their order.",
@@ -388,7 +388,7 @@ void register_selection(algebra3d::Registry& registry) {
       .query_errors = {{"query intstream(1, 3) some[1.5] count", "some: expected int, got real"},
                        {"query 5 some[1] count", "some: expected a stream, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "exist",
       .syntax = "_ exist",
       .doc = "True if a stream has an element.",

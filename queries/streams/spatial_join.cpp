@@ -77,9 +77,9 @@ constexpr std::string_view kJoinedBoxes =
 const std::string kBalls =
     "intstream(1, 4) transformstream extend[Ball: createSphere(makePoint3D(1.5 * .Elem, .Elem, 0), 1, 8)] ";
 
-void register_box_join(Registry& registry) {
+void register_box_join(algebra3d::OperatorGroup& group) {
   const std::string boxes(kJoinedBoxes);
-  registry.add({
+  group.add({
       .name = "itSpatialJoin",
       .syntax = "_ _ itSpatialJoin[attribute, attribute ...]",
       .doc = "The pairs of tuples of both streams whose boxes meet, in the order of the second stream.",
@@ -88,7 +88,7 @@ void register_box_join(Registry& registry) {
                 "ints (node sizes and memory) are accepted and "
                 "not needed.",
       .cost = algebra3d::Cost::sorting,
-      .stream = stream_operator(map_box_join(registry)),
+      .stream = stream_operator(map_box_join(group.registry())),
       .signatures = {"(stream(tuple) stream(tuple) NAME NAME) -> stream(tuple)"},
       .handles_undefined = true,
       .query_examples = {{boxes + "{a} " + boxes + "{b} itSpatialJoin[B_a, B_b] project[No_a, No_b] consume",
@@ -104,9 +104,9 @@ constexpr const char* kRefined =
     "Pairs whose boxes are near enough are found as by `itSpatialJoin`, and examined exactly, many in parallel; the "
     "result and its order do not depend on that. Empty and undefined sets have no partners.";
 
-void register_exact_joins(Registry& registry) {
+void register_exact_joins(algebra3d::OperatorGroup& group) {
   const std::string pairs = kBalls + "{a} " + kBalls + "{b} ";
-  registry.add({
+  group.add({
       .name = "spatialJoin",
       .syntax = "_ _ spatialJoin[attribute, attribute; _]",
       .doc = "The pairs of tuples of both streams for whose attributes a predicate holds, in the order of the second "
@@ -114,7 +114,7 @@ void register_exact_joins(Registry& registry) {
       .detail = fmt::format("The predicate is a constant, one of {}. {}", predicate_names(), kRefined),
       .exactness = algebra3d::Exactness::exact,
       .cost = algebra3d::Cost::sorting,
-      .stream = stream_operator(map_spatial_join(registry)),
+      .stream = stream_operator(map_spatial_join(group.registry())),
       .signatures = {"(stream(tuple) stream(tuple) NAME NAME string) -> stream(tuple)"},
       .handles_undefined = true,
       .query_examples = {{pairs + "spatialJoin[Ball_a, Ball_b; \"intersects\"] filter[.Elem_a < .Elem_b] "
@@ -126,7 +126,7 @@ void register_exact_joins(Registry& registry) {
                        {"query " + pairs + "spatialJoin[Elem_a, Ball_b; \"intersects\"] count",
                         "spatialJoin: expected an attribute of kind SPATIAL2D or SPATIAL3D, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "distanceJoin",
       .syntax = "_ _ distanceJoin[attribute, attribute, _]",
       .doc = "The pairs of tuples of both streams whose attributes are at most a distance apart, in the order of the "
@@ -134,7 +134,7 @@ void register_exact_joins(Registry& registry) {
       .detail = std::string("No pairs for an undefined or negative distance. ") + kRefined,
       .exactness = algebra3d::Exactness::exact,
       .cost = algebra3d::Cost::sorting,
-      .stream = stream_operator(map_distance_join(registry)),
+      .stream = stream_operator(map_distance_join(group.registry())),
       .signatures = {"(stream(tuple) stream(tuple) NAME NAME real) -> stream(tuple)"},
       .handles_undefined = true,
       .query_examples = {{kBalls + "{a} " + kBalls +
@@ -148,9 +148,9 @@ void register_exact_joins(Registry& registry) {
 
 }  // namespace
 
-void register_spatial_join(Registry& registry) {
-  register_box_join(registry);
-  register_exact_joins(registry);
+void register_spatial_join(algebra3d::OperatorGroup& group) {
+  register_box_join(group);
+  register_exact_joins(group);
 }
 
 }  // namespace queries

@@ -65,8 +65,8 @@ constexpr const char* kEachOnce =
 
 }  // namespace
 
-void register_spatial_self_join(Registry& registry) {
-  registry.add({
+void register_spatial_self_join(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "spatialSelfJoin",
       .syntax = "_ spatialSelfJoin[attribute; _]",
       .doc = "The pairs of different tuples of a stream for whose attributes a predicate holds, each pair once.",
@@ -75,7 +75,7 @@ void register_spatial_self_join(Registry& registry) {
                             predicate_names(), kEachOnce),
       .exactness = algebra3d::Exactness::exact,
       .cost = algebra3d::Cost::sorting,
-      .stream = stream_operator(map_spatial_self_join(registry)),
+      .stream = stream_operator(map_spatial_self_join(group.registry())),
       .signatures = {"(stream(tuple) NAME string) -> stream(tuple)"},
       .handles_undefined = true,
       .query_examples = {{kRowOfBalls + "spatialSelfJoin[Ball; \"intersects\"] project[Elem_a, Elem_b] consume",
@@ -87,7 +87,7 @@ void register_spatial_self_join(Registry& registry) {
                        {"query " + kRowOfBalls + "spatialSelfJoin[Elem; \"intersects\"] count",
                         "spatialSelfJoin: expected an attribute of kind SPATIAL2D or SPATIAL3D, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "distanceSelfJoin",
       .syntax = "_ distanceSelfJoin[attribute, _]",
       .doc = "The pairs of different tuples of a stream whose attributes are at most a distance apart, each pair once, "
@@ -95,7 +95,7 @@ void register_spatial_self_join(Registry& registry) {
       .detail = std::string("No pairs for an undefined or negative distance. ") + kEachOnce,
       .exactness = algebra3d::Exactness::exact,
       .cost = algebra3d::Cost::sorting,
-      .stream = stream_operator(map_distance_self_join(registry)),
+      .stream = stream_operator(map_distance_self_join(group.registry())),
       .signatures = {"(stream(tuple) NAME real) -> stream(tuple)"},
       .handles_undefined = true,
       .query_examples = {{kRowOfBalls + "distanceSelfJoin[Ball, 2] project[Elem_a, Elem_b] consume",

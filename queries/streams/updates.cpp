@@ -163,12 +163,12 @@ Result<BoundOperator> map_updatebyid(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_updates(algebra3d::Registry& registry) {
+void register_updates(algebra3d::OperatorGroup& group) {
   const std::string output =
       "The result has the new attributes, the old ones named A_old, and TID; it takes effect when consumed or "
       "counted. All functions see the old tuple, and are called before anything is written. Indexes on the relation "
       "follow.";
-  registry.add({
+  group.add({
       .name = "updatedirect",
       .syntax = "_ _ updatedirect[functions(TUPLE)]",
       .doc = "Gives the tuples of a stream new values in the stored relation that they come from.",
@@ -190,7 +190,7 @@ void register_updates(algebra3d::Registry& registry) {
                        {"query Boxes feed project[B, No] project[No, B] Boxes updatedirect[No: 1] count",
                         "updatedirect: a tuple does not come straight from a stored relation"}},
   });
-  registry.add({
+  group.add({
       .name = "updatebyid",
       .syntax = "_ updatebyid[_; functions(TUPLE)]",
       .doc = "Gives the tuple with that id new values in a stored relation.",

@@ -92,8 +92,8 @@ Result<BoundOperator> map_printstream(std::span<const ArgumentType> arguments) {
 
 }  // namespace
 
-void register_using(algebra3d::Registry& registry) {
-  registry.add({
+void register_using(algebra3d::OperatorGroup& group) {
+  group.add({
       .name = "use",
       .syntax = "_ use[fun(STREAMELEM)]",
       .doc = "The stream of the results of a function for each element.",
@@ -115,7 +115,7 @@ void register_using(algebra3d::Registry& registry) {
                         "use: expected a function that gives a value or a stream, got (tuple"},
                        {"query 5 use[. + 1] count", "use: expected a stream as operand 1, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "printstream",
       .syntax = "_ printstream",
       .doc = "The same stream; every element is shown as a note while it passes.",

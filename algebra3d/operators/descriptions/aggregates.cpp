@@ -145,8 +145,8 @@ std::vector<Overload> extremes(const Registry& registry, bool is_least) {
 
 }  // namespace
 
-void register_aggregates(Registry& registry) {
-  registry.add({
+void register_aggregates(OperatorGroup& group) {
+  group.add({
       .name = "sum",
       .doc = "The sum of the defined values; 0 if there are none.",
       .detail = "The sum is exact, for reals rounded once, and independent of the order. A sum beyond the range of the "
@@ -157,7 +157,7 @@ void register_aggregates(Registry& registry) {
       .examples = {{{"1", "2", "6"}, "9"}, {{"0.5", "(real undefined)", "1.0"}, "1.5"}, {{"(int undefined)"}, "0"}},
       .errors = {{{"TRUE"}, "sum: expected values of type int or real, got bool"}},
   });
-  registry.add({
+  group.add({
       .name = "avg",
       .doc = "The mean of the defined values; undefined if there are none.",
       .detail = "The exact mean, rounded once.",
@@ -167,17 +167,17 @@ void register_aggregates(Registry& registry) {
       .examples = {{{"1", "2", "6"}, "3.0"}, {{"0.5", "(real undefined)", "1.0"}, "0.75"}, {{"(int)"}, "undefined"}},
       .errors = {{{"TRUE"}, "avg: expected values of type int or real, got bool"}},
   });
-  registry.add({
+  group.add({
       .name = "min",
       .doc = "The smallest defined value, in the order of the type; undefined if there is none.",
-      .overloads = extremes(registry, true),
+      .overloads = extremes(group.registry(), true),
       .overload_for = [](const Type& type) { return extreme(type, true); },
       .examples = {{{"2", "1", "6"}, "1"}, {{R"("b")", R"("ab")"}, R"("ab")"}, {{"(int undefined)"}, "undefined"}},
   });
-  registry.add({
+  group.add({
       .name = "max",
       .doc = "The largest defined value, in the order of the type; undefined if there is none.",
-      .overloads = extremes(registry, false),
+      .overloads = extremes(group.registry(), false),
       .overload_for = [](const Type& type) { return extreme(type, false); },
       .examples = {{{"0.5", "(real undefined)", "1.0"}, "1.0"}, {{"(int)"}, "undefined"}},
   });

@@ -103,8 +103,8 @@ Maybe<std::int64_t> modulo(std::int64_t a, std::int64_t b) {
 
 }  // namespace
 
-void register_arithmetic(Registry& registry) {
-  registry.add({
+void register_arithmetic(OperatorGroup& group) {
+  group.add({
       .name = "+",
       .host_name = "plus",
       .syntax = "_ + _",
@@ -131,7 +131,7 @@ void register_arithmetic(Registry& registry) {
                   "+: expected (int int), (real real), (string string), (text text), (instant duration), (duration "
                   "duration) or (vector3d vector3d), got (int bool)"}},
   });
-  registry.add({
+  group.add({
       .name = "-",
       .host_name = "minus",
       .syntax = "_ - _",
@@ -155,7 +155,7 @@ void register_arithmetic(Registry& registry) {
                    {{"1", "(real undefined)"}, "undefined"}},
       .errors = {{{"1", R"("a")"}, "(instant duration), (duration duration) or 1 more, got (int string)"}},
   });
-  registry.add({
+  group.add({
       .name = "*",
       .host_name = "times",
       .syntax = "_ * _",
@@ -174,7 +174,7 @@ void register_arithmetic(Registry& registry) {
                    {{"2", "(int undefined)"}, "undefined"}},
       .errors = {{{"1", R"("a")"}, "*: expected (int int), (real real) or (duration real), got (int string)"}},
   });
-  registry.add({
+  group.add({
       .name = "/",
       .host_name = "divide",
       .syntax = "_ / _",
@@ -185,7 +185,7 @@ void register_arithmetic(Registry& registry) {
       .examples = {{{"1", "4"}, "0.25"}, {{"1", "0"}, "undefined"}, {{"(real undefined)", "2"}, "undefined"}},
       .errors = {{{"1", R"("a")"}, "/: expected (real real), got (int string)"}},
   });
-  registry.add({
+  group.add({
       .name = "div",
       .host_name = "integer_quotient",
       .syntax = "_ div _",
@@ -197,7 +197,7 @@ void register_arithmetic(Registry& registry) {
           {{{"7", "2"}, "3"}, {{"-7", "2"}, "-3"}, {{"7", "0"}, "undefined"}, {{"(int undefined)", "2"}, "undefined"}},
       .errors = {{{"7.5", "2"}, "div: expected (int int), got (real int)"}},
   });
-  registry.add({
+  group.add({
       .name = "mod",
       .host_name = "remainder",
       .syntax = "_ mod _",

@@ -49,8 +49,8 @@ const std::string kShifted = "(rectangle3 1 2 0 1 0 1)";
 
 }  // namespace
 
-void register_boxes(Registry& registry) {
-  registry.add({
+void register_boxes(OperatorGroup& group) {
+  group.add({
       .name = "rectangle3",
       .syntax = "rectangle3(_, _, _, _, _, _)",
       .doc = "The box with the given minimum and maximum of x, of y, and of z.",
@@ -62,7 +62,7 @@ void register_boxes(Registry& registry) {
                    {{"0", "1", "0", "2", "0", "(real undefined)"}, "undefined"}},
       .errors = {{{"0", "1"}, "rectangle3: expected (real real real real real real), got (int int)"}},
   });
-  registry.add({
+  group.add({
       .name = "enlargeRect",
       .syntax = "enlargeRect(_, _, _, _)",
       .doc = "The box with every bound moved outward by the distance given for its axis; negative distances shrink it.",
@@ -75,7 +75,7 @@ void register_boxes(Registry& registry) {
                    {{kUndefinedBox, "1", "1", "1"}, "undefined"}},
       .errors = {{{kUnit, "1"}, "enlargeRect: expected (rect3 real real real), got (rect3 int)"}},
   });
-  registry.add({
+  group.add({
       .name = "minD",
       .syntax = "minD(_, _)",
       .doc = "The lower bound of a box in a dimension, counted from 1.",
@@ -85,7 +85,7 @@ void register_boxes(Registry& registry) {
       .examples = {{{kShifted, "1"}, "1.0"}, {{kShifted, "4"}, "undefined"}, {{kUndefinedBox, "1"}, "undefined"}},
       .errors = {{{kUnit, "1.5"}, "minD: expected (rect3 int), got (rect3 real)"}},
   });
-  registry.add({
+  group.add({
       .name = "maxD",
       .syntax = "maxD(_, _)",
       .doc = "The upper bound of a box in a dimension, counted from 1.",

@@ -277,9 +277,9 @@ constexpr std::array kComparisons = {
 
 }  // namespace
 
-void register_comparison(Registry& registry) {
+void register_comparison(OperatorGroup& group) {
   for (const Comparison& row : kComparisons)
-    registry.add({
+    group.add({
         .name = row.name,
         .host_name = row.host_name,
         .syntax = std::string("_ ") + row.name + " _",
@@ -288,7 +288,7 @@ void register_comparison(Registry& registry) {
             "Both values have one type, or are an int and a real, whose values are compared, or a string and a text. "
             "Points, surfaces and solids are equal if they are the same point set, whatever the triangles.",
         .exactness = Exactness::exact,
-        .overloads = comparisons(registry, row.holds, row.kernel),
+        .overloads = comparisons(group.registry(), row.holds, row.kernel),
         .overload_for = [holds = row.holds,
                          kernel = row.kernel](const Type& type) { return comparison(type, type, holds, kernel); },
         .examples = {{{row.yes[0], row.yes[1]}, "TRUE"},
@@ -296,37 +296,37 @@ void register_comparison(Registry& registry) {
                      {{"1", "(int undefined)"}, "undefined"}},
         .errors = {{{"1", R"("a")"}, std::string(row.name) + ": expected (int int)"}},
     });
-  registry.add({
+  group.add({
       .name = "between",
       .host_name = "is_between",
       .syntax = "_ between[_, _]",
       .doc = "True if the value lies between the bounds, both included, in the order of its type.",
       .exactness = Exactness::exact,
-      .overloads = range_tests(registry),
+      .overloads = range_tests(group.registry()),
       .overload_for = [](const Type& type) { return range_test(type, type, type); },
       .examples = {{{"2", "1", "3"}, "TRUE"},
                    {{"0.5", "1", "3"}, "FALSE"},
                    {{"2", "1", "(int undefined)"}, "undefined"}},
       .errors = {{{"2", "1", R"("a")"}, "between: expected (int int int)"}},
   });
-  registry.add({
+  group.add({
       .name = "isdefined",
       .host_name = "is_defined",
       .syntax = "isdefined(_)",
       .doc = "True if the value is not undefined.",
       .exactness = Exactness::exact,
-      .overloads = for_all_types(registry, definedness),
+      .overloads = for_all_types(group.registry(), definedness),
       .overload_for = definedness,
       .examples = {{{"1"}, "TRUE"}, {{"(point3d undefined)"}, "FALSE"}},
       .errors = {{{"1", "2"}, "isdefined: expected (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "ifthenelse",
       .host_name = "if_then_else",
       .syntax = "ifthenelse(_, _, _)",
       .doc = "The second argument if the condition is TRUE, the third if it is FALSE.",
       .detail = "Undefined if the condition is. Both branches are evaluated.",
-      .overloads = for_all_types(registry, choice),
+      .overloads = for_all_types(group.registry(), choice),
       .overload_for = choice,
       .examples = {{{"(< 1 2)", R"("yes")", R"("no")"}, R"("yes")"},
                    {{"TRUE", "1", "(int undefined)"}, "1"},

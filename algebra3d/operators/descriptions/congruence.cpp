@@ -58,8 +58,8 @@ const std::string kLongerBrick = "(createCube (makePoint3D 0 0 0) (makePoint3D 1
 
 }  // namespace
 
-void register_congruence(Registry& registry) {
-  registry.add({
+void register_congruence(OperatorGroup& group) {
+  group.add({
       .name = "isCongruent",
       .syntax = "isCongruent(_, _, _)",
       .doc = "True if two solids are equal up to a rigid motion, also a mirrored one, within a tolerance.",
@@ -74,7 +74,7 @@ void register_congruence(Registry& registry) {
                    {{kBrick, kUndefinedSolid, "0"}, "undefined"}},
       .errors = {{{kBrick, kBrick}, "isCongruent: expected (volume3d volume3d real), got (volume3d volume3d)"}},
   });
-  registry.add({
+  group.add({
       .name = "congruence",
       .syntax = "congruence(_, _, _)",
       .doc = "The motion that carries one solid onto another within a tolerance, in one row (Centre: point3d, Axis: "

@@ -73,8 +73,8 @@ Overload clash_overload() {
                                  "clearance");
 }
 
-void register_clash(Registry& registry) {
-  registry.add({
+void register_clash(OperatorGroup& group) {
+  group.add({
       .name = "clash",
       .syntax = "clash(_, _, _)",
       .doc = "Whether and how two solids clash, in one row (Kind: string, Depth: real, Distance: real, Point: point3d, "
@@ -141,8 +141,8 @@ std::vector<Overload> contact_area_overloads() {
   return overloads;
 }
 
-void register_contact_area(Registry& registry) {
-  registry.add({
+void register_contact_area(OperatorGroup& group) {
+  group.add({
       .name = "contactArea",
       .syntax = "contactArea(_, _)",
       .doc = "The area that two surfaces, or the boundaries of solids or boxes, have in common, in squared coordinate "
@@ -203,8 +203,8 @@ std::vector<Overload> common_volume_overloads() {
   return overloads;
 }
 
-void register_common_volume(Registry& registry) {
-  registry.add({
+void register_common_volume(OperatorGroup& group) {
+  group.add({
       .name = "commonVolume",
       .syntax = "commonVolume(_, _)",
       .doc = "The volume that two solids or boxes have in common, in cubed coordinate units.",
@@ -226,10 +226,10 @@ void register_common_volume(Registry& registry) {
 
 }  // namespace
 
-void register_contacts(Registry& registry) {
-  register_clash(registry);
-  register_contact_area(registry);
-  register_common_volume(registry);
+void register_contacts(OperatorGroup& group) {
+  register_clash(group);
+  register_contact_area(group);
+  register_common_volume(group);
 }
 
 }  // namespace algebra3d

@@ -16,8 +16,8 @@ const std::string kRoundNote =
     "Each coordinate is rounded once. Undefined if the radius or height is not positive, with fewer than 3 corners or "
     "more than 10 million, and if the shape collapses when its corners are rounded to doubles.";
 
-void register_round_prism(Registry& registry) {
-  registry.add({
+void register_round_prism(OperatorGroup& group) {
+  group.add({
       .name = "createCylinder",
       .syntax = "createCylinder(_, _, _, _)",
       .doc = "An upright prism over a regular polygon: centre of its base, radius, height and number of corners.",
@@ -33,7 +33,7 @@ void register_round_prism(Registry& registry) {
                    {{kUndefinedPoint, "1", "3", "12"}, "undefined"}},
       .errors = {{{kOrigin, "1", "3"}, "createCylinder: expected (point3d real real int), got (point3d int int)"}},
   });
-  registry.add({
+  group.add({
       .name = "createCone",
       .syntax = "createCone(_, _, _, _)",
       .doc = "An upright pyramid over a regular polygon: centre of its base, radius, height and number of corners.",
@@ -51,8 +51,8 @@ void register_round_prism(Registry& registry) {
 
 }  // namespace
 
-void register_creation(Registry& registry) {
-  registry.add({
+void register_creation(OperatorGroup& group) {
+  group.add({
       .name = "createCube",
       .syntax = "createCube(_, _)",
       .doc = "The axis-parallel box between two corners, given in any order, as 12 triangles.",
@@ -65,8 +65,8 @@ void register_creation(Registry& registry) {
                    {{kOrigin, kUndefinedPoint}, "undefined"}},
       .errors = {{{kOrigin, "1"}, "createCube: expected (point3d point3d), got (point3d int)"}},
   });
-  register_round_prism(registry);
-  registry.add({
+  register_round_prism(group);
+  group.add({
       .name = "createSphere",
       .syntax = "createSphere(_, _, _)",
       .doc = "A polyhedron that approximates a sphere: centre, radius and number of corners of its circles.",

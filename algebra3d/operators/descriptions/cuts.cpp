@@ -41,8 +41,8 @@ Result<std::vector<Surface3d>> shells_of(Context& context, const std::optional<V
 const std::string kInner = "(createCube (makePoint3D 0.5 0.5 0.5) (makePoint3D 1 1 1))";
 const std::string kPlane = "(plane3d (0.5 0 0 1))";
 
-void register_half_spaces(Registry& registry) {
-  registry.add({
+void register_half_spaces(OperatorGroup& group) {
+  group.add({
       .name = "split",
       .syntax = "_ split[_]",
       .doc = "The two parts of a solid on both sides of a plane: first the part in front of it, then the part behind "
@@ -53,7 +53,7 @@ void register_half_spaces(Registry& registry) {
       .examples = {{{kCubeOfTwo, kPlane}, "2", "(count _)"}, {{"(volume3d undefined)", kPlane}, "()"}},
       .errors = {{{kCubeOfTwo, "1"}, "split: expected (volume3d plane3d), got (volume3d int)"}},
   });
-  registry.add({
+  group.add({
       .name = "clip",
       .syntax = "_ clip[_]",
       .doc = "The part of a solid that lies in a box.",
@@ -67,8 +67,8 @@ void register_half_spaces(Registry& registry) {
   });
 }
 
-void register_surfaces_of_solids(Registry& registry) {
-  registry.add({
+void register_surfaces_of_solids(OperatorGroup& group) {
+  group.add({
       .name = "section",
       .syntax = "section(_, _)",
       .doc = "The part of a plane inside a solid, as a surface with the normal of the plane.",
@@ -82,7 +82,7 @@ void register_surfaces_of_solids(Registry& registry) {
                    {{"(volume3d undefined)", kPlane}, "undefined"}},
       .errors = {{{kCubeOfTwo, "1"}, "section: expected (volume3d plane3d), got (volume3d int)"}},
   });
-  registry.add({
+  group.add({
       .name = "shells",
       .syntax = "shells(_)",
       .doc = "The closed surfaces that bound a solid, with normals pointing out of the solid.",
@@ -99,9 +99,9 @@ void register_surfaces_of_solids(Registry& registry) {
 
 }  // namespace
 
-void register_cuts(Registry& registry) {
-  register_half_spaces(registry);
-  register_surfaces_of_solids(registry);
+void register_cuts(OperatorGroup& group) {
+  register_half_spaces(group);
+  register_surfaces_of_solids(group);
 }
 
 }  // namespace algebra3d

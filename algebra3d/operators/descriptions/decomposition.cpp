@@ -21,8 +21,8 @@ const std::string kSquare = "(surface3d (((0 0 0) (1 0 0) (1 1 0)) ((0 0 0) (1 1
 
 }  // namespace
 
-void register_decomposition(Registry& registry) {
-  registry.add({
+void register_decomposition(OperatorGroup& group) {
+  group.add({
       .name = "components",
       .syntax = "components(_)",
       .doc = "The parts of a surface or solid that are connected across common edges.",

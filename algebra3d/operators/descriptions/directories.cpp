@@ -61,8 +61,8 @@ Result<std::vector<Text>> all_files(Context& context, const Text& folder) {
 
 }  // namespace
 
-void register_directories(Registry& registry) {
-  registry.add({
+void register_directories(OperatorGroup& group) {
+  group.add({
       .name = "getDirectory",
       .syntax = "getDirectory(_ ...)",
       .doc = "The names of the files in a folder and its subfolders, sorted; with a pattern (such as '*.stl') only "

@@ -88,8 +88,8 @@ constexpr const char* kMeaningOfDistance =
 
 }  // namespace
 
-void register_distances(Registry& registry) {
-  registry.add({
+void register_distances(OperatorGroup& group) {
+  group.add({
       .name = "distance",
       .syntax = "distance(_, _)",
       .doc = "The smallest distance of a point of one set and a point of the other, in coordinate units.",
@@ -107,7 +107,7 @@ void register_distances(Registry& registry) {
                    {{kCubeOfTwo, kUndefinedSolid}, "undefined"}},
       .errors = {{{kCubeOfTwo, "1"}, "distance: expected (volume3d rect3)"}},
   });
-  registry.add({
+  group.add({
       .name = "withinDistance",
       .syntax = "withinDistance(_, _, _)",
       .doc = "True if the distance of two sets is at most a limit, in coordinate units.",
@@ -123,7 +123,7 @@ void register_distances(Registry& registry) {
                    {{kCubeOfTwo, kUndefinedSolid, "1"}, "undefined"}},
       .errors = {{{kCubeOfTwo, kFarCube}, "withinDistance: expected (rect3 rect3 real)"}},
   });
-  registry.add({
+  group.add({
       .name = "closestPoints",
       .syntax = "closestPoints(_, _)",
       .doc =

@@ -143,8 +143,8 @@ struct CylinderMaker {
 // The corners of a tetrahedron and a point inside.
 const std::string kFivePoints = "(points3d ((0 0 0) (6 0 0) (0 6 0) (0 0 6) (1 1 1)))";
 
-void register_convex_hull(Registry& registry) {
-  registry.add({
+void register_convex_hull(OperatorGroup& group) {
+  group.add({
       .name = "convexHull",
       .syntax = "convexHull(_)",
       .doc = "The convex hull of points, a box, a surface or a solid: the smallest convex solid that contains it.",
@@ -164,8 +164,8 @@ void register_convex_hull(Registry& registry) {
   });
 }
 
-void register_bounding_sphere(Registry& registry) {
-  registry.add({
+void register_bounding_sphere(OperatorGroup& group) {
+  group.add({
       .name = "boundingSphere",
       .syntax = "boundingSphere(_)",
       .doc =
@@ -196,8 +196,8 @@ constexpr const char* kMeaningOfRatio =
     "row) "
     "if the set is empty or flat; numbers beyond the range of doubles are undefined.";
 
-void register_minimal_box(Registry& registry) {
-  registry.add({
+void register_minimal_box(OperatorGroup& group) {
+  group.add({
       .name = "minimalBox",
       .syntax = "minimalBox(_)",
       .doc =
@@ -219,8 +219,8 @@ void register_minimal_box(Registry& registry) {
   });
 }
 
-void register_bounding_cylinder(Registry& registry) {
-  registry.add({
+void register_bounding_cylinder(OperatorGroup& group) {
+  group.add({
       .name = "boundingCylinder",
       .syntax = "boundingCylinder(_)",
       .doc = "A cylinder in any orientation around points, a box, a surface or a solid, with nearly the smallest "
@@ -246,11 +246,11 @@ void register_bounding_cylinder(Registry& registry) {
 
 }  // namespace
 
-void register_enclosing_shapes(Registry& registry) {
-  register_convex_hull(registry);
-  register_bounding_sphere(registry);
-  register_minimal_box(registry);
-  register_bounding_cylinder(registry);
+void register_enclosing_shapes(OperatorGroup& group) {
+  register_convex_hull(group);
+  register_bounding_sphere(group);
+  register_minimal_box(group);
+  register_bounding_cylinder(group);
 }
 
 }  // namespace algebra3d

@@ -158,11 +158,11 @@ std::vector<Example> export_examples(const MeshFormat& format) {
           {example_arguments(format, "(mesh3d (() ()))", "no such folder/"), "FALSE"}};
 }
 
-void register_export(Registry& registry, const MeshFormat& format) {
+void register_export(OperatorGroup& group, const MeshFormat& format) {
   const std::string op = export_name(format);
   std::string syntax = "_ " + op + "[_";
   for (std::size_t i = 2; i < export_parameters<Volume3d>(format).size(); ++i) syntax += ", _";
-  registry.add({
+  group.add({
       .name = op,
       .syntax = syntax + "]",
       .doc = fmt::format("Writes a solid or mesh to {}{}{}; TRUE if the file was written.", format.title,
@@ -189,8 +189,8 @@ void register_export(Registry& registry, const MeshFormat& format) {
 
 }  // namespace
 
-void register_exports(Registry& registry) {
-  for (const MeshFormat& format : mesh_formats::known_mesh_formats()) register_export(registry, format);
+void register_exports(OperatorGroup& group) {
+  for (const MeshFormat& format : mesh_formats::known_mesh_formats()) register_export(group, format);
 }
 
 }  // namespace algebra3d

@@ -68,8 +68,8 @@ Result<FeatureRows> features_of_file(Context& context, const Text& file) {
 
 }  // namespace
 
-void register_geojson_features(Registry& registry) {
-  registry.add({
+void register_geojson_features(OperatorGroup& group) {
+  group.add({
       .name = "importGeoJSON",
       .host_name = "import_geojson",
       .syntax = "importGeoJSON(_)",

@@ -51,8 +51,8 @@ struct HausdorffMaker {
 
 }  // namespace
 
-void register_hausdorff(Registry& registry) {
-  registry.add({
+void register_hausdorff(OperatorGroup& group) {
+  group.add({
       .name = "hausdorffDistance",
       .syntax = "hausdorffDistance(_, _)",
       .doc = "The largest distance of a point of one set from the other set, whichever is larger, in coordinate units; "

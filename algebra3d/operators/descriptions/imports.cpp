@@ -158,11 +158,11 @@ const std::string kUndefinedBytes = "(bytes undefined)";
 const std::string kQuadFaces = "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0)) ((0 1 2 3)))";
 const std::string kQuad = "(mesh3d " + kQuadFaces + ")";
 
-void register_import(Registry& registry, const MeshFormat& format) {
+void register_import(OperatorGroup& group, const MeshFormat& format) {
   const std::string name = operator_name(format);
   const std::string ending(format.endings.front());
   const std::string missing = "'no such file" + ending + "'";
-  registry.add({
+  group.add({
       .name = name,
       .syntax = name + "(_ ...)",
       .doc = fmt::format("The solid in {}{}{}, repaired if necessary.", format.title, format.variants,
@@ -188,10 +188,10 @@ void register_import(Registry& registry, const MeshFormat& format) {
 
 }  // namespace
 
-void register_imports(Registry& registry) {
+void register_imports(OperatorGroup& group) {
   const mesh_formats::MeshFormats& formats = mesh_formats::known_mesh_formats();
-  for (const MeshFormat& format : formats) register_import(registry, format);
-  registry.add({
+  for (const MeshFormat& format : formats) register_import(group, format);
+  group.add({
       .name = "checkSTL",
       .syntax = "checkSTL(_)",
       .doc = "The defects of an STL file without repair, or 'ok' if it is a valid solid.",
@@ -209,7 +209,7 @@ void register_imports(Registry& registry) {
                    {{"(text undefined)"}, "undefined"}},
       .errors = {{{"5"}, "checkSTL: expected (text) or (bytes), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "importSurface",
       .syntax = "importSurface(_)",
       .doc = "The surface in an " + formats.names("or") + " file.",
@@ -231,7 +231,7 @@ void register_imports(Registry& registry) {
                    {{"(text undefined)"}, "undefined"}},
       .errors = {{{"5"}, "importSurface: expected (text) or (bytes), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "importMesh",
       .syntax = "importMesh(_ ...)",
       .doc = "The vertices and polygons in an " + formats.names("or") + " file, as they are.",

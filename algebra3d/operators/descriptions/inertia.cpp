@@ -44,8 +44,8 @@ Result<Maybe<InertiaRow>> inertia_of(Context& context, const Volume3d& solid) {
 
 }  // namespace
 
-void register_inertia(Registry& registry) {
-  registry.add({
+void register_inertia(OperatorGroup& group) {
+  group.add({
       .name = "inertia",
       .syntax = "inertia(_)",
       .doc = "Volume, centre of mass and moments of inertia of a solid of density 1, in one row (Volume: real, Centre: "

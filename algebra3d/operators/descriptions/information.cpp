@@ -48,8 +48,29 @@ bool box_intersects(const HeaderOf<T>& geometry, const Box3& box) {
   return geometry.header.box.intersects(box);
 }
 
-void register_sizes(Registry& registry) {
-  registry.add({
+Operator emptiness() {
+  return {
+      .name = "isEmpty",
+      .syntax = "isEmpty(_)",
+      .doc = "True for the empty and for the undefined value.",
+      .detail =
+          "A note gives the number of undefined values in a statement. `isdefined(x) and isEmpty(x)` is TRUE for "
+          "empty values only.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&is_empty<Point3d>>("point"), overload<&is_empty<Points3d>>("points"),
+                    overload<&is_empty<Surface3d>>("surface"), overload<&is_empty<Volume3d>>("solid"),
+                    overload<&is_empty<Mesh3d>>("mesh"), overload<&is_empty<Box3>>("box"),
+                    overload<&is_empty<Region>>("region"), overload<&is_empty<MovingRegion>>("moving")},
+      .examples = {{{"(volume3d ())"}, "TRUE"},
+                   {{"(makePoint3D 0 0 0)"}, "FALSE"},
+                   {{"(volume3d undefined)"}, "TRUE"},
+                   {{"(volume3d undefined)"}, "FALSE", "(and (isdefined (volume3d undefined)) _)"}},
+      .errors = {{{"1"}, "isEmpty: expected (point3d)"}},
+  };
+}
+
+void register_sizes(OperatorGroup& group) {
+  group.add({
       .name = "size",
       .syntax = "size(_)",
       .doc = "The number of points, triangles or faces; for a region or moving region the number of segments.",
@@ -66,40 +87,23 @@ void register_sizes(Registry& registry) {
                   "size: expected (point3d), (points3d), (surface3d), (volume3d), (mesh3d), (region), (uregion) or "
                   "(mregion), got (int)"}},
   });
-  registry.add({
-      .name = "isEmpty",
-      .syntax = "isEmpty(_)",
-      .doc = "True for the empty and for the undefined value.",
-      .detail = "A note gives the number of undefined values in a statement. `isdefined(x) and isEmpty(x)` is TRUE for "
-                "empty values only.",
-      .exactness = Exactness::exact,
-      .overloads = {overload<&is_empty<Point3d>>("point"), overload<&is_empty<Points3d>>("points"),
-                    overload<&is_empty<Surface3d>>("surface"), overload<&is_empty<Volume3d>>("solid"),
-                    overload<&is_empty<Mesh3d>>("mesh"), overload<&is_empty<Box3>>("box"),
-                    overload<&is_empty<Region>>("region"), overload<&is_empty<MovingRegion>>("moving")},
-      .examples = {{{"(volume3d ())"}, "TRUE"},
-                   {{"(makePoint3D 0 0 0)"}, "FALSE"},
-                   {{"(volume3d undefined)"}, "TRUE"},
-                   {{"(volume3d undefined)"}, "FALSE", "(and (isdefined (volume3d undefined)) _)"}},
-      .errors = {{{"1"}, "isEmpty: expected (point3d)"}},
-  });
+  group.add(emptiness());
 }
 
 // SECONDO's spelling.
-void register_isempty(Registry& registry) {
-  Operator alias = *registry.find_operator("isEmpty");
+void register_isempty(OperatorGroup& group) {
+  Operator alias = emptiness();
   alias.name = "isempty";
-  alias.host_name.clear();
   alias.syntax = "isempty(_)";
   alias.detail = "Another name of `isEmpty`.";
   alias.examples = {
       {{"(volume3d ())"}, "TRUE"}, {{"(makePoint3D 0 0 0)"}, "FALSE"}, {{"(volume3d undefined)"}, "TRUE"}};
   alias.errors = {{{"1"}, "isempty: expected (point3d)"}};
-  registry.add(std::move(alias));
+  group.add(std::move(alias));
 }
 
-void register_box_operator(Registry& registry, const std::string& name) {
-  registry.add({
+void register_box_operator(OperatorGroup& group, const std::string& name) {
+  group.add({
       .name = name,
       .syntax = name + "(_)",
       .doc = "The smallest box of doubles around a geometry; for a geometry in the plane a rectangle, over all times.",
@@ -123,13 +127,13 @@ void register_box_operator(Registry& registry, const std::string& name) {
 
 }  // namespace
 
-void register_information(Registry& registry) {
-  register_sizes(registry);
-  register_isempty(registry);
-  register_box_operator(registry, "bbox");
-  register_box_operator(registry, "bbox3d");
+void register_information(OperatorGroup& group) {
+  register_sizes(group);
+  register_isempty(group);
+  register_box_operator(group, "bbox");
+  register_box_operator(group, "bbox3d");
   const std::string cube = "(createCube (makePoint3D 0 0 0) (makePoint3D 1 1 1))";
-  registry.add({
+  group.add({
       .name = "bboxDistance",
       .syntax = "bboxDistance(_, _)",
       .doc = "The smallest distance between the box of a geometry and a box, in coordinate units; 0 if they meet.",
@@ -146,7 +150,7 @@ void register_information(Registry& registry) {
                    {{cube, "(rect3 undefined)"}, "undefined"}},
       .errors = {{{cube, "1"}, "bboxDistance: expected (point3d rect3)"}},
   });
-  registry.add({
+  group.add({
       .name = "bboxIntersects",
       .syntax = "bboxIntersects(_, _)",
       .doc = "True if the box of a geometry meets a box; touching counts.",

@@ -61,8 +61,8 @@ Result<Maybe<double>> json_number(Context& context, const Text& object, const Te
 
 }  // namespace
 
-void register_json_members(Registry& registry) {
-  registry.add({
+void register_json_members(OperatorGroup& group) {
+  group.add({
       .name = "jsonText",
       .syntax = "jsonText(_, _)",
       .doc = "The member of this name of a JSON object: a string unchanged, any other value as JSON.",
@@ -79,7 +79,7 @@ void register_json_members(Registry& registry) {
                    {{R"('"name"')", R"('{"name": 1}')"}, "undefined"}},
       .errors = {{{R"('{"a": 1}')", "1"}, "jsonText: expected (text text), got (text int)"}},
   });
-  registry.add({
+  group.add({
       .name = "jsonNumber",
       .syntax = "jsonNumber(_, _)",
       .doc = "The number of this name in a JSON object, as the nearest real.",

@@ -34,8 +34,8 @@ bool negated(bool a) {
 
 }  // namespace
 
-void register_logic(Registry& registry) {
-  registry.add({
+void register_logic(OperatorGroup& group) {
+  group.add({
       .name = "and",
       .host_name = "logical_and",
       .syntax = "_ and _",
@@ -51,7 +51,7 @@ void register_logic(Registry& registry) {
                    {{"(bool undefined)", "TRUE"}, "undefined"}},
       .errors = {{{"TRUE", "1"}, "and: expected (bool bool), got (bool int)"}},
   });
-  registry.add({
+  group.add({
       .name = "or",
       .host_name = "logical_or",
       .syntax = "_ or _",
@@ -67,7 +67,7 @@ void register_logic(Registry& registry) {
                    {{"(bool undefined)", "FALSE"}, "undefined"}},
       .errors = {{{"TRUE", "1"}, "or: expected (bool bool), got (bool int)"}},
   });
-  registry.add({
+  group.add({
       .name = "not",
       .host_name = "logical_not",
       .syntax = "not(_)",

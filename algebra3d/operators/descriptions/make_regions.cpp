@@ -35,8 +35,8 @@ Overload region_of_corners() {
 
 }  // namespace
 
-void register_make_regions(Registry& registry) {
-  registry.add({
+void register_make_regions(OperatorGroup& group) {
+  group.add({
       .name = "makeRegion",
       .doc = "The region whose boundary passes through points, in order.",
       .detail =

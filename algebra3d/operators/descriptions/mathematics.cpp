@@ -20,9 +20,9 @@ struct NumberFunction {
 };
 
 // Every operator here takes reals, and ints for them.
-void add_function(Registry& registry, const NumberFunction& row, Overload function) {
+void add_function(OperatorGroup& group, const NumberFunction& row, Overload function) {
   const std::string name = row.name;
-  registry.add({
+  group.add({
       .name = name,
       .syntax = name + "(_)",
       .doc = row.doc,
@@ -34,19 +34,19 @@ void add_function(Registry& registry, const NumberFunction& row, Overload functi
   });
 }
 
-void register_powers(Registry& registry) {
-  add_function(registry,
+void register_powers(OperatorGroup& group) {
+  add_function(group,
                {"sqrt", "The square root of a number.", "Undefined for a negative number.", "2", "1.4142135623730951"},
                overload<&square_root>("x"));
-  add_function(registry,
+  add_function(group,
                {"exp", "e raised to this exponent.", "Undefined beyond the range of reals.", "1", "2.718281828459045"},
                overload<&exponential>("x"));
   constexpr const char* kLogarithm =
       "Undefined for a number that is not positive. `ln` and `log` are the same operator; see `logB` for other bases.";
   for (const char* name : {"ln", "log"})
-    add_function(registry, {name, "The natural logarithm of a number.", kLogarithm, "10", "2.302585092994046"},
+    add_function(group, {name, "The natural logarithm of a number.", kLogarithm, "10", "2.302585092994046"},
                  overload<&natural_logarithm>("x"));
-  registry.add({
+  group.add({
       .name = "logB",
       .host_name = "log_to_base",
       .syntax = "logB(_, _)",
@@ -57,7 +57,7 @@ void register_powers(Registry& registry) {
       .examples = {{{"1024", "2"}, "10.0"}, {{"1000", "10"}, "3.0"}, {{"2", "(real undefined)"}, "undefined"}},
       .errors = {{{"2"}, "logB: expected (real real), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "pow",
       .syntax = "pow(_, _)",
       .doc = "A number, the base, raised to an exponent; always a real.",
@@ -74,16 +74,15 @@ void register_powers(Registry& registry) {
   });
 }
 
-void register_trigonometry(Registry& registry) {
+void register_trigonometry(OperatorGroup& group) {
   constexpr const char* kRadians = "The angle is in radians; see `deg2rad`.";
-  add_function(registry, {"sin", "The sine of an angle.", kRadians, "1", "0.8414709848078965"},
-               overload<&sine>("angle"));
-  add_function(registry, {"cos", "The cosine of an angle.", kRadians, "1", "0.5403023058681398"},
+  add_function(group, {"sin", "The sine of an angle.", kRadians, "1", "0.8414709848078965"}, overload<&sine>("angle"));
+  add_function(group, {"cos", "The cosine of an angle.", kRadians, "1", "0.5403023058681398"},
                overload<&cosine>("angle"));
-  add_function(registry, {"tan", "The tangent of an angle.", kRadians, "1", "1.5574077246549023"},
+  add_function(group, {"tan", "The tangent of an angle.", kRadians, "1", "1.5574077246549023"},
                overload<&tangent>("angle"));
   const auto inverses = [&](const std::array<NumberFunction, 2>& names, const Overload& function) {
-    for (const NumberFunction& row : names) add_function(registry, row, function);
+    for (const NumberFunction& row : names) add_function(group, row, function);
   };
   constexpr const char* kArcSine =
       "From -pi/2 to pi/2. Undefined for a number below -1 or above 1. `arcsin` and `asin` are the same operator.";
@@ -103,7 +102,7 @@ void register_trigonometry(Registry& registry) {
             NumberFunction{"atan", kTangentDoc, kArcTangent, "-1", "-0.7853981633974483"}},
            overload<&arc_tangent>("x"));
   for (const std::string name : {"arctan2", "atan2"})
-    registry.add({
+    group.add({
         .name = name,
         .syntax = name + "(_, _)",
         .doc = "The angle in radians of the direction (x, y), written arctan2(y, x).",
@@ -115,12 +114,12 @@ void register_trigonometry(Registry& registry) {
     });
 }
 
-void register_angles(Registry& registry) {
-  add_function(registry, {"deg2rad", "Converts an angle from degrees to radians.", "", "180", "3.141592653589793"},
+void register_angles(OperatorGroup& group) {
+  add_function(group, {"deg2rad", "Converts an angle from degrees to radians.", "", "180", "3.141592653589793"},
                overload<&degrees_to_radians>("degrees"));
-  add_function(registry, {"rad2deg", "Converts an angle from radians to degrees.", "", "1", "57.29577951308232"},
+  add_function(group, {"rad2deg", "Converts an angle from radians to degrees.", "", "1", "57.29577951308232"},
                overload<&radians_to_degrees>("radians"));
-  registry.add({
+  group.add({
       .name = "const_pi",
       .host_name = "pi",
       .syntax = "const_pi()",
@@ -130,7 +129,7 @@ void register_angles(Registry& registry) {
       .examples = {{{}, "3.141592653589793"}},
       .errors = {{{"1"}, "const_pi: expected (), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "const_e",
       .host_name = "e",
       .syntax = "const_e()",
@@ -144,10 +143,10 @@ void register_angles(Registry& registry) {
 
 }  // namespace
 
-void register_mathematics(Registry& registry) {
-  register_powers(registry);
-  register_trigonometry(registry);
-  register_angles(registry);
+void register_mathematics(OperatorGroup& group) {
+  register_powers(group);
+  register_trigonometry(group);
+  register_angles(group);
 }
 
 }  // namespace algebra3d

@@ -47,8 +47,8 @@ const std::string kTriangle = "(surface3d (((0 0 0) (3 0 0) (0 4 0))))";
 
 }  // namespace
 
-void register_measure(Registry& registry) {
-  registry.add({
+void register_measure(OperatorGroup& group) {
+  group.add({
       .name = "volume",
       .syntax = "volume(_)",
       .doc = "The enclosed volume of a solid, in cubed coordinate units.",
@@ -63,7 +63,7 @@ void register_measure(Registry& registry) {
                    {{kUndefinedSolid}, "undefined"}},
       .errors = {{{kTriangle}, "volume: expected (volume3d), got (surface3d)"}},
   });
-  registry.add({
+  group.add({
       .name = "volumeExact",
       .syntax = "volumeExact(_)",
       .doc = "The enclosed volume of a solid as a fraction in lowest terms, p or p/q, in cubed coordinate units.",
@@ -75,7 +75,7 @@ void register_measure(Registry& registry) {
                    {{kUndefinedSolid}, "undefined"}},
       .errors = {{{kTriangle}, "volumeExact: expected (volume3d), got (surface3d)"}},
   });
-  registry.add({
+  group.add({
       .name = "area",
       .syntax = "area(_)",
       .doc = "The area of a region, or of all triangles of a surface or solid, in squared coordinate units.",
@@ -92,7 +92,7 @@ void register_measure(Registry& registry) {
                    {{kUndefinedSolid}, "undefined"}},
       .errors = {{{"(makePoint3D 0 0 0)"}, "area: expected (surface3d), (volume3d) or (region), got (point3d)"}},
   });
-  registry.add({
+  group.add({
       .name = "centroid",
       .syntax = "centroid(_)",
       .doc = "The centre of mass of a solid of uniform density.",

@@ -165,8 +165,8 @@ constexpr const char* kElements =
     R"(The elements are "vertex", "edge", "halfedge" or "face", numbered from 0; a half-edge keeps what belongs )"
     "to the corner of its face.";
 
-void register_setting(Registry& registry) {
-  registry.add({
+void register_setting(OperatorGroup& group) {
+  group.add({
       .name = "withAttribute",
       .syntax = "withAttribute(_, _, _, _)",
       .doc = "The mesh with a named value, the same one for all its elements of a kind.",
@@ -182,7 +182,7 @@ void register_setting(Registry& registry) {
       .errors = {{{kOneTriangle, R"("side")", R"("Material")", "'steel'"},
                   R"(withAttribute: the elements are "side"; expected "vertex", "edge", "halfedge" or "face")"}},
   });
-  registry.add({
+  group.add({
       .name = "setAttribute",
       .syntax = "setAttribute(_, _, _, _, _)",
       .doc = "The mesh with another named value of one element.",
@@ -203,7 +203,7 @@ void register_setting(Registry& registry) {
       .errors = {{{kOneTriangle, R"("side")", R"("Weight")", "1", "2.5"},
                   R"(setAttribute: the elements are "side"; expected "vertex")"}},
   });
-  registry.add({
+  group.add({
       .name = "clearAttribute",
       .syntax = "clearAttribute(_, _, _, _)",
       .doc = "The mesh with the named value of one element undefined.",
@@ -221,7 +221,7 @@ void register_setting(Registry& registry) {
       .errors = {{{kOneTriangle, R"("side")", R"("Weight")", "2"},
                   R"(clearAttribute: the elements are "side"; expected "vertex")"}},
   });
-  registry.add({
+  group.add({
       .name = "removeAttribute",
       .syntax = "removeAttribute(_, _, _)",
       .doc = "The mesh without the values with a name; the mesh itself if there are none.",
@@ -237,12 +237,12 @@ void register_setting(Registry& registry) {
 }
 
 template <typename T>
-void register_values(Registry& registry, const std::string& what, const std::string& type,
+void register_values(OperatorGroup& group, const std::string& what, const std::string& type,
                      std::vector<Example> examples) {
   const std::string name = ValueOf<T>::kOperator;
   examples.push_back({{kOneTriangle, R"("face")", R"("Weight")"}, "()"});
   examples.push_back({{kUndefinedMesh, R"("face")", R"("Weight")"}, "()"});
-  registry.add({
+  group.add({
       .name = name,
       .syntax = name + "(_, _, _)",
       .doc = fmt::format("The named values of elements that are {}, a row for each element (Id: int, Value: {}).", what,
@@ -258,9 +258,9 @@ void register_values(Registry& registry, const std::string& what, const std::str
 
 }  // namespace
 
-void register_mesh_attributes(Registry& registry) {
-  register_setting(registry);
-  registry.add({
+void register_mesh_attributes(OperatorGroup& group) {
+  register_setting(group);
+  group.add({
       .name = "meshAttributes",
       .syntax = "meshAttributes(_)",
       .doc = "The named values of the elements of a mesh, a row for each name (Elements: string, Name: string, Kind: "
@@ -275,19 +275,19 @@ void register_mesh_attributes(Registry& registry) {
                    {{kUndefinedMesh}, "()"}},
       .errors = {{{"1"}, "meshAttributes: expected (mesh3d), got (int)"}},
   });
-  register_values<double>(registry, "reals", "real",
+  register_values<double>(group, "reals", "real",
                           {{{kWithWeights, R"("vertex")", R"("Weight")"}, "((0 1.0) (1 undefined) (2 2.5))"}});
   register_values<Point2d>(
-      registry, "pairs, such as texture coordinates", "point",
+      group, "pairs, such as texture coordinates", "point",
       {{{"(setAttribute " + kOneTriangle + R"( "halfedge" "TextureCoordinate" 0 (makePoint 0.5 1)))", R"("halfedge")",
          R"("TextureCoordinate")"},
         "((0 (0.5 1.0)) (1 undefined) (2 undefined))"}});
   register_values<Vector3d>(
-      registry, "vectors, such as normals", "vector3d",
+      group, "vectors, such as normals", "vector3d",
       {{{"(withAttribute " + kOneTriangle + R"( "face" "Normal" (makeVector3D 0 0 1)))", R"("face")", R"("Normal")"},
         "((0 (0.0 0.0 1.0)))"}});
   register_values<Text>(
-      registry, "texts, such as materials", "text",
+      group, "texts, such as materials", "text",
       {{{"(withAttribute " + kOneTriangle + R"( "face" "Material" 'steel'))", R"("face")", R"("Material")"},
         "((0 'steel'))"}});
 }

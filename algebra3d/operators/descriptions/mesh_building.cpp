@@ -53,8 +53,8 @@ const std::string kFourPoints = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ()))
 constexpr const char* kKept =
     "Vertices and faces are numbered from 0. Attributes are kept; those of new elements are undefined.";
 
-void register_adding(Registry& registry) {
-  registry.add({
+void register_adding(OperatorGroup& group) {
+  group.add({
       .name = "addVertex",
       .syntax = "addVertex(_, _)",
       .doc = "The mesh with a vertex more, which is the last one.",
@@ -65,7 +65,7 @@ void register_adding(Registry& registry) {
                    {{kUndefinedMesh, kOrigin}, "undefined"}},
       .errors = {{{kFourPoints, "1"}, "addVertex: expected (mesh3d point3d), got (mesh3d int)"}},
   });
-  registry.add({
+  group.add({
       .name = "addFace",
       .syntax = "addFace(_ ...)",
       .doc = "The mesh with a face more, which is the last one: by the numbers of its three or four corners, or a text "
@@ -89,9 +89,9 @@ void register_adding(Registry& registry) {
 
 }  // namespace
 
-void register_mesh_building(Registry& registry) {
-  register_adding(registry);
-  registry.add({
+void register_mesh_building(OperatorGroup& group) {
+  register_adding(group);
+  group.add({
       .name = "removeFace",
       .syntax = "removeFace(_, _)",
       .doc = "The mesh without a face; the faces behind it are renumbered.",

@@ -105,11 +105,11 @@ std::string read_back(const MeshFormat& format) {
   return fmt::format("(volume (import{} _))", format.name);
 }
 
-void register_bytes_of(Registry& registry, const MeshFormat& format) {
+void register_bytes_of(OperatorGroup& group, const MeshFormat& format) {
   const std::string op = to_name(format);
   const bool has_floats =
       format.form(format.forms.front().encoding)->coordinates == mesh_formats::CoordinateRange::floats;
-  registry.add({
+  group.add({
       .name = op,
       .syntax = op + "(_)",
       .doc = fmt::format("The content of {} with a solid, surface or mesh.", format.title),
@@ -149,9 +149,9 @@ Result<Bytes> glb_of_value(Context& context, const T& value) {
 
 }  // namespace
 
-void register_mesh_bytes(Registry& registry) {
-  for (const MeshFormat& format : mesh_formats::known_mesh_formats()) register_bytes_of(registry, format);
-  registry.add({
+void register_mesh_bytes(OperatorGroup& group) {
+  for (const MeshFormat& format : mesh_formats::known_mesh_formats()) register_bytes_of(group, format);
+  group.add({
       .name = "toGLB",
       .syntax = "toGLB(_)",
       .doc = "The content of a binary glTF file with a solid, surface or mesh, to be shown.",

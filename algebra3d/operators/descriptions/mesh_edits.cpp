@@ -143,8 +143,8 @@ const std::string kCommonDetail =
     "undefined, with the reason. Coordinates are exact and do not matter. Edges are numbered from 0 by their first "
     "half-edges, as edges lists them. Attributes are kept. ";
 
-void register_edge_edits(Registry& registry) {
-  registry.add({
+void register_edge_edits(OperatorGroup& group) {
+  group.add({
       .name = "flipEdge",
       .syntax = "flipEdge(_, _)",
       .doc = "The mesh with one edge turned, so that it joins the next corners of the two faces beside it.",
@@ -163,7 +163,7 @@ void register_edge_edits(Registry& registry) {
       .errors = {{{kHalvedSquare, "5"}, "flipEdge: there is no edge 5; the mesh has edges 0 to 4"},
                  {{"1", "0"}, "flipEdge: expected (mesh3d int)"}},
   });
-  registry.add({
+  group.add({
       .name = "splitEdge",
       .syntax = "splitEdge(_, _, _)",
       .doc = "The mesh with a new vertex in an edge: at a share of the way along it, or at a point.",
@@ -187,7 +187,7 @@ void register_edge_edits(Registry& registry) {
                  {{kSquareFace, "4", kOrigin}, "splitEdge: there is no edge 4; the mesh has edges 0 to 3"},
                  {{"1", "0", "0.5"}, "splitEdge: expected (mesh3d int real) or (mesh3d int point3d)"}},
   });
-  registry.add({
+  group.add({
       .name = "collapseEdge",
       .syntax = "collapseEdge(_, _)",
       .doc = "The mesh with the two ends of an edge merged into the first one, which stays where it is.",
@@ -211,8 +211,8 @@ void register_edge_edits(Registry& registry) {
   });
 }
 
-void register_other_edits(Registry& registry) {
-  registry.add({
+void register_other_edits(OperatorGroup& group) {
+  group.add({
       .name = "splitFace",
       .syntax = "splitFace(_, _ ...)",
       .doc =
@@ -244,7 +244,7 @@ void register_other_edits(Registry& registry) {
                  {{kSquareFace, "0", "4", "2"}, "splitFace: there is no vertex 4; the mesh has vertices 0 to 3"},
                  {{"1", "0", "0", "2"}, "splitFace: expected (mesh3d int int int) or (mesh3d int point3d)"}},
   });
-  registry.add({
+  group.add({
       .name = "splitVertex",
       .syntax = "splitVertex(_, _, _, _, _)",
       .doc = "The mesh with a vertex divided in two that an edge joins; the new one is at a point.",
@@ -266,7 +266,7 @@ void register_other_edits(Registry& registry) {
                   "splitVertex: there is no vertex 4; the mesh has vertices 0 to 3"},
                  {{"1", "0", "0", "2", kOrigin}, "splitVertex: expected (mesh3d int int int point3d)"}},
   });
-  registry.add({
+  group.add({
       .name = "moveVertex",
       .syntax = "moveVertex(_, _, _)",
       .doc = "The mesh with one vertex at another point.",
@@ -284,9 +284,9 @@ void register_other_edits(Registry& registry) {
 
 }  // namespace
 
-void register_mesh_edits(Registry& registry) {
-  register_edge_edits(registry);
-  register_other_edits(registry);
+void register_mesh_edits(OperatorGroup& group) {
+  register_edge_edits(group);
+  register_other_edits(group);
 }
 
 }  // namespace algebra3d

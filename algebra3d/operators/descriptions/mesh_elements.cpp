@@ -91,8 +91,8 @@ using detail::kThreeAtAnEdge;
 constexpr const char* kNumbering =
     " Elements are numbered from 0 in the order of the value; rows are made one by one as they are read.";
 
-void register_vertices(Registry& registry) {
-  registry.add({
+void register_vertices(OperatorGroup& group) {
+  group.add({
       .name = "vertices",
       .syntax = "vertices(_)",
       .doc = "The vertices of a surface, solid or mesh, a row for each (Id: int, Position: point3d, Valence: int, "
@@ -121,8 +121,8 @@ void register_vertices(Registry& registry) {
   });
 }
 
-void register_edges(Registry& registry) {
-  registry.add({
+void register_edges(OperatorGroup& group) {
+  group.add({
       .name = "edges",
       .syntax = "edges(_)",
       .doc = "The edges of a surface, solid or mesh, a row for each (Id: int, Start: int, End: int, Left: int, Right: "
@@ -157,8 +157,8 @@ void register_edges(Registry& registry) {
   });
 }
 
-void register_halfedges(Registry& registry) {
-  registry.add({
+void register_halfedges(OperatorGroup& group) {
+  group.add({
       .name = "halfedges",
       .syntax = "halfedges(_)",
       .doc =
@@ -184,8 +184,8 @@ void register_halfedges(Registry& registry) {
   });
 }
 
-void register_faces(Registry& registry) {
-  registry.add({
+void register_faces(OperatorGroup& group) {
+  group.add({
       .name = "faces",
       .syntax = "faces(_)",
       .doc =
@@ -214,11 +214,11 @@ void register_faces(Registry& registry) {
 
 }  // namespace
 
-void register_mesh_elements(Registry& registry) {
-  register_vertices(registry);
-  register_edges(registry);
-  register_halfedges(registry);
-  register_faces(registry);
+void register_mesh_elements(OperatorGroup& group) {
+  register_vertices(group);
+  register_edges(group);
+  register_halfedges(group);
+  register_faces(group);
 }
 
 }  // namespace algebra3d

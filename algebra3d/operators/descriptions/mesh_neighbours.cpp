@@ -166,10 +166,10 @@ struct Relation {
   std::vector<Example> examples;
 };
 
-void add(Registry& registry, Relation relation) {
+void add(OperatorGroup& group, Relation relation) {
   const bool gives_vertices = relation.columns_from == "vertices", gives_edges = relation.columns_from == "edges",
              gives_halfedges = relation.columns_from == "halfedges";
-  registry.add({
+  group.add({
       .name = relation.name,
       .syntax = relation.name + "(_, _)",
       .doc = relation.doc + (gives_vertices    ? kVertexColumns
@@ -186,8 +186,8 @@ void add(Registry& registry, Relation relation) {
   });
 }
 
-void register_of_vertices(Registry& registry) {
-  add(registry,
+void register_of_vertices(OperatorGroup& group) {
+  add(group,
       {"oneRing",
        "The one-ring of a vertex: the other ends of its edges",
        "vertices",
@@ -198,7 +198,7 @@ void register_of_vertices(Registry& registry) {
         {{kThreeAtAnEdge, "0"}, "4", "(count _)"},
         {{kFlatSquare, "4"}, "()"},
         {{kUndefinedSolid, "0"}, "()"}}});
-  add(registry,
+  add(group,
       {"vertexEdges",
        "The edges at a vertex",
        "edges",
@@ -210,28 +210,28 @@ void register_of_vertices(Registry& registry) {
         {{kThreeAtAnEdge, "0"}, "4", "(count _)"},
         {{kFlatSquare, "-1"}, "()"},
         {{kUndefinedMesh, "0"}, "()"}}});
-  add(registry, {"vertexFaces",
-                 "The faces at a vertex",
-                 "faces, without Component",
-                 "Counter-clockwise, fan by fan.",
-                 giving_faces<&vertex_faces<Surface3d>, &vertex_faces<Volume3d>, &vertex_faces<Mesh3d>>("vertex"),
-                 {{{kFoldedSurface, "1"}, "((0 3 2.0 (0.0 0.0 1.0) (0.6666666666666666 0.6666666666666666 0.0) 0))"},
-                  {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
-                  {{kFoldedSurface, "9"}, "()"},
-                  {{kUndefinedMesh, "0"}, "()"}}});
+  add(group, {"vertexFaces",
+              "The faces at a vertex",
+              "faces, without Component",
+              "Counter-clockwise, fan by fan.",
+              giving_faces<&vertex_faces<Surface3d>, &vertex_faces<Volume3d>, &vertex_faces<Mesh3d>>("vertex"),
+              {{{kFoldedSurface, "1"}, "((0 3 2.0 (0.0 0.0 1.0) (0.6666666666666666 0.6666666666666666 0.0) 0))"},
+               {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
+               {{kFoldedSurface, "9"}, "()"},
+               {{kUndefinedMesh, "0"}, "()"}}});
 }
 
-void register_of_edges(Registry& registry) {
-  add(registry, {"edgeVertices",
-                 "The ends of an edge",
-                 "vertices",
-                 "Start, then End.",
-                 giving_vertices<&edge_vertices<Surface3d>, &edge_vertices<Volume3d>, &edge_vertices<Mesh3d>>("edge"),
-                 {{{kFlatSquare, "3"},
-                   "((3 (0.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 3) (0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 0))"},
-                  {{kFlatSquare, "4"}, "()"},
-                  {{kUndefinedMesh, "0"}, "()"}}});
-  add(registry,
+void register_of_edges(OperatorGroup& group) {
+  add(group, {"edgeVertices",
+              "The ends of an edge",
+              "vertices",
+              "Start, then End.",
+              giving_vertices<&edge_vertices<Surface3d>, &edge_vertices<Volume3d>, &edge_vertices<Mesh3d>>("edge"),
+              {{{kFlatSquare, "3"},
+                "((3 (0.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 3) (0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 0))"},
+               {{kFlatSquare, "4"}, "()"},
+               {{kUndefinedMesh, "0"}, "()"}}});
+  add(group,
       {"edgeEdges",
        "The edges that share an end with an edge",
        "edges",
@@ -243,51 +243,51 @@ void register_of_edges(Registry& registry) {
         {{kThreeAtAnEdge, "0"}, "6", "(count _)"},
         {{kFlatSquare, "4"}, "()"},
         {{kUndefinedMesh, "0"}, "()"}}});
-  add(registry, {"edgeFaces",
-                 "The faces along an edge",
-                 "faces, without Component",
-                 "In order of their numbers.",
-                 giving_faces<&edge_faces<Surface3d>, &edge_faces<Volume3d>, &edge_faces<Mesh3d>>("edge"),
-                 {{{kFlatSquare, "2"}, "((0 4 4.0 (0.0 0.0 1.0) (1.0 1.0 0.0) 0))"},
-                  {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
-                  {{kFlatSquare, "4"}, "()"},
-                  {{kUndefinedMesh, "0"}, "()"}}});
+  add(group, {"edgeFaces",
+              "The faces along an edge",
+              "faces, without Component",
+              "In order of their numbers.",
+              giving_faces<&edge_faces<Surface3d>, &edge_faces<Volume3d>, &edge_faces<Mesh3d>>("edge"),
+              {{{kFlatSquare, "2"}, "((0 4 4.0 (0.0 0.0 1.0) (1.0 1.0 0.0) 0))"},
+               {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
+               {{kFlatSquare, "4"}, "()"},
+               {{kUndefinedMesh, "0"}, "()"}}});
 }
 
-void register_of_faces(Registry& registry) {
-  add(registry, {"faceVertices",
-                 "The corners of a face",
-                 "vertices",
-                 "In order, from the first.",
-                 giving_vertices<&face_vertices<Surface3d>, &face_vertices<Volume3d>, &face_vertices<Mesh3d>>("face"),
-                 {{{"(surface3d (((0 0 0) (3 0 0) (0 3 0))))", "0"},
-                   "((0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 0) (1 (3.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 1) "
-                   "(2 (0.0 3.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 2))"},
-                  {{kFlatSquare, "1"}, "()"},
-                  {{kUndefinedMesh, "0"}, "()"}}});
-  add(registry, {"faceEdges",
-                 "The edges of a face",
-                 "edges",
-                 "In order, from the first corner.",
-                 giving_edges<&face_edges<Surface3d>, &face_edges<Volume3d>, &face_edges<Mesh3d>>("face"),
-                 {{{kFlatSquare, "0"}, "4", "(count _)"},
-                  {{kUnitCube, "11"}, "3", "(count _)"},
-                  {{kUnitCube, "12"}, "()"},
-                  {{kUndefinedMesh, "0"}, "()"}}});
-  add(registry, {"faceFaces",
-                 "The faces that share an edge with a face",
-                 "faces, without Component",
-                 "Edge by edge, from the first corner.",
-                 giving_faces<&face_faces<Surface3d>, &face_faces<Volume3d>, &face_faces<Mesh3d>>("face"),
-                 {{{kFoldedSurface, "0"}, "((1 3 2.0 (1.0 0.0 0.0) (0.0 0.6666666666666666 0.6666666666666666) 3))"},
-                  {{kThreeAtAnEdge, "1"}, "2", "(count _)"},
-                  {{kFlatSquare, "1"}, "()"},
-                  {{kUndefinedMesh, "0"}, "()"}}});
+void register_of_faces(OperatorGroup& group) {
+  add(group, {"faceVertices",
+              "The corners of a face",
+              "vertices",
+              "In order, from the first.",
+              giving_vertices<&face_vertices<Surface3d>, &face_vertices<Volume3d>, &face_vertices<Mesh3d>>("face"),
+              {{{"(surface3d (((0 0 0) (3 0 0) (0 3 0))))", "0"},
+                "((0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 0) (1 (3.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 1) "
+                "(2 (0.0 3.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE 2))"},
+               {{kFlatSquare, "1"}, "()"},
+               {{kUndefinedMesh, "0"}, "()"}}});
+  add(group, {"faceEdges",
+              "The edges of a face",
+              "edges",
+              "In order, from the first corner.",
+              giving_edges<&face_edges<Surface3d>, &face_edges<Volume3d>, &face_edges<Mesh3d>>("face"),
+              {{{kFlatSquare, "0"}, "4", "(count _)"},
+               {{kUnitCube, "11"}, "3", "(count _)"},
+               {{kUnitCube, "12"}, "()"},
+               {{kUndefinedMesh, "0"}, "()"}}});
+  add(group, {"faceFaces",
+              "The faces that share an edge with a face",
+              "faces, without Component",
+              "Edge by edge, from the first corner.",
+              giving_faces<&face_faces<Surface3d>, &face_faces<Volume3d>, &face_faces<Mesh3d>>("face"),
+              {{{kFoldedSurface, "0"}, "((1 3 2.0 (1.0 0.0 0.0) (0.0 0.6666666666666666 0.6666666666666666) 3))"},
+               {{kThreeAtAnEdge, "1"}, "2", "(count _)"},
+               {{kFlatSquare, "1"}, "()"},
+               {{kUndefinedMesh, "0"}, "()"}}});
 }
 
-void register_halfedge_relations(Registry& registry) {
+void register_halfedge_relations(OperatorGroup& group) {
   const std::string round = "Counter-clockwise, fan by fan; one for each corner at the vertex.";
-  add(registry,
+  add(group,
       {"outgoingHalfedges",
        "The half-edges that leave a vertex",
        "halfedges",
@@ -297,7 +297,7 @@ void register_halfedge_relations(Registry& registry) {
         {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
         {{kFlatSquare, "4"}, "()"},
         {{kUndefinedMesh, "0"}, "()"}}});
-  add(registry,
+  add(group,
       {"incomingHalfedges",
        "The half-edges that arrive at a vertex",
        "halfedges",
@@ -307,17 +307,16 @@ void register_halfedge_relations(Registry& registry) {
         {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
         {{kFlatSquare, "4"}, "()"},
         {{kUndefinedMesh, "0"}, "()"}}});
-  add(registry,
-      {"faceHalfedges",
-       "The half-edges of a face",
-       "halfedges",
-       "In order, from the first corner.",
-       giving_halfedges<&face_halfedges<Surface3d>, &face_halfedges<Volume3d>, &face_halfedges<Mesh3d>>("face"),
-       {{{kFoldedSurface, "1"}, "((3 0 2 4 5 2 1 2) (4 2 3 5 3 undefined 1 3) (5 3 0 3 4 undefined 1 4))"},
-        {{kFlatSquare, "0"}, "4", "(count _)"},
-        {{kFlatSquare, "1"}, "()"},
-        {{kUndefinedMesh, "0"}, "()"}}});
-  add(registry,
+  add(group, {"faceHalfedges",
+              "The half-edges of a face",
+              "halfedges",
+              "In order, from the first corner.",
+              giving_halfedges<&face_halfedges<Surface3d>, &face_halfedges<Volume3d>, &face_halfedges<Mesh3d>>("face"),
+              {{{kFoldedSurface, "1"}, "((3 0 2 4 5 2 1 2) (4 2 3 5 3 undefined 1 3) (5 3 0 3 4 undefined 1 4))"},
+               {{kFlatSquare, "0"}, "4", "(count _)"},
+               {{kFlatSquare, "1"}, "()"},
+               {{kUndefinedMesh, "0"}, "()"}}});
+  add(group,
       {"halfedge",
        "The half-edge with a number",
        "halfedges",
@@ -329,11 +328,11 @@ void register_halfedge_relations(Registry& registry) {
 
 }  // namespace
 
-void register_mesh_neighbours(Registry& registry) {
-  register_of_vertices(registry);
-  register_of_edges(registry);
-  register_of_faces(registry);
-  register_halfedge_relations(registry);
+void register_mesh_neighbours(OperatorGroup& group) {
+  register_of_vertices(group);
+  register_of_edges(group);
+  register_of_faces(group);
+  register_halfedge_relations(group);
 }
 
 }  // namespace algebra3d

@@ -51,8 +51,8 @@ constexpr const char* kTriangulation =
     "there, along another one; so flat faces are triangulated in their plane. A face that crosses itself along all "
     "axes becomes triangles of least area.";
 
-void register_conversions_to_meshes(Registry& registry) {
-  registry.add({
+void register_conversions_to_meshes(OperatorGroup& group) {
+  group.add({
       .name = "surface2mesh",
       .syntax = "surface2mesh(_ ...)",
       .doc = "A surface as a mesh of its triangles, or of the polygons that these make.",
@@ -67,7 +67,7 @@ void register_conversions_to_meshes(Registry& registry) {
                    {{"(surface3d undefined)"}, "undefined"}},
       .errors = {{{"1"}, "surface2mesh: expected (surface3d) or (surface3d bool), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "volume2mesh",
       .syntax = "volume2mesh(_ ...)",
       .doc = "The boundary of a solid as a mesh of its triangles, or of the polygons that these make.",
@@ -82,8 +82,8 @@ void register_conversions_to_meshes(Registry& registry) {
   });
 }
 
-void register_conversions_of_meshes(Registry& registry) {
-  registry.add({
+void register_conversions_of_meshes(OperatorGroup& group) {
+  group.add({
       .name = "mesh2surface",
       .syntax = "mesh2surface(_)",
       .doc = "The surface of the faces of a mesh, triangulated.",
@@ -99,7 +99,7 @@ void register_conversions_of_meshes(Registry& registry) {
                    {{kUndefinedMesh}, "undefined"}},
       .errors = {{{"1"}, "mesh2surface: expected (mesh3d), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "mesh2volume",
       .syntax = "mesh2volume(_)",
       .doc = "The solid that the faces of a mesh bound, triangulated.",
@@ -113,7 +113,7 @@ void register_conversions_of_meshes(Registry& registry) {
                    {{kUndefinedMesh}, "undefined"}},
       .errors = {{{"1"}, "mesh2volume: expected (mesh3d), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "triangulate",
       .syntax = "triangulate(_)",
       .doc = "A mesh with its faces triangulated, over the same vertices.",
@@ -129,9 +129,9 @@ void register_conversions_of_meshes(Registry& registry) {
 
 }  // namespace
 
-void register_meshes(Registry& registry) {
-  register_conversions_to_meshes(registry);
-  register_conversions_of_meshes(registry);
+void register_meshes(OperatorGroup& group) {
+  register_conversions_to_meshes(group);
+  register_conversions_of_meshes(group);
 }
 
 }  // namespace algebra3d

@@ -53,8 +53,8 @@ const std::string kSquareOnItsWay =
     "1) (3 2 2 1) (1 2 2 1)))))))";
 const std::string kNeverDefined = "(mregion undefined)";
 
-void register_states(Registry& registry) {
-  registry.add({
+void register_states(OperatorGroup& group) {
+  group.add({
       .name = "atinstant",
       .syntax = "atinstant(_, _)",
       .doc = "The region of a moving region at an instant.",
@@ -70,7 +70,7 @@ void register_states(Registry& registry) {
       .errors = {{{kSquareOnItsWay, "0.5"},
                   "atinstant: expected (mregion instant) or (uregion instant), got (mregion real)"}},
   });
-  registry.add({
+  group.add({
       .name = "initial",
       .syntax = "initial(_)",
       .doc = "The region of a moving region at its beginning.",
@@ -82,7 +82,7 @@ void register_states(Registry& registry) {
                    {{kNeverDefined}, "undefined"}},
       .errors = {{{"1"}, "initial: expected (mregion), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "final",
       .syntax = "final(_)",
       .doc = "The region of a moving region at its end.",
@@ -99,9 +99,9 @@ void register_states(Registry& registry) {
 
 }  // namespace
 
-void register_moving_regions(Registry& registry) {
-  register_states(registry);
-  registry.add({
+void register_moving_regions(OperatorGroup& group) {
+  register_states(group);
+  group.add({
       .name = "deftime",
       .syntax = "deftime(_)",
       .doc = "The interval of a unit, or the intervals during which a moving region is defined.",
@@ -114,7 +114,7 @@ void register_moving_regions(Registry& registry) {
                    {{"(uregion undefined)"}, "undefined"}},
       .errors = {{{"1"}, "deftime: expected (uregion) or (mregion), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "units",
       .syntax = "units(_)",
       .doc = "The units of a moving region in order of time.",

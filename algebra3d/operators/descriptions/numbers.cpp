@@ -81,8 +81,8 @@ Text text_of_string(const std::string& string) {
   return {string};
 }
 
-void register_rounded(Registry& registry) {
-  registry.add({
+void register_rounded(OperatorGroup& group) {
+  group.add({
       .name = "abs",
       .syntax = "abs(_)",
       .doc = "The absolute value of a number.",
@@ -92,7 +92,7 @@ void register_rounded(Registry& registry) {
       .examples = {{{"-4"}, "4"}, {{"-3.1"}, "3.1"}, {{"(int undefined)"}, "undefined"}},
       .errors = {{{"TRUE"}, "abs: expected (int) or (real), got (bool)"}},
   });
-  registry.add({
+  group.add({
       .name = "floor",
       .syntax = "floor(_)",
       .doc = "The largest integer that is not greater than a number, as a real.",
@@ -102,7 +102,7 @@ void register_rounded(Registry& registry) {
       .examples = {{{"-1.2"}, "-2.0"}, {{"(real undefined)"}, "undefined"}},
       .errors = {{{"TRUE"}, "floor: expected (real), got (bool)"}},
   });
-  registry.add({
+  group.add({
       .name = "ceil",
       .syntax = "ceil(_)",
       .doc = "The smallest integer that is not less than a number, as a real.",
@@ -112,7 +112,7 @@ void register_rounded(Registry& registry) {
       .examples = {{{"-1.2"}, "-1.0"}, {{"(real undefined)"}, "undefined"}},
       .errors = {{{"TRUE"}, "ceil: expected (real), got (bool)"}},
   });
-  registry.add({
+  group.add({
       .name = "round",
       .syntax = "round(_ ...)",
       .doc = "The nearest number with the given number of digits after the decimal point: by default 0; negative for "
@@ -130,8 +130,8 @@ void register_rounded(Registry& registry) {
   });
 }
 
-void register_number_types(Registry& registry) {
-  registry.add({
+void register_number_types(OperatorGroup& group) {
+  group.add({
       .name = "int2real",
       .syntax = "int2real(_)",
       .doc = "The real nearest to an int.",
@@ -140,7 +140,7 @@ void register_number_types(Registry& registry) {
       .examples = {{{"-2"}, "-2.0"}, {{"(int undefined)"}, "undefined"}},
       .errors = {{{"1.5"}, "int2real: expected (int), got (real)"}},
   });
-  registry.add({
+  group.add({
       .name = "real2int",
       .syntax = "real2int(_)",
       .doc = "A real without its decimal places, as an int.",
@@ -150,7 +150,7 @@ void register_number_types(Registry& registry) {
       .examples = {{{"-1.2"}, "-1"}, {{"1e19"}, "undefined"}, {{"(real undefined)"}, "undefined"}},
       .errors = {{{"TRUE"}, "real2int: expected (real), got (bool)"}},
   });
-  registry.add({
+  group.add({
       .name = "int2bool",
       .syntax = "int2bool(_)",
       .doc = "FALSE for 0, TRUE for every other int.",
@@ -159,7 +159,7 @@ void register_number_types(Registry& registry) {
       .examples = {{{"-5"}, "TRUE"}, {{"0"}, "FALSE"}, {{"(int undefined)"}, "undefined"}},
       .errors = {{{"1.5"}, "int2bool: expected (int), got (real)"}},
   });
-  registry.add({
+  group.add({
       .name = "bool2int",
       .syntax = "bool2int(_)",
       .doc = "1 for TRUE, 0 for FALSE.",
@@ -170,8 +170,8 @@ void register_number_types(Registry& registry) {
   });
 }
 
-void register_number_texts(Registry& registry) {
-  registry.add({
+void register_number_texts(OperatorGroup& group) {
+  group.add({
       .name = "num2string",
       .syntax = "num2string(_)",
       .doc = "A number as a string, as it prints; `str2int` and `str2real` read it back.",
@@ -180,7 +180,7 @@ void register_number_texts(Registry& registry) {
       .examples = {{{"-684"}, R"("-684")"}, {{"-684.25"}, R"("-684.25")"}, {{"(int undefined)"}, "undefined"}},
       .errors = {{{"TRUE"}, "num2string: expected (int) or (real), got (bool)"}},
   });
-  registry.add({
+  group.add({
       .name = "str2real",
       .syntax = "str2real(_)",
       .doc = "Converts a string or text with a decimal number to the nearest real.",
@@ -193,7 +193,7 @@ void register_number_texts(Registry& registry) {
                    {{"(string undefined)"}, "undefined"}},
       .errors = {{{"1"}, "str2real: expected (text), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "str2int",
       .syntax = "str2int(_)",
       .doc = "Converts a string or text to an int.",
@@ -205,7 +205,7 @@ void register_number_texts(Registry& registry) {
       .examples = {{{R"("-12")"}, "-12"}, {{"'2.5'"}, "undefined"}, {{"(text undefined)"}, "undefined"}},
       .errors = {{{"1"}, "str2int: expected (text), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "tostring",
       .host_name = "to_string",
       .syntax = "tostring(_)",
@@ -218,7 +218,7 @@ void register_number_texts(Registry& registry) {
       .examples = {{{"'gear'"}, R"("gear")"}, {{"(/ 1 4)"}, R"("0.25")"}, {{"(text undefined)"}, "undefined"}},
       .errors = {{{"1", "2"}, "tostring: expected (text), (int), (real) or (bool), got (int int)"}},
   });
-  registry.add({
+  group.add({
       .name = "totext",
       .host_name = "to_text",
       .syntax = "totext(_)",
@@ -233,10 +233,10 @@ void register_number_texts(Registry& registry) {
 
 }  // namespace
 
-void register_numbers(Registry& registry) {
-  register_rounded(registry);
-  register_number_types(registry);
-  register_number_texts(registry);
+void register_numbers(OperatorGroup& group) {
+  register_rounded(group);
+  register_number_types(group);
+  register_number_texts(group);
 }
 
 }  // namespace algebra3d

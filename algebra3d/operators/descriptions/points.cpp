@@ -48,9 +48,9 @@ Maybe<Vector3d> vector_product(const Vector3d& v, const Vector3d& w) {
 const std::string kThird = "(vector3d (1/3 0 0))";
 
 template <std::size_t kAxis>
-void register_coordinate(Registry& registry, const std::string& name, const std::string& axis,
+void register_coordinate(OperatorGroup& group, const std::string& name, const std::string& axis,
                          const std::string& value) {
-  registry.add({
+  group.add({
       .name = name,
       .host_name = axis,
       .syntax = name + "(_)",
@@ -67,11 +67,11 @@ void register_coordinate(Registry& registry, const std::string& name, const std:
 
 }  // namespace
 
-void register_points(Registry& registry) {
-  register_coordinate<0>(registry, "getx", "x", "1.0");
-  register_coordinate<1>(registry, "gety", "y", "2.0");
-  register_coordinate<2>(registry, "getz", "z", "3.0");
-  registry.add({
+void register_points(OperatorGroup& group) {
+  register_coordinate<0>(group, "getx", "x", "1.0");
+  register_coordinate<1>(group, "gety", "y", "2.0");
+  register_coordinate<2>(group, "getz", "z", "3.0");
+  group.add({
       .name = "makePoint3D",
       .syntax = "makePoint3D(_, _, _)",
       .doc = "The point with these coordinates.",
@@ -80,7 +80,7 @@ void register_points(Registry& registry) {
       .examples = {{{"1", "2.5", "-3"}, "(1.0 2.5 -3.0)"}, {{"1", "2", "(real undefined)"}, "undefined"}},
       .errors = {{{"1", "2"}, "makePoint3D: expected (real real real), got (int int)"}},
   });
-  registry.add({
+  group.add({
       .name = "makeVector3D",
       .syntax = "makeVector3D(_, _ ...)",
       .doc = "The vector with these components, or the vector from the first point to the second.",
@@ -91,7 +91,7 @@ void register_points(Registry& registry) {
                    {{"(makePoint3D 1 1 1)", "(point3d undefined)"}, "undefined"}},
       .errors = {{{"1", "2"}, "makeVector3D: expected (real real real) or (point3d point3d), got (int int)"}},
   });
-  registry.add({
+  group.add({
       .name = "makePlane3D",
       .syntax = "makePlane3D(_, _ ...)",
       .doc = "The plane through a point with a normal, or spanned by two directions u and v with the normal u x v.",
@@ -104,7 +104,7 @@ void register_points(Registry& registry) {
       .errors = {{{"(makePoint3D 0 0 2)", "1"},
                   "makePlane3D: expected (point3d vector3d) or (point3d vector3d vector3d), got (point3d int)"}},
   });
-  registry.add({
+  group.add({
       .name = "length",
       .syntax = "length(_)",
       .doc = "The Euclidean length of a vector, in coordinate units.",
@@ -115,7 +115,7 @@ void register_points(Registry& registry) {
                    {{"(vector3d undefined)"}, "undefined"}},
       .errors = {{{"1"}, "length: expected (vector3d), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "dot",
       .host_name = "dot_product",
       .syntax = "dot(_, _)",
@@ -127,7 +127,7 @@ void register_points(Registry& registry) {
                    {{"(vector3d undefined)", "(makeVector3D 1 0 0)"}, "undefined"}},
       .errors = {{{"(makeVector3D 1 2 3)", "1"}, "dot: expected (vector3d vector3d), got (vector3d int)"}},
   });
-  registry.add({
+  group.add({
       .name = "cross",
       .host_name = "cross_product",
       .syntax = "cross(_, _)",

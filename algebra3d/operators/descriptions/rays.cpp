@@ -84,8 +84,8 @@ constexpr const char* kMeaningOfThickness =
     "The thickness behind a triangle is the length of the ray from its centroid, at right angles inwards, to the "
     "boundary. So it depends on the triangles; small ones give a fine picture.";
 
-void register_ray_hits(Registry& registry) {
-  registry.add({
+void register_ray_hits(OperatorGroup& group) {
+  group.add({
       .name = "rayHits",
       .syntax = "rayHits(_, _, _)",
       .doc =
@@ -124,8 +124,8 @@ void register_ray_hits(Registry& registry) {
   });
 }
 
-void register_thickness(Registry& registry) {
-  registry.add({
+void register_thickness(OperatorGroup& group) {
+  group.add({
       .name = "thickness",
       .syntax = "thickness(_)",
       .doc = "The smallest thickness of a solid behind any of its triangles, in coordinate units.",
@@ -140,7 +140,7 @@ void register_thickness(Registry& registry) {
                    {{kUndefinedSolid}, "undefined"}},
       .errors = {{{"1"}, "thickness: expected (volume3d), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "facetThickness",
       .syntax = "facetThickness(_)",
       .doc = "The thickness of a solid behind each of its triangles, a row for each (Triangle: int, Point: point3d, "
@@ -159,9 +159,9 @@ void register_thickness(Registry& registry) {
 
 }  // namespace
 
-void register_rays(Registry& registry) {
-  register_ray_hits(registry);
-  register_thickness(registry);
+void register_rays(OperatorGroup& group) {
+  register_ray_hits(group);
+  register_thickness(group);
 }
 
 }  // namespace algebra3d

@@ -42,8 +42,8 @@ Result<Maybe<Region>> region_of_geojson_text(Context& context, const Text& text)
   return region_of_geojson(text.content, context.monitor());
 }
 
-void register_wkt(Registry& registry) {
-  registry.add({
+void register_wkt(OperatorGroup& group) {
+  group.add({
       .name = "wkt2region",
       .syntax = "wkt2region(_)",
       .doc = "Converts a POLYGON or MULTIPOLYGON in well-known text (WKT) to a region.",
@@ -67,7 +67,7 @@ void register_wkt(Registry& registry) {
                    {{"(text undefined)"}, "undefined"}},
       .errors = {{{"1"}, "wkt2region: expected (text), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "region2wkt",
       .syntax = "region2wkt(_)",
       .doc = "A region as well-known text: POLYGON if it has one face, else MULTIPOLYGON.",
@@ -89,9 +89,9 @@ void register_wkt(Registry& registry) {
 
 }  // namespace
 
-void register_region_texts(Registry& registry) {
-  register_wkt(registry);
-  registry.add({
+void register_region_texts(OperatorGroup& group) {
+  register_wkt(group);
+  group.add({
       .name = "geojson2region",
       .syntax = "geojson2region(_)",
       .doc = "Converts a GeoJSON geometry, or the geometry of one Feature, to a region.",

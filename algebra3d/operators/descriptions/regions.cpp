@@ -77,8 +77,8 @@ const std::string kSquareRegion = "(region ((((0 0) (4 0) (4 4) (0 4)))))";
 const std::string kFrame = "(region ((((0 0) (4 0) (4 4) (0 4)) ((1 1) (3 1) (3 3) (1 3)))))";
 const std::string kUndefinedRegion = "(region undefined)";
 
-void register_making(Registry& registry) {
-  registry.add({
+void register_making(OperatorGroup& group) {
+  group.add({
       .name = "makePoint",
       .syntax = "makePoint(_, _)",
       .doc = "The point of the plane with these coordinates.",
@@ -88,7 +88,7 @@ void register_making(Registry& registry) {
       .examples = {{{"1", "2.5"}, "(1.0 2.5)"}, {{"1", "(real undefined)"}, "undefined"}},
       .errors = {{{"1"}, "makePoint: expected (real real), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "rectangle2",
       .syntax = "rectangle2(_, _, _, _)",
       .doc = "The rectangle with the given minimum and maximum of x and of y.",
@@ -101,7 +101,7 @@ void register_making(Registry& registry) {
                    {{"1", "(real undefined)", "2", "4"}, "undefined"}},
       .errors = {{{"1", "2"}, "rectangle2: expected (real real real real), got (int int)"}},
   });
-  registry.add({
+  group.add({
       .name = "rect2region",
       .syntax = "_ rect2region",
       .also_prefix = true,
@@ -117,8 +117,8 @@ void register_making(Registry& registry) {
   });
 }
 
-void register_measures(Registry& registry) {
-  registry.add({
+void register_measures(OperatorGroup& group) {
+  group.add({
       .name = "areaExact",
       .syntax = "areaExact(_)",
       .doc = "The area of a region as a fraction in lowest terms, p or p/q, in squared coordinate units.",
@@ -127,7 +127,7 @@ void register_measures(Registry& registry) {
       .examples = {{{kFrame}, "'12'"}, {{kUndefinedRegion}, "undefined"}},
       .errors = {{{"1"}, "areaExact: expected (region), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "perimeter",
       .syntax = "perimeter(_)",
       .doc = "The length of all boundary segments of a region, those of holes included, in coordinate units.",
@@ -136,7 +136,7 @@ void register_measures(Registry& registry) {
       .examples = {{{kFrame}, "24.0"}, {{kUndefinedRegion}, "undefined"}},
       .errors = {{{"1"}, "perimeter: expected (region), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "faceCount",
       .syntax = "faceCount(_)",
       .doc = "The number of faces of a region.",
@@ -147,7 +147,7 @@ void register_measures(Registry& registry) {
       .examples = {{{kFrame}, "1"}, {{"(region ())"}, "0"}, {{kUndefinedRegion}, "undefined"}},
       .errors = {{{"1"}, "faceCount: expected (region), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "holeCount",
       .syntax = "holeCount(_)",
       .doc = "The number of holes in all faces of a region.",
@@ -159,8 +159,8 @@ void register_measures(Registry& registry) {
   });
 }
 
-void register_ways_to_space(Registry& registry) {
-  registry.add({
+void register_ways_to_space(OperatorGroup& group) {
+  group.add({
       .name = "region2surface",
       .syntax = "region2surface(_)",
       .doc = "The region as a surface at z = 0, with normals upward.",
@@ -177,7 +177,7 @@ void register_ways_to_space(Registry& registry) {
                    {{kUndefinedRegion}, "undefined"}},
       .errors = {{{"1"}, "region2surface: expected (region), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "region2volume",
       .syntax = "region2volume(_, _)",
       .doc = "The prism over a region: from z = 0 to the height, which may be negative.",
@@ -193,8 +193,8 @@ void register_ways_to_space(Registry& registry) {
   });
 }
 
-void register_ways_from_space(Registry& registry) {
-  registry.add({
+void register_ways_from_space(OperatorGroup& group) {
+  group.add({
       .name = "slice",
       .syntax = "slice(_, _)",
       .doc = "The region in which the horizontal plane at a height cuts a solid.",
@@ -209,7 +209,7 @@ void register_ways_from_space(Registry& registry) {
                    {{kUndefinedSolid, "1"}, "undefined"}},
       .errors = {{{kCubeOfTwo}, "slice: expected (volume3d real), got (volume3d)"}},
   });
-  registry.add({
+  group.add({
       .name = "projectXY",
       .syntax = "projectXY(_)",
       .doc = "The vertical projection of a solid to the plane z = 0.",
@@ -227,11 +227,11 @@ void register_ways_from_space(Registry& registry) {
 
 }  // namespace
 
-void register_regions(Registry& registry) {
-  register_making(registry);
-  register_measures(registry);
-  register_ways_to_space(registry);
-  register_ways_from_space(registry);
+void register_regions(OperatorGroup& group) {
+  register_making(group);
+  register_measures(group);
+  register_ways_to_space(group);
+  register_ways_from_space(group);
 }
 
 }  // namespace algebra3d

@@ -132,8 +132,8 @@ const std::string kOpenBox =
 
 }  // namespace
 
-void register_repair_reports(Registry& registry) {
-  registry.add({
+void register_repair_reports(OperatorGroup& group) {
+  group.add({
       .name = "repairReport",
       .syntax = "repairReport(_ ...)",
       .doc = "The report of an import of an STL, OBJ or OFF file: its defects and changes, one row per kind.",

@@ -140,8 +140,8 @@ std::string methods_text() {
 
 }  // namespace
 
-void register_rounding(Registry& registry) {
-  registry.add({
+void register_rounding(OperatorGroup& group) {
+  group.add({
       .name = "roundCoordinates",
       .syntax = "roundCoordinates(_ ...)",
       .doc = "The surface or solid with all coordinates rounded to doubles, to floats, or to the doubles nearest to "
@@ -192,7 +192,7 @@ void register_rounding(Registry& registry) {
                   "real) or "
                   "(surface3d string), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "rotateRounded",
       .syntax = "_ rotateRounded[_, _, _]",
       .doc = "rotate and roundCoordinates in one step: the rotated solid, with doubles as coordinates.",

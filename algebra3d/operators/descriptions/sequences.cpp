@@ -44,8 +44,8 @@ Elements<double> reals_between(Context& context, const double& first, const doub
 
 }  // namespace
 
-void register_sequences(Registry& registry) {
-  registry.add({
+void register_sequences(OperatorGroup& group) {
+  group.add({
       .name = "intstream",
       .host_name = "int_sequence",
       .syntax = "intstream(_, _)",
@@ -58,7 +58,7 @@ void register_sequences(Registry& registry) {
                    {{"(int undefined)", "1"}, "0", "(count _)"}},
       .errors = {{{"1", "2.5"}, "intstream: expected (int int), got (int real)"}},
   });
-  registry.add({
+  group.add({
       .name = "realstream",
       .host_name = "real_sequence",
       .syntax = "realstream(_, _, _)",

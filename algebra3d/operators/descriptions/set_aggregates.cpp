@@ -147,8 +147,8 @@ std::string cube_from(int x) {
 
 }  // namespace
 
-void register_set_aggregates(Registry& registry) {
-  registry.add({
+void register_set_aggregates(OperatorGroup& group) {
+  group.add({
       .name = "union_aggr",
       .host_name = "union_agg",
       .doc = "The union of the defined solids or sets of points; empty if there are none.",
@@ -164,7 +164,7 @@ void register_set_aggregates(Registry& registry) {
                    {{"(volume3d)"}, "()"}},
       .errors = {{{"1"}, "union_aggr: expected values of type volume3d or points3d, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "intersection_aggr",
       .host_name = "intersection_agg",
       .doc = "The intersection of the defined solids or sets of points; undefined if there are none.",
@@ -180,7 +180,7 @@ void register_set_aggregates(Registry& registry) {
                    {{"(volume3d)"}, "undefined"}},
       .errors = {{{"1"}, "intersection_aggr: expected values of type volume3d or points3d, got int"}},
   });
-  registry.add({
+  group.add({
       .name = "extent",
       .doc = "The smallest box of doubles around all defined values; undefined if they have no point.",
       .detail = "Rounded outward if coordinates are not doubles. Undefined and empty values are left out.",

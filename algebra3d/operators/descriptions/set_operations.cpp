@@ -122,8 +122,8 @@ constexpr const char* kSolids =
     "solid "
     "of its points; undefined for a flat one.";
 
-void register_infix_sets(Registry& registry) {
-  registry.add({
+void register_infix_sets(OperatorGroup& group) {
+  group.add({
       .name = "union",
       .host_name = "union_of",
       .syntax = "_ union _",
@@ -143,7 +143,7 @@ void register_infix_sets(Registry& registry) {
                    {{kCubeA, kUndefinedSolid}, "undefined"}},
       .errors = {{{kBoxA, "1"}, "union: expected (rect3 rect3)"}},
   });
-  registry.add({
+  group.add({
       .name = "intersection",
       .syntax = "_ intersection _",
       .also_prefix = true,
@@ -164,7 +164,7 @@ void register_infix_sets(Registry& registry) {
                    {{kCubeA, kUndefinedSolid}, "undefined"}},
       .errors = {{{kBoxA, "1"}, "intersection: expected (rect3 rect3)"}},
   });
-  registry.add({
+  group.add({
       .name = "minus",
       .host_name = "difference",
       .syntax = "_ minus _",
@@ -189,8 +189,8 @@ void register_infix_sets(Registry& registry) {
   });
 }
 
-void register_symmetric_difference(Registry& registry) {
-  registry.add({
+void register_symmetric_difference(OperatorGroup& group) {
+  group.add({
       .name = "symmetricDifference",
       .syntax = "symmetricDifference(_, _)",
       .doc =
@@ -217,9 +217,9 @@ void register_symmetric_difference(Registry& registry) {
 
 }  // namespace
 
-void register_set_operations(Registry& registry) {
-  register_infix_sets(registry);
-  register_symmetric_difference(registry);
+void register_set_operations(OperatorGroup& group) {
+  register_infix_sets(group);
+  register_symmetric_difference(group);
 }
 
 }  // namespace algebra3d

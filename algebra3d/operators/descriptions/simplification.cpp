@@ -187,8 +187,8 @@ const std::string kDetail =
 
 }  // namespace
 
-void register_simplification(Registry& registry) {
-  registry.add({
+void register_simplification(OperatorGroup& group) {
+  group.add({
       .name = "simplify",
       .syntax = "simplify(_, _ ...)",
       .doc = "The mesh, surface or solid with fewer triangles: as many as given, or as few as a deviation allows.",

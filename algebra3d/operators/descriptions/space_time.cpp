@@ -72,8 +72,8 @@ const std::string kGrowing =
 
 }  // namespace
 
-void register_space_time(Registry& registry) {
-  registry.add({
+void register_space_time(OperatorGroup& group) {
+  group.add({
       .name = "mregion2volume",
       .syntax = "mregion2volume(_, _)",
       .doc = "The solid that a moving region sweeps with time as the third axis; the second argument is the height "

@@ -177,8 +177,8 @@ constexpr const char* kMeaningOfSets =
     "box is that within its plane or line; that of a surface is the surface without its boundary edges. The empty set "
     "is inside every set and meets none. Decided exactly, also for coordinates that are not doubles.";
 
-void register_meeting(Registry& registry) {
-  registry.add({
+void register_meeting(OperatorGroup& group) {
+  group.add({
       .name = "intersects",
       .syntax = "_ intersects _",
       .doc = "True if the sets have a point in common; touching counts.",
@@ -195,7 +195,7 @@ void register_meeting(Registry& registry) {
                    {{kUnitBox, kUndefinedRect3}, "undefined"}},
       .errors = {{{kUnitBox, "1"}, "intersects: expected (rect3 rect3)"}},
   });
-  registry.add({
+  group.add({
       .name = "disjoint",
       .syntax = "_ disjoint _",
       .doc = "True if the sets have no point in common.",
@@ -208,7 +208,7 @@ void register_meeting(Registry& registry) {
                    {{kUnitBox, kUndefinedRect3}, "undefined"}},
       .errors = {{{kUnitBox, "1"}, "disjoint: expected (rect3 rect3)"}},
   });
-  registry.add({
+  group.add({
       .name = "touches",
       .syntax = "_ touches _",
       .doc = "True if the sets meet but their interiors do not.",
@@ -223,7 +223,7 @@ void register_meeting(Registry& registry) {
                    {{kCornerOfCube, kUndefinedSolid}, "undefined"}},
       .errors = {{{kUnitBox, "1"}, "touches: expected (rect3 rect3)"}},
   });
-  registry.add({
+  group.add({
       .name = "overlaps",
       .host_name = "overlaps_with",
       .syntax = "_ overlaps _",
@@ -240,8 +240,8 @@ void register_meeting(Registry& registry) {
   });
 }
 
-void register_inclusion(Registry& registry) {
-  registry.add({
+void register_inclusion(OperatorGroup& group) {
+  group.add({
       .name = "inside",
       .syntax = "_ inside _",
       .doc = "True if every point of the first set lies in the second, or the instant in the interval.",
@@ -258,7 +258,7 @@ void register_inclusion(Registry& registry) {
                    {{kUnitBox, kUndefinedRect3}, "undefined"}},
       .errors = {{{kUnitBox, "1"}, "inside: expected (rect3 rect3), (rect3 point3d)"}},
   });
-  registry.add({
+  group.add({
       .name = "contains",
       .syntax = "_ contains _",
       .doc = "True if the first set contains every point of the second, or the first string or text contains the "
@@ -275,7 +275,7 @@ void register_inclusion(Registry& registry) {
                    {{kUnitBox, kUndefinedRect3}, "undefined"}},
       .errors = {{{kUnitBox, "1"}, "contains: expected (rect3 rect3), (rect3 point3d)"}},
   });
-  registry.add({
+  group.add({
       .name = "coveredBy",
       .syntax = "_ coveredBy _",
       .doc = "True if every point of the first set lies in the second; the same as `inside`.",
@@ -288,7 +288,7 @@ void register_inclusion(Registry& registry) {
                    {{kInnerCube, kUndefinedSolid}, "undefined"}},
       .errors = {{{kUnitBox, "1"}, "coveredBy: expected (rect3 rect3)"}},
   });
-  registry.add({
+  group.add({
       .name = "covers",
       .syntax = "_ covers _",
       .doc = "True if the first set contains every point of the second; the same as `contains`.",
@@ -303,8 +303,8 @@ void register_inclusion(Registry& registry) {
   });
 }
 
-void register_details(Registry& registry) {
-  registry.add({
+void register_details(OperatorGroup& group) {
+  group.add({
       .name = "relation",
       .host_name = "spatial_relation",
       .syntax = "relation(_, _)",
@@ -325,7 +325,7 @@ void register_details(Registry& registry) {
                    {{kInnerCube, kUndefinedSolid}, "()"}},
       .errors = {{{kUnitBox, "1"}, "relation: expected (rect3 rect3)"}},
   });
-  registry.add({
+  group.add({
       .name = "commonPoint",
       .syntax = "commonPoint(_, _)",
       .doc = "A point that two sets have in common, in one row (Point: point3d, FirstTriangle: int, SecondTriangle: "
@@ -346,10 +346,10 @@ void register_details(Registry& registry) {
 
 }  // namespace
 
-void register_spatial_relations(Registry& registry) {
-  register_meeting(registry);
-  register_inclusion(registry);
-  register_details(registry);
+void register_spatial_relations(OperatorGroup& group) {
+  register_meeting(group);
+  register_inclusion(group);
+  register_details(group);
 }
 
 }  // namespace algebra3d

@@ -27,8 +27,8 @@ Text digits_of_bytes(const Bytes& bytes) {
 
 }  // namespace
 
-void register_strings(Registry& registry) {
-  registry.add({
+void register_strings(OperatorGroup& group) {
+  group.add({
       .name = "startsWith",
       .syntax = "_ startsWith _",
       .doc = "True if the first string or text begins with the second.",
@@ -39,7 +39,7 @@ void register_strings(Registry& registry) {
                    {{R"("a")", "(string undefined)"}, "undefined"}},
       .errors = {{{R"("a")", "1"}, "startsWith: expected (string string) or (text text), got (string int)"}},
   });
-  registry.add({
+  group.add({
       .name = "hex2bytes",
       .syntax = "hex2bytes(_)",
       .doc = "The bytes that hexadecimal digits stand for.",
@@ -54,7 +54,7 @@ void register_strings(Registry& registry) {
                    {{"(text undefined)"}, "undefined"}},
       .errors = {{{"1"}, "hex2bytes: expected (text), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "bytes2hex",
       .syntax = "bytes2hex(_)",
       .doc = "Bytes as hexadecimal digits in lower case, two for each byte.",

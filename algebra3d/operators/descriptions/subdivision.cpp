@@ -203,8 +203,8 @@ std::string creases_text() {
 
 }  // namespace
 
-void register_subdivision(Registry& registry) {
-  registry.add({
+void register_subdivision(OperatorGroup& group) {
+  group.add({
       .name = "subdivide",
       .syntax = "subdivide(_ ...)",
       .doc = "The mesh after a number of steps of a subdivision scheme, as a mesh3d.",
@@ -276,7 +276,7 @@ void register_subdivision(Registry& registry) {
                  {{kTetrahedronOf16, R"("loop")", "15"},
                   "subdivide: 15 steps make more than 2147483645 half-edges of 12"}},
   });
-  registry.add({
+  group.add({
       .name = "limitPosition",
       .syntax = "limitPosition(_ ...)",
       .doc = "The mesh with each vertex where it is when the mesh is subdivided without end, as a mesh3d.",

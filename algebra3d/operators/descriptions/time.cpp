@@ -68,9 +68,9 @@ bool is_right_closed(const TimeInterval& interval) {
 const std::string kUndefinedInstant = "(instant undefined)";
 const std::string kDay = R"((interval ("2011-07-08" "2011-07-09" TRUE FALSE)))";
 
-void register_instants(Registry& registry) {
+void register_instants(OperatorGroup& group) {
   using Int = std::int64_t;
-  registry.add({
+  group.add({
       .name = "theInstant",
       .syntax = "theInstant(_ ...)",
       .doc = "The instant with the given year, month, day, hour, minute, second and millisecond; all but the year "
@@ -93,7 +93,7 @@ void register_instants(Registry& registry) {
                    {{"2011", "(int undefined)"}, "undefined"}},
       .errors = {{{"2011.5"}, "theInstant: expected (int), (int int), (int int int)"}},
   });
-  registry.add({
+  group.add({
       .name = "now",
       .syntax = "now()",
       .doc = "The present instant by the computer's clock, in UTC.",
@@ -105,8 +105,8 @@ void register_instants(Registry& registry) {
 }
 
 template <typename Row>
-void register_part(Registry& registry, const Row& row, Overload part) {
-  registry.add({
+void register_part(OperatorGroup& group, const Row& row, Overload part) {
+  group.add({
       .name = row.name,
       .syntax = std::string(row.name) + "(_)",
       .doc = row.doc,
@@ -117,33 +117,32 @@ void register_part(Registry& registry, const Row& row, Overload part) {
   });
 }
 
-void register_parts(Registry& registry) {
+void register_parts(OperatorGroup& group) {
   struct Row {
     const char* name;
     const char* doc;
     const char* result;
   };
-  register_part(registry, Row{"year_of", "The year of an instant.", "2011"},
+  register_part(group, Row{"year_of", "The year of an instant.", "2011"},
                 overload<&part_of<&CalendarTime::year>>("instant"));
-  register_part(registry, Row{"month_of", "The month of an instant, from 1 to 12.", "7"},
+  register_part(group, Row{"month_of", "The month of an instant, from 1 to 12.", "7"},
                 overload<&part_of<&CalendarTime::month>>("instant"));
-  register_part(registry, Row{"day_of", "The day of an instant in its month, from 1 to 31.", "8"},
+  register_part(group, Row{"day_of", "The day of an instant in its month, from 1 to 31.", "8"},
                 overload<&part_of<&CalendarTime::day>>("instant"));
-  register_part(registry, Row{"hour_of", "The hour of an instant, from 0 to 23.", "14"},
+  register_part(group, Row{"hour_of", "The hour of an instant, from 0 to 23.", "14"},
                 overload<&part_of<&CalendarTime::hour>>("instant"));
-  register_part(registry, Row{"minute_of", "The minute of an instant, from 0 to 59.", "5"},
+  register_part(group, Row{"minute_of", "The minute of an instant, from 0 to 59.", "5"},
                 overload<&part_of<&CalendarTime::minute>>("instant"));
-  register_part(registry, Row{"second_of", "The second of an instant, from 0 to 59.", "6"},
+  register_part(group, Row{"second_of", "The second of an instant, from 0 to 59.", "6"},
                 overload<&part_of<&CalendarTime::second>>("instant"));
-  register_part(registry, Row{"millisecond_of", "The millisecond of an instant, from 0 to 999.", "7"},
+  register_part(group, Row{"millisecond_of", "The millisecond of an instant, from 0 to 999.", "7"},
                 overload<&part_of<&CalendarTime::millisecond>>("instant"));
-  register_part(registry,
-                Row{"weekday_of", "The day of the week of an instant, from 1 for Monday to 7 for Sunday.", "5"},
+  register_part(group, Row{"weekday_of", "The day of the week of an instant, from 1 for Monday to 7 for Sunday.", "5"},
                 overload<&weekday_of>("instant"));
 }
 
-void register_durations(Registry& registry) {
-  registry.add({
+void register_durations(OperatorGroup& group) {
+  group.add({
       .name = "create_duration",
       .syntax = "create_duration(_ ...)",
       .doc = "The duration of the given days, or days and milliseconds.",
@@ -156,7 +155,7 @@ void register_durations(Registry& registry) {
                    {{"1", "(int undefined)"}, "undefined"}},
       .errors = {{{"TRUE"}, "create_duration: expected (real) or (int int), got (bool)"}},
   });
-  registry.add({
+  group.add({
       .name = "duration2real",
       .syntax = "duration2real(_)",
       .doc = "A duration in days.",
@@ -169,8 +168,8 @@ void register_durations(Registry& registry) {
   });
 }
 
-void register_interval_ends(Registry& registry) {
-  registry.add({
+void register_interval_ends(OperatorGroup& group) {
+  group.add({
       .name = "minimum",
       .syntax = "minimum(_)",
       .doc = "The start of an interval, included or not.",
@@ -179,7 +178,7 @@ void register_interval_ends(Registry& registry) {
       .examples = {{{kDay}, R"("2011-07-08")"}, {{"(interval undefined)"}, "undefined"}},
       .errors = {{{"1"}, "minimum: expected (interval), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "maximum",
       .syntax = "maximum(_)",
       .doc = "The end of an interval, included or not.",
@@ -188,7 +187,7 @@ void register_interval_ends(Registry& registry) {
       .examples = {{{kDay}, R"("2011-07-09")"}, {{"(interval undefined)"}, "undefined"}},
       .errors = {{{"1"}, "maximum: expected (interval), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "leftClosed",
       .syntax = "leftClosed(_)",
       .doc = "True if the start of an interval is included.",
@@ -197,7 +196,7 @@ void register_interval_ends(Registry& registry) {
       .examples = {{{kDay}, "TRUE"}, {{"(interval undefined)"}, "undefined"}},
       .errors = {{{"1"}, "leftClosed: expected (interval), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "rightClosed",
       .syntax = "rightClosed(_)",
       .doc = "True if the end of an interval is included.",
@@ -210,11 +209,11 @@ void register_interval_ends(Registry& registry) {
 
 }  // namespace
 
-void register_time(Registry& registry) {
-  register_instants(registry);
-  register_parts(registry);
-  register_durations(registry);
-  registry.add({
+void register_time(OperatorGroup& group) {
+  register_instants(group);
+  register_parts(group);
+  register_durations(group);
+  group.add({
       .name = "makeInterval",
       .syntax = "makeInterval(_, _, _, _)",
       .doc = "The interval from one instant to another; the last two arguments say whether start and end are "
@@ -230,7 +229,7 @@ void register_time(Registry& registry) {
       .errors = {{{"1", "2", "TRUE", "TRUE"},
                   "makeInterval: expected (instant instant bool bool), got (int int bool bool)"}},
   });
-  register_interval_ends(registry);
+  register_interval_ends(group);
 }
 
 }  // namespace algebra3d

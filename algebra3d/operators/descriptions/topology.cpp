@@ -99,8 +99,8 @@ const std::string kQuadCube =
 
 constexpr const char* kExpected = ": expected (surface3d), (volume3d) or (mesh3d), got (point3d)";
 
-void register_predicates(Registry& registry) {
-  registry.add({
+void register_predicates(OperatorGroup& group) {
+  group.add({
       .name = "isClosed",
       .syntax = "isClosed(_)",
       .doc = "True if no edge of a surface, solid or mesh has one face only.",
@@ -112,7 +112,7 @@ void register_predicates(Registry& registry) {
           {{{kUnitCube}, "TRUE"}, {{kQuadCube}, "TRUE"}, {{kFoldedSurface}, "FALSE"}, {{kUndefinedSolid}, "undefined"}},
       .errors = {{{kOrigin}, std::string("isClosed") + kExpected}},
   });
-  registry.add({
+  group.add({
       .name = "isManifold",
       .syntax = "isManifold(_)",
       .doc = "True if every edge of a surface, solid or mesh has one face, or two that run along it in opposite "
@@ -128,7 +128,7 @@ void register_predicates(Registry& registry) {
                    {{kUndefinedMesh}, "undefined"}},
       .errors = {{{kOrigin}, std::string("isManifold") + kExpected}},
   });
-  registry.add({
+  group.add({
       .name = "isOriented",
       .syntax = "isOriented(_)",
       .doc = "True if at every edge of a surface, solid or mesh with more than one face as many faces run along it one "
@@ -145,8 +145,8 @@ void register_predicates(Registry& registry) {
   });
 }
 
-void register_numbers_of_topology(Registry& registry) {
-  registry.add({
+void register_numbers_of_topology(OperatorGroup& group) {
+  group.add({
       .name = "genus",
       .syntax = "genus(_)",
       .doc = "The number of handles of a closed surface, solid or mesh: 0 of a ball, 1 of a ring.",
@@ -165,7 +165,7 @@ void register_numbers_of_topology(Registry& registry) {
                    {{kUndefinedMesh}, "undefined"}},
       .errors = {{{kOrigin}, std::string("genus") + kExpected}},
   });
-  registry.add({
+  group.add({
       .name = "eulerCharacteristic",
       .syntax = "eulerCharacteristic(_)",
       .doc = "The number of vertices minus that of edges plus that of faces of a surface, solid or mesh.",
@@ -179,7 +179,7 @@ void register_numbers_of_topology(Registry& registry) {
           {{{kUnitCube}, "2"}, {{kFoldedSurface}, "1"}, {{kThreeAtAnEdge}, "1"}, {{kUndefinedMesh}, "undefined"}},
       .errors = {{{kOrigin}, std::string("eulerCharacteristic") + kExpected}},
   });
-  registry.add({
+  group.add({
       .name = "valence",
       .syntax = "valence(_, _)",
       .doc = "The number of edges at a vertex of a surface, solid or mesh.",
@@ -194,8 +194,8 @@ void register_numbers_of_topology(Registry& registry) {
   });
 }
 
-void register_boundary_loops(Registry& registry) {
-  registry.add({
+void register_boundary_loops(OperatorGroup& group) {
+  group.add({
       .name = "boundaryLoops",
       .syntax = "boundaryLoops(_)",
       .doc = "The boundary loops of a surface or mesh, a row for each (Id: int, Length: real, EdgeCount: int, Start: "
@@ -216,8 +216,8 @@ void register_boundary_loops(Registry& registry) {
   });
 }
 
-void register_dual(Registry& registry) {
-  registry.add({
+void register_dual(OperatorGroup& group) {
+  group.add({
       .name = "dual",
       .syntax = "dual(_)",
       .doc = "The dual of a surface, solid or mesh: a vertex for each face, at the mean of its corners, and a face for "
@@ -239,11 +239,11 @@ void register_dual(Registry& registry) {
 
 }  // namespace
 
-void register_topology(Registry& registry) {
-  register_predicates(registry);
-  register_numbers_of_topology(registry);
-  register_boundary_loops(registry);
-  register_dual(registry);
+void register_topology(OperatorGroup& group) {
+  register_predicates(group);
+  register_numbers_of_topology(group);
+  register_boundary_loops(group);
+  register_dual(group);
 }
 
 }  // namespace algebra3d

@@ -30,8 +30,8 @@ const std::string kRounding =
     "rounding. A reflection reverses the corners of its faces, the first one stays. Attributes of a mesh "
     "are kept; vectors called Normal turn with the faces.";
 
-void register_motions(Registry& registry) {
-  registry.add({
+void register_motions(OperatorGroup& group) {
+  group.add({
       .name = "rotate",
       .syntax = "_ rotate[_, _, _]",
       .doc = "Rotates about the axis through a point with a direction, right-handed, by an angle in degrees.",
@@ -50,7 +50,7 @@ void register_motions(Registry& registry) {
                    {{kUndefinedPoint, kOrigin, "(makeVector3D 0 0 1)", "90"}, "undefined"}},
       .errors = {{{kPoint, kOrigin, "90"}, "rotate: expected (point3d point3d vector3d real)"}},
   });
-  registry.add({
+  group.add({
       .name = "mirror",
       .syntax = "_ mirror[_]",
       .doc = "The mirror image at a plane; the outside of a solid stays outside.",
@@ -64,7 +64,7 @@ void register_motions(Registry& registry) {
                    {{kUndefinedPoint, "(plane3d (2 0 0 1))"}, "undefined"}},
       .errors = {{{kPoint, "1"}, "mirror: expected (point3d plane3d)"}},
   });
-  registry.add({
+  group.add({
       .name = "translate",
       .syntax = "_ translate[_]",
       .doc = "Moved by a vector.",
@@ -88,9 +88,9 @@ void register_motions(Registry& registry) {
 
 }  // namespace
 
-void register_transformation(Registry& registry) {
-  register_motions(registry);
-  registry.add({
+void register_transformation(OperatorGroup& group) {
+  register_motions(group);
+  group.add({
       .name = "scale",
       .syntax = "_ scale[_, _]",
       .doc = "Scales from a point by a factor: p + f(x - p).",
@@ -109,7 +109,7 @@ void register_transformation(Registry& registry) {
                    {{kUndefinedPoint, kOrigin, "2"}, "undefined"}},
       .errors = {{{kPoint, "2"}, "scale: expected (point3d point3d real)"}},
   });
-  registry.add({
+  group.add({
       .name = "scaleDir",
       .syntax = "_ scaleDir[_, _]",
       .doc = "Scales from a point by a factor per axis: p + v(x - p), componentwise.",

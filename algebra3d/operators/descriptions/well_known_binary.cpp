@@ -278,7 +278,7 @@ Operator reader_of(std::string doc, const std::string& detail) {
   return op;
 }
 
-void register_readers_of_faces(Registry& registry) {
+void register_readers_of_faces(OperatorGroup& group) {
   Operator solids = reader_of<Volume3d>(
       "The solid that the faces of a POLYHEDRALSURFACE, TIN or MULTIPOLYGON in well-known binary (WKB) bound.",
       "All with Z; collections of these, too. Equal corners are welded and polygons triangulated, also those with "
@@ -291,7 +291,7 @@ void register_readers_of_faces(Registry& registry) {
                      {{"'" + kTriangleDigits + "'"}, "undefined"},
                      {{"'01ff'", "0"}, "undefined"},
                      {{kUndefinedWkb}, "undefined"}};
-  registry.add(std::move(solids));
+  group.add(std::move(solids));
   Operator surfaces = reader_of<Surface3d>(
       "The surface of the faces of a POLYHEDRALSURFACE, TIN, MULTIPOLYGON, POLYGON or TRIANGLE in well-known binary "
       "(WKB).",
@@ -302,7 +302,7 @@ void register_readers_of_faces(Registry& registry) {
                        {{"(toWKB (surface3d (((0 0 0) (1 0 0) (0 1 0)))))"}, "0.5", "(area _)"},
                        {{"'" + kTriangleDigits + "'", "0"}, "1", "(size _)"},
                        {{kUndefinedWkb}, "undefined"}};
-  registry.add(std::move(surfaces));
+  group.add(std::move(surfaces));
   Operator meshes = reader_of<Mesh3d>(
       "The mesh of the polygons of a POLYHEDRALSURFACE, TIN, MULTIPOLYGON, POLYGON or TRIANGLE in well-known binary "
       "(WKB).",
@@ -313,10 +313,10 @@ void register_readers_of_faces(Registry& registry) {
                      {{"'" + kTriangleDigits + "'"}, "(((0.0 0.0 0.0) (1.0 0.0 0.0) (0.0 1.0 0.0)) ((0 1 2)))"},
                      {{"(toWKB (mesh3d (() ())))", "4326"}, "undefined"},
                      {{kUndefinedWkb}, "undefined"}};
-  registry.add(std::move(meshes));
+  group.add(std::move(meshes));
 }
 
-void register_other_readers(Registry& registry) {
+void register_other_readers(OperatorGroup& group) {
   Operator points = reader_of<Points3d>(
       "The points of a MULTIPOINT, POINT, LINESTRING or MULTILINESTRING in well-known binary (WKB).",
       "All with Z; collections of these, too. Empty points are left out. Of lines only the points are kept, which a "
@@ -325,7 +325,7 @@ void register_other_readers(Registry& registry) {
                      {{"'" + kPointDigits + "'", "4326"}, "((1.0 2.0 3.5))"},
                      {{"'" + kPointDigits + "'"}, "undefined"},
                      {{kUndefinedWkb}, "undefined"}};
-  registry.add(std::move(points));
+  group.add(std::move(points));
   Operator point =
       reader_of<Point3d>("The point of a POINT with Z in well-known binary (WKB).", "Undefined for an empty point.");
   point.cost = Cost::linear;
@@ -333,7 +333,7 @@ void register_other_readers(Registry& registry) {
                     {{"(toWKB (makePoint3D 1 2 3))"}, "(1.0 2.0 3.0)"},
                     {{"(toWKB (points3d ((1 2 3))))"}, "undefined"},
                     {{kUndefinedWkb}, "undefined"}};
-  registry.add(std::move(point));
+  group.add(std::move(point));
   Operator region = reader_of<Region>(
       "The region of a MULTIPOLYGON or POLYGON in well-known binary (WKB).",
       "Collections of these, too. Z is ignored, as by wkt2region. Undefined, with the segments, for polygons that "
@@ -342,15 +342,15 @@ void register_other_readers(Registry& registry) {
                      {{"(toWKB (region ((((0 0) (4 0) (4 4)) ((2 1) (3 1) (3 2.5))))))"}, "7.25", "(area _)"},
                      {{"'" + kPointDigits + "'", "4326"}, "undefined"},
                      {{kUndefinedWkb}, "undefined"}};
-  registry.add(std::move(region));
+  group.add(std::move(region));
 }
 
 }  // namespace
 
-void register_well_known_binary(Registry& registry) {
-  register_readers_of_faces(registry);
-  register_other_readers(registry);
-  registry.add({
+void register_well_known_binary(OperatorGroup& group) {
+  register_readers_of_faces(group);
+  register_other_readers(group);
+  group.add({
       .name = "sridOfWKB",
       .syntax = "sridOfWKB(_)",
       .doc = "The spatial reference identifier (SRID) of a geometry in well-known binary (WKB); 0 if it has none.",
@@ -366,7 +366,7 @@ void register_well_known_binary(Registry& registry) {
                    {{kUndefinedWkb}, "undefined"}},
       .errors = {{{"5"}, "sridOfWKB: expected (bytes) or (text), got (int)"}},
   });
-  registry.add({
+  group.add({
       .name = "toWKB",
       .syntax = "toWKB(_ ...)",
       .doc = "A value in well-known binary (WKB), in PostGIS's extended form, with a spatial reference identifier "

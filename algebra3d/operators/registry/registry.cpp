@@ -7,7 +7,6 @@
 
 #include "algebra3d/operators/registry/conversion.h"
 #include "algebra3d/operators/registry/detail/guarded.h"
-#include "algebra3d/operators/registry/detail/host_name.h"
 #include "algebra3d/operators/registry/detail/made_overloads.h"
 #include "algebra3d/operators/registry/failed_calls.h"
 #include "algebra3d/values/types/nested_relation.h"
@@ -146,17 +145,6 @@ std::size_t double_edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// Of geometries at one instant and over time, an operator may give a value for the one and rows for the other.
-[[maybe_unused]] bool is_of_kind_of(const Operator& op, const Overload& overload) {
-  return (overload.kind() == OperatorKind::aggregate) == (op.kind() == OperatorKind::aggregate);
-}
-
-// Operands can change places only if both have one type.
-[[maybe_unused]] bool can_be_as_symmetric_as_it_says(const Overload& overload) {
-  return !overload.is_symmetric ||
-         (overload.parameters.size() == 2 && overload.parameters[0].type == overload.parameters[1].type);
-}
-
 }  // namespace
 
 void report_undefined(const ResolvedCall& call, const Undefined& undefined, Context& context) {
@@ -172,27 +160,44 @@ void Registry::add(const Type& type) {
   types_.push_back(&type);
 }
 
-void Registry::add_language_note(std::string_view name, std::string note) {
-  const auto found = operators_.find(name);
-  assert(found != operators_.end());
-  found->second.op.language_note = std::move(note);
+void Registry::note_family() {
+  if (!family_.name.empty() && std::ranges::find(families_, family_.name, &Family::name) == families_.end())
+    families_.push_back(family_);
 }
 
 void Registry::add(Operator op) {
-  if (op.kind() == OperatorKind::aggregate && op.syntax.empty()) op.syntax = "_ " + op.name + "[attribute]";
-  auto syntax = SyntaxPattern::parse(op.syntax);
-  assert(syntax.ok() && syntax->name == op.name);
-  assert(std::ranges::all_of(op.overloads, can_be_as_symmetric_as_it_says));
-  assert(std::ranges::all_of(op.overloads, [&](const Overload& each) { return is_of_kind_of(op, each); }));
-  std::string name = op.name;
-  op.family = family_.name;
-  if (op.cost == Cost::unknown) op.cost = family_.cost;
-  if (op.host_name.empty()) op.host_name = snake_case(name);
-  if (!op.family.empty() && std::ranges::find(families_, op.family, &Family::name) == families_.end())
-    families_.push_back(family_);
-  [[maybe_unused]] const bool is_new =
-      operators_.emplace(std::move(name), Entry{std::move(op), std::move(syntax).value()}).second;
+  note_family();
+  OperatorGroup& group = *groups_.emplace_back(std::make_unique<OperatorGroup>(family_));
+  const std::string name = op.name;
+  group.add(std::move(op));
+  [[maybe_unused]] const bool is_new = group_of_.emplace(group.find(name, *this)->op.name, &group).second;
   assert(is_new);
+}
+
+void Registry::add(std::string_view names, Describe describe) {
+  note_family();
+  const auto count = static_cast<std::size_t>(std::ranges::count(names, ' ')) + 1;
+  OperatorGroup& group = *groups_.emplace_back(std::make_unique<OperatorGroup>(family_, count, describe));
+  for (std::size_t each = 0; each < count; ++each) {
+    const std::string_view name = names.substr(0, names.find(' '));
+    [[maybe_unused]] const bool is_new = group_of_.emplace(name, &group).second;
+    assert(is_new);
+    names.remove_prefix(std::min(names.size(), name.size() + 1));
+  }
+}
+
+void Registry::add_language_note(std::string_view name, std::string note) {
+  const auto group = group_of_.find(name);
+  assert(group != group_of_.end());
+  group->second->add_language_note(name, std::move(note));
+}
+
+const DescribedOperator* Registry::find(std::string_view name) const {
+  const auto group = group_of_.find(name);
+  if (group == group_of_.end()) return nullptr;
+  const DescribedOperator* const found = group->second->find(name, *this);
+  assert(found != nullptr);
+  return found;
 }
 
 const Type* Registry::find_type(std::string_view name) const {
@@ -206,24 +211,24 @@ const Type* Registry::value_type(const TypeExpr& term) const {
 }
 
 const Operator* Registry::find_operator(std::string_view name) const {
-  const auto found = operators_.find(name);
-  return found == operators_.end() ? nullptr : &found->second.op;
+  const DescribedOperator* const found = find(name);
+  return found == nullptr ? nullptr : &found->op;
 }
 
 const SyntaxPattern& Registry::syntax(const Operator& op) const {
-  return operators_.find(op.name)->second.syntax;
+  return find(op.name)->syntax;
 }
 
 std::vector<const Operator*> Registry::operators() const {
   std::vector<const Operator*> all;
-  for (const auto& [name, entry] : operators_) all.push_back(&entry.op);
+  for (const auto& [name, group] : group_of_) all.push_back(find_operator(name));
   return all;
 }
 
 std::vector<const Operator*> Registry::operators_of(std::string_view family) const {
   std::vector<const Operator*> members;
-  for (const auto& [name, entry] : operators_)
-    if (entry.op.family == family) members.push_back(&entry.op);
+  for (const auto& [name, group] : group_of_)
+    if (group->family().name == family) members.push_back(find_operator(name));
   return members;
 }
 
@@ -288,8 +293,8 @@ Result<RowSourcePtr> Registry::rows(const ResolvedCall& call, std::span<Value> a
 std::string Registry::suggestion(std::string_view word) const {
   constexpr std::size_t kShortest = 3;
   std::vector<std::string> names;
-  for (const auto& [name, entry] : operators_)
-    if (word.size() >= kShortest || is_equal_but_for_case(word, name)) names.push_back(name);
+  for (const auto& [name, group] : group_of_)
+    if (word.size() >= kShortest || is_equal_but_for_case(word, name)) names.emplace_back(name);
   return nearest_name(word, names);
 }
 

@@ -9,6 +9,7 @@
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/operators/registry/operator.h"
+#include "algebra3d/operators/registry/operator_group.h"
 #include "base/context.h"
 
 namespace algebra3d {
@@ -26,8 +27,9 @@ struct ResolvedCall {
 /// Reports the reason of an undefined result of a call, as "NAME: reason".
 void report_undefined(const ResolvedCall& call, const Undefined& undefined, Context& context);
 
-/// All types and operators of a process. Filled once at the start by calls such as `register_measure(registry)`; then
-/// concurrent reading is safe. Types and operators keep their addresses.
+/// All types and operators of a process. Filled once at the start; then concurrent reading is safe. Types and operators
+/// keep their addresses. Operators of a group are known by their names alone, and described when one of them is first
+/// asked for: to describe all of them takes longer than a short statement.
 class Registry {
  public:
   Registry();
@@ -39,6 +41,9 @@ class Registry {
   void add_language_note(std::string_view name, std::string note);
   /// Adds an operator. Asserted: its name is new, its syntax is valid, and either all overloads are aggregates or none.
   void add(Operator op);
+  /// Adds the operators that `describe` adds to its group. `names` are their names, separated by blanks, which outlive
+  /// the registry. Asserted: they are new, and, once they are described, these and no others.
+  void add(std::string_view names, Describe describe);
 
   const Type* find_type(std::string_view name) const;
   /// The object of a type of values: a registered type, or one of nested relations. Null for every other term.
@@ -49,7 +54,7 @@ class Registry {
   const std::vector<const Type*>& types() const { return types_; }
   /// Sorted by name.
   std::vector<const Operator*> operators() const;
-  /// The families with operators, in order of definition.
+  /// The families, in order of definition.
   const std::vector<Family>& families() const { return families_; }
   /// The operators of a family, sorted by name; for an empty name those added before the first family.
   std::vector<const Operator*> operators_of(std::string_view family) const;
@@ -75,12 +80,13 @@ class Registry {
   std::string suggestion(std::string_view word) const;
 
  private:
-  struct Entry {
-    Operator op;
-    SyntaxPattern syntax;
-  };
+  void note_family();
+  /// Null for a name that is not registered.
+  const DescribedOperator* find(std::string_view name) const;
+
   std::vector<const Type*> types_;
-  std::map<std::string, Entry, std::less<>> operators_;
+  std::vector<std::unique_ptr<OperatorGroup>> groups_;
+  std::map<std::string_view, OperatorGroup*> group_of_;
   Family family_;
   std::vector<Family> families_;
   std::shared_ptr<detail::MadeOverloads> made_overloads_;

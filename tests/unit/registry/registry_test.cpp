@@ -1,6 +1,8 @@
 #include "algebra3d/operators/registry/registry.h"
 
 #include <gtest/gtest.h>
+#include <atomic>
+#include <thread>
 
 #include "algebra3d/operators/registry/aggregate.h"
 #include "algebra3d/operators/registry/detail/host_name.h"
@@ -243,6 +245,49 @@ TEST_F(RegistryTest, operators_take_cost_and_name_in_other_hosts_from_their_fami
   EXPECT_EQ(registry.families().front().doc, "Halves of numbers.");
   registry.add_language_note("twice", "Written behind its operand.");
   EXPECT_EQ(second.language_note, "Written behind its operand.");
+}
+
+// Calls of the functions that describe groups.
+std::atomic<int> descriptions_of_halves = 0, descriptions_of_doubles = 0;
+
+void register_halves(OperatorGroup& group) {
+  ++descriptions_of_halves;
+  group.add({.name = "halfOf", .syntax = "halfOf(_)", .overloads = {overload<&half>("x")}});
+  group.add({.name = "halved", .syntax = "_ halved", .overloads = {overload<&half>("x")}});
+}
+
+void register_doubles(OperatorGroup& group) {
+  ++descriptions_of_doubles;
+  group.add({.name = "twice", .syntax = "twice(_)", .overloads = {overload<&twice>("x")}});
+}
+
+TEST_F(RegistryTest, groups_are_described_once_and_when_one_of_their_operators_is_asked_for) {
+  descriptions_of_halves = descriptions_of_doubles = 0;
+  registry.begin_family({"halves", "Halves of numbers.", Cost::constant});
+  registry.add("halfOf halved", register_halves);
+  registry.begin_family({"doubles", "", Cost::linear});
+  registry.add("twice", register_doubles);
+  registry.add_language_note("halved", "Written behind its operand.");
+  EXPECT_EQ(registry.find_operator("thrice"), nullptr);
+  EXPECT_EQ(registry.suggestion("halvde"), "halved");
+  EXPECT_EQ(registry.families().size(), 2U);
+  EXPECT_EQ(descriptions_of_halves, 0);
+
+  std::vector<const Operator*> found(8);
+  {
+    std::vector<std::jthread> threads;
+    for (const Operator*& place : found) threads.emplace_back([&] { place = registry.find_operator("halved"); });
+  }
+  for (const Operator* op : found) EXPECT_EQ(op, found.front());
+  EXPECT_EQ(found.front()->family, "halves");
+  EXPECT_EQ(found.front()->cost, Cost::constant);
+  EXPECT_EQ(found.front()->language_note, "Written behind its operand.");
+  EXPECT_EQ(registry.syntax(*found.front()).name, "halved");
+  EXPECT_EQ(descriptions_of_halves, 1);
+  EXPECT_EQ(descriptions_of_doubles, 0);
+  EXPECT_EQ(registry.operators().size(), 3U);
+  EXPECT_EQ(descriptions_of_halves, 1);
+  EXPECT_EQ(descriptions_of_doubles, 1);
 }
 
 TEST(NearestName, finds_slips_and_nothing_far) {

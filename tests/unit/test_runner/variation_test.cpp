@@ -218,7 +218,8 @@ TEST(Variation, saved_objects_are_moved_when_they_are_restored) {
 }
 
 TEST(Variation, an_operator_that_depends_on_coordinates_is_found_out) {
-  Registry registry = test_registry();
+  Registry registry = algebra3d::make_registry();
+  register_stream_operators(registry);
   registry.add({.name = "isNear",
                 .syntax = "isNear(_)",
                 .doc = "True near the origin.",

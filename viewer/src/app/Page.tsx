@@ -12,6 +12,7 @@ import { ResultsPanel } from "./results/ResultsPanel";
 import { SceneKeys } from "../scene_panels";
 import { SceneHost } from "./SceneHost";
 import { SheetTabs } from "./SheetTabs";
+import { StartPanel } from "./StartPanel";
 import { TopBar } from "./TopBar";
 import { Tour } from "./Tour";
 import { DropTarget } from "./uploads/DropTarget";
@@ -70,6 +71,7 @@ export function Page({ app, keeper }: { app: App; keeper: ViewKeeper }) {
                 <div class="table-place" hidden={!hasTable}>
                   <ResultsPanel />
                 </div>
+                {!compare && <StartPanel />}
               </div>
             </main>
             <aside

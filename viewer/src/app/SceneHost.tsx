@@ -1,7 +1,6 @@
 import { useApp } from "./context";
 import { bindScene } from "./scene_bridge";
 import { SceneFrame } from "./SceneFrame";
-import { StartPanel } from "./StartPanel";
 import { ReviewList } from "./uploads/ReviewList";
 
 /** The scene of the results, with its messages. */
@@ -24,7 +23,6 @@ export function SceneHost() {
       >
         <ReviewList />
       </SceneFrame>
-      <StartPanel />
     </div>
   );
 }

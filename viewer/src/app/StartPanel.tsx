@@ -6,7 +6,10 @@ import { IconButton } from "./ui/controls";
 import { Icon } from "./ui/Icon";
 import { startTour } from "./Tour";
 
-/** What to begin with, over the scene of a page on which nothing was run yet. */
+/**
+ * What to begin with, over the rows of the table, whose header stays free, while nothing was run yet: the scene keeps its
+ * size when it goes.
+ */
 export function StartPanel() {
   const { store, workspace } = useApp();
   const [closed, setClosed] = useState(false);
@@ -48,7 +51,7 @@ export function StartPanel() {
         </li>
         <li>
           <button type="button" class="btn" onClick={startTour}>
-            <Icon name="help" /> Tour of two minutes
+            <Icon name="help" /> Two-minute tour
           </button>
         </li>
       </ul>

@@ -18,6 +18,11 @@ export function usualObjects(shared: SharedMaterials, style: Style): Group {
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(9), 3));
   geometry.setAttribute("normal", new BufferAttribute(new Int8Array(12), 4, true));
   geometry.setAttribute("color", new BufferAttribute(new Uint16Array(12), 4, true));
+  // A shader is compiled for each set of attributes.
+  const placesAlone = new BufferGeometry();
+  placesAlone.setAttribute("position", geometry.attributes["position"]!);
+  const colored = placesAlone.clone();
+  colored.setAttribute("color", new BufferAttribute(new Float32Array(9), 3));
   for (const isMerged of [false, true])
     for (const closed of [false, true]) {
       const material = faceMaterial(isMerged, shared.place);
@@ -28,8 +33,9 @@ export function usualObjects(shared: SharedMaterials, style: Style): Group {
   dots.vertexColors = true;
   group.add(
     new LineSegments(geometry, shared.edges),
+    new LineSegments(placesAlone, shared.edges),
     new LineSegments2(wideLines(new Float32Array(6), null), shared.wideBoundary),
-    new Points(geometry, dots),
+    new Points(colored, dots),
   );
   return group;
 }

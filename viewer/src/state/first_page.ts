@@ -46,11 +46,11 @@ const ofRelation = (name: string, solid: string): readonly Example[] => [
     statement: `query ${name} feed extend[Volume: volume(.${solid})] sortby[Volume desc] consume`,
   },
   {
-    title: "Those of more than 1,000 triangles",
+    title: "Over 1,000 triangles",
     statement: `query ${name} feed filter[size(.${solid}) > 1000] consume`,
   },
   {
-    title: "Volume and area of all",
+    title: "Volume and area",
     statement: `query ${name} feed projectextend[; Volume: volume(.${solid}), Area: area(.${solid})] consume`,
   },
 ];
