@@ -14,16 +14,29 @@ namespace {
 /// A row group is written anew if one in so many of its tuples changes. A tuple that is written as a row costs some
 /// twenty times as much as one in a chunk, and is written again with its group later.
 constexpr std::size_t kShareWritten = 64;
-/// Changes that wait for others of their group.
-constexpr std::size_t kMostWaiting = std::size_t{1} << 20U;
+/// Bytes of changes that wait for others of their group.
+constexpr std::size_t kMostWaiting = std::size_t{64} << 20U;
+
+std::size_t bytes_of_rows(const ValueColumn& column, const SelectedRows& rows) {
+  if (column.size() == 0) return rows.count;
+  return column.visit([&]<typename Element>(const Element* values) {
+    std::size_t bytes = rows.count * sizeof(Element);
+    rows.for_each([&](std::size_t row) {
+      if constexpr (std::is_same_v<Element, std::string>) bytes += values[row].size();
+      if constexpr (std::is_same_v<Element, Value>) bytes += algebra3d::heap_bytes(values[row]);
+    });
+    return bytes;
+  });
+}
 
 void append_rows(const ValueColumn& from, const SelectedRows& rows, ValueColumn& to) {
   const std::size_t first = to.size();
   to.grow(first + rows.count);
-  from.visit([&]<typename Element>(const Element* values) {
-    Element* const target = array_of<Element>(to) + first;
-    for (std::size_t i = 0; i < rows.count; ++i) target[i] = values[rows[i]];
-  });
+  if (from.size() > 0)
+    from.visit([&]<typename Element>(const Element* values) {
+      Element* const target = array_of<Element>(to) + first;
+      for (std::size_t i = 0; i < rows.count; ++i) target[i] = values[rows[i]];
+    });
   for (std::size_t i = 0; i < rows.count; ++i)
     if (!from.is_defined(rows[i])) to.set_undefined(first + i);
 }
@@ -127,18 +140,32 @@ Result<std::vector<TupleId>> GroupEdits::erase(std::span<const TupleId> ids, con
   return others;
 }
 
+/// An edit for each group that is written anew.
+Result<std::map<std::size_t, GroupEdits::Edit>> GroupEdits::begin_edits(std::span<const Marked> tuples) const {
+  A3D_ASSIGN(const GroupListPtr groups, database_->row_groups().list(*layout_));
+  std::map<std::size_t, Edit> edits;
+  for (const Marked& each : tuples)
+    if (each.place) ++edits[each.place->group].awaited;
+  std::erase_if(edits, [&](const auto& each) {
+    return each.second.awaited * kShareWritten < (*groups)[each.first].content->count;
+  });
+  return edits;
+}
+
+void GroupEdits::add(const Batch& batch, const SelectedRows& rows, Edit& edit) {
+  if (edit.values.empty())
+    for (const ValueColumn* const column : batch.columns) edit.values.emplace_back(column->type());
+  for (std::size_t attribute = 0; attribute < batch.columns.size(); ++attribute) {
+    append_rows(*batch.columns[attribute], rows, edit.values[attribute]);
+    edit.bytes += bytes_of_rows(*batch.columns[attribute], rows);
+  }
+  edit.awaited -= rows.count;
+}
+
 Status GroupEdits::update(const Update& update, const UpdateOne& update_one, const algebra3d::Context& context) {
   A3D_ASSIGN(const std::vector<Marked> found, find(update.ids));
-  std::map<std::size_t, Edit> edits;  // by group
-  {
-    A3D_ASSIGN(const GroupListPtr groups, database_->row_groups().list(*layout_));
-    for (const Marked& each : found)
-      if (each.place) ++edits[each.place->group].awaited;
-    std::erase_if(edits, [&](const auto& each) {
-      return each.second.awaited * kShareWritten < (*groups)[each.first].content->count;
-    });
-  }
-  std::size_t waiting = 0;
+  A3D_ASSIGN(auto edits, begin_edits(found));
+  std::size_t waiting = 0;  // bytes
   std::size_t next = 0;
   BatchReader batches(update.values);
   std::vector<std::uint32_t> run;
@@ -149,11 +176,9 @@ Status GroupEdits::update(const Update& update, const UpdateOne& update_one, con
     if (batch->rows.count > found.size() - next)
       return Error{ErrorCode::internal, "more new tuples than ids"}.about(layout_->relation());
     for (std::size_t i = 0; i < batch->rows.count;) {
-      const Marked& tuple = found[next];
-      const auto edit = tuple.place ? edits.find(tuple.place->group) : edits.end();
+      const auto edit = found[next].place ? edits.find(found[next].place->group) : edits.end();
       if (edit == edits.end()) {
-        A3D_TRY(update_one(tuple.id, *tuple_of(*batch, batch->rows[i])));
-        ++i, ++next;
+        A3D_TRY(update_one(found[next++].id, *tuple_of(*batch, batch->rows[i++])));
         continue;
       }
       run.clear();
@@ -161,24 +186,20 @@ Status GroupEdits::update(const Update& update, const UpdateOne& update_one, con
         run.push_back(static_cast<std::uint32_t>(batch->rows[i]));
         edit->second.rows.push_back(static_cast<std::uint32_t>(found[next].place->row));
       }
-      if (edit->second.values.empty())
-        for (const ValueColumn* const column : batch->columns) edit->second.values.emplace_back(column->type());
-      for (std::size_t attribute = 0; attribute < batch->columns.size(); ++attribute)
-        append_rows(*batch->columns[attribute], {run.data(), run.size()}, edit->second.values[attribute]);
-      waiting += run.size();
-      edit->second.awaited -= run.size();
+      waiting -= edit->second.bytes;
+      add(*batch, {run.data(), run.size()}, edit->second);
+      waiting += edit->second.bytes;
       if (edit->second.awaited > 0) continue;
-      waiting -= edit->second.rows.size();
-      A3D_TRY(write(edit->first, edit->second, update.attributes));
+      waiting -= edit->second.bytes;
+      A3D_TRY(write(edit->first, edit->second, update, update_one));
       edits.erase(edit);
     }
     // Tuples that come in another order than that of the relation: a group may be written several times.
     if (waiting < kMostWaiting) continue;
     for (auto& [group, edit] : edits) {
       if (edit.rows.empty()) continue;
-      A3D_TRY(write(group, edit, update.attributes));
-      edit.rows.clear();
-      edit.values.clear();
+      A3D_TRY(write(group, edit, update, update_one));
+      edit = {edit.awaited, {}, {}, 0};
     }
     waiting = 0;
   }
@@ -186,34 +207,50 @@ Status GroupEdits::update(const Update& update, const UpdateOne& update_one, con
   return Error{ErrorCode::internal, "fewer new tuples than ids"}.about(layout_->relation());
 }
 
-Status GroupEdits::write(std::size_t group, const Edit& edit, std::span<const std::size_t> attributes) {
-  std::vector<RowGroups::NewChunk> chunks;
+Status GroupEdits::write(std::size_t group, const Edit& edit, const Update& update, const UpdateOne& update_one) {
+  std::vector<TupleId> ids;
+  std::vector<RowGroups::NewChunk> made;
+  bool is_too_large = false;
   {
     A3D_ASSIGN(const GroupListPtr groups, database_->row_groups().list(*layout_));
     const GroupContent& content = *(*groups)[group].content;
-    std::vector<TupleId> ids;
-    ids.reserve(edit.rows.size());
     for (const std::uint32_t row : edit.rows) ids.push_back(content.id(row));
-    std::ranges::sort(ids);
-    database_->note_group_tuples(layout_->table_number(), ids);
-    // The stored trees name the state of the relation, also if no box changes.
-    database_->indexes().insert(layout_->table_number(), ids.front(),
-                                std::vector<algebra3d::Box3>(layout_->attributes().size()));
-    for (std::size_t i = 0; i < attributes.size(); ++i) {
-      A3D_ASSIGN(RowGroups::NewChunk chunk, new_chunk(content, attributes[i], edit, edit.values[i]));
+    std::vector<Chunks> chunks;
+    std::size_t growth = 0;
+    for (std::size_t i = 0; i < update.attributes.size(); ++i) {
+      A3D_ASSIGN(Chunks chunk, new_chunk(content, update.attributes[i], edit, edit.values[i]));
+      growth += chunk.made.chunk.bytes.size() - std::min(chunk.made.chunk.bytes.size(), chunk.old->heap_bytes());
       chunks.push_back(std::move(chunk));
     }
+    is_too_large = growth > database_->options().group_bytes;
+    for (std::size_t i = 0; i < chunks.size() && !is_too_large; ++i) {
+      A3D_TRY(change_index(content, update.attributes[i], *chunks[i].old, edit, edit.values[i]));
+      made.push_back(std::move(chunks[i].made));
+    }
   }
-  A3D_ASSIGN(const std::uint64_t change, database_->row_groups().rewrite(*layout_, group, std::move(chunks)));
+  // What makes a group too large comes beside it, until the group is written as several.
+  if (is_too_large) {
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      Tuple values;
+      for (const ValueColumn& column : edit.values) values.attributes.push_back(column.value(i));
+      A3D_TRY(update_one(ids[i], values));
+    }
+    return {};
+  }
+  // The stored trees name the state of the relation, also if no box changes.
+  database_->indexes().insert(layout_->table_number(), ids.front(),
+                              std::vector<algebra3d::Box3>(layout_->attributes().size()));
+  std::ranges::sort(ids);
+  database_->note_group_tuples(layout_->table_number(), ids);
+  A3D_ASSIGN(const std::uint64_t change, database_->row_groups().rewrite(*layout_, group, std::move(made)));
   entry_.tuple_sum += change;
   return {};
 }
 
-Result<RowGroups::NewChunk> GroupEdits::new_chunk(const GroupContent& content, std::size_t attribute, const Edit& edit,
-                                                  const ValueColumn& values) {
+Result<GroupEdits::Chunks> GroupEdits::new_chunk(const GroupContent& content, std::size_t attribute, const Edit& edit,
+                                                 const ValueColumn& values) const {
   const AttributeColumns& columns = layout_->attributes()[attribute];
-  A3D_ASSIGN(const auto chunk, database_->row_groups().read(*layout_, content, attribute));
-  A3D_TRY(change_index(content, attribute, *chunk, edit, values));
+  A3D_ASSIGN(auto chunk, database_->row_groups().read(*layout_, content, attribute));
   std::vector<bool> is_changed(content.count);
   for (const std::uint32_t row : edit.rows) is_changed[row] = true;
   std::vector<RowPlace> kept;
@@ -226,7 +263,7 @@ Result<RowGroups::NewChunk> GroupEdits::new_chunk(const GroupContent& content, s
   ChunkBuilder builder(columns);
   Status status = builder.add(merged, {nullptr, content.count});
   if (!status) return std::move(status).error().about(layout_->relation());
-  return RowGroups::NewChunk{attribute, builder.encode()};
+  return Chunks{std::move(chunk), {attribute, builder.encode()}};
 }
 
 /// The indexes of an attribute get the new values in place of the old ones.

@@ -38,14 +38,22 @@ class GroupEdits {
     std::size_t awaited = 0;          // tuples
     std::vector<std::uint32_t> rows;  // of those that have come
     std::vector<ValueColumn> values;  // by attribute of the update, a row for each
+    std::size_t bytes = 0;            // of these, estimated
   };
   struct Marked;
+  /// The chunks of an attribute: as it is, and as it is to be.
+  struct Chunks {
+    std::shared_ptr<const ColumnChunk> old;
+    RowGroups::NewChunk made;
+  };
   Result<std::vector<Marked>> find(std::span<const TupleId> ids) const;
   std::vector<bool> indexed_attributes() const;
   Status erase_from_indexes(std::span<const TupleId> ids);
-  Status write(std::size_t group, const Edit& edit, std::span<const std::size_t> attributes);
-  Result<RowGroups::NewChunk> new_chunk(const GroupContent& content, std::size_t attribute, const Edit& edit,
-                                        const ValueColumn& values);
+  Result<std::map<std::size_t, Edit>> begin_edits(std::span<const Marked> tuples) const;
+  static void add(const Batch& batch, const SelectedRows& rows, Edit& edit);
+  Status write(std::size_t group, const Edit& edit, const Update& update, const UpdateOne& update_one);
+  Result<Chunks> new_chunk(const GroupContent& content, std::size_t attribute, const Edit& edit,
+                           const ValueColumn& values) const;
   Status change_index(const GroupContent& content, std::size_t attribute, const ColumnChunk& chunk, const Edit& edit,
                       const ValueColumn& values);
 

@@ -106,7 +106,7 @@ class PlanRewrites : public testing::Test {
                                                    "R_W R leftrange[\"ab\"]",
                                                    "R_B R windowintersects[[const rect3 value (0 20 0 3 0 1)]]"};
     if (below(3) == 0) return {fmt::format("{} filter[{}] {}", one_of(searches), condition(), one_of(ends)), {}};
-    if (below(2) == 0) return {fmt::format("R feed filter[.K > 0] {} consume", one_of(few)), {"then reads by ids"}};
+    if (below(2) == 0) return {fmt::format("R feed filter[.N > 0] {} consume", one_of(few)), {"then reads by ids"}};
     return {fmt::format("R feed filter[{}] {} {}", condition(), one_of(few), one_of(ends)), {}};
   }
 
@@ -396,7 +396,7 @@ TEST_F(PlanRewrites, changes_in_columns_are_those_of_plain_plans) {
         else
           EXPECT_EQ(answer, answers[place]);
       }
-      EXPECT_EQ(session_.run("check database"), "(inquiry (findings ()))");
+      EXPECT_NE(session_.run("check database").find("(findings ())"), std::string::npos);
       delete_relation("R");
     }
     random_.seed(seed + 1);
@@ -463,7 +463,7 @@ TEST_F(PlanRewrites, plans_say_which_attributes_are_read) {
   says("R feed sortby[W] head[2] project[N] consume", "'reads W'");
   says("R feed sortby[W] head[2] project[N] consume", "'keeps the first 2, then reads by ids'");
   says("R feed sortby[W] head[2] project[W] consume", "'keeps the first 2'");
-  says("R feed filter[.K > 1] tail[2] consume", "'reads K'");
+  says("R feed filter[.N > 1] tail[2] consume", "'reads N'");
   says("R_K R range[1, 3] project[W] consume", "'reads W'");
   says("R feed loopsel[fun(t: TUPLE) R feed filter[.N > attr(t, K)]] sum[X]", "'reads N, X'");
   says("R feed loopsel[fun(t: TUPLE) R feed filter[.N > attr(t, K)]] sum[X]", "'reads K'");
