@@ -58,8 +58,11 @@ test("rows that the server no longer has are told, and run again", async () => {
   const browser = await startBrowser();
   const page = await browser.open(server.url);
   await ready(page);
+  const asked = page.waitForRequest((request) => new URL(request.url()).pathname === "/api/query");
   await run(page, "query intstream(1, 5000) transformstream consume");
-  for (let count = 0; count < 70; count++) await server.run("query makePoint3D(0, 0, 0)");
+  // The server keeps 64 results of each client.
+  const client = (await asked).headers()["x-algebra3d-client"];
+  for (let count = 0; count < 70; count++) await server.run("query makePoint3D(0, 0, 0)", client);
   await page.getByTestId("table").evaluate((element) => (element.scrollTop = 60_000));
   await page.getByText("The server no longer has this result.").waitFor();
   await page.getByRole("button", { name: "Run again" }).last().click();

@@ -176,7 +176,7 @@ function SetOperations({ side }: { side: Side }) {
           title={titles[operation]}
           onClick={() => apply(operation)}
         >
-          {operation === "either" ? "either, not both" : operation}
+          {operation}
         </button>
       ))}
     </div>
@@ -184,11 +184,11 @@ function SetOperations({ side }: { side: Side }) {
 }
 
 const drags = [
-  { id: "normal", label: "Vertex ↕ normal", title: "Drag a vertex along its normal" },
-  { id: "plane", label: "Vertex ↔ plane", title: "Drag a vertex in the plane of its normal" },
-  { id: "translate", label: "Move", title: "Drag arrows that move the mesh" },
-  { id: "rotate", label: "Turn", title: "Drag rings that turn the mesh about its middle" },
-  { id: "scale", label: "Scale", title: "Drag boxes that scale the mesh about its middle" },
+  { id: "normal", of: "Vertex ", label: "↕ normal", title: "Drag a vertex along its normal" },
+  { id: "plane", of: "Vertex ", label: "↔ plane", title: "Drag a vertex in the plane of its normal" },
+  { id: "translate", of: "", label: "Move", title: "Drag arrows that move the mesh" },
+  { id: "rotate", of: "", label: "Turn", title: "Drag rings that turn the mesh about its middle" },
+  { id: "scale", of: "", label: "Scale", title: "Drag boxes that scale the mesh about its middle" },
 ] as const;
 type Drag = (typeof drags)[number]["id"];
 
@@ -206,15 +206,17 @@ function Drags({ side, view }: Props) {
   };
   return (
     <div class="btn-group" role="group" aria-label="Drag in the scene">
-      {drags.map(({ id, label, title }) => (
+      {drags.map(({ id, of, label, title }) => (
         <button
           key={id}
           type="button"
           class="btn"
           aria-pressed={drag === id}
+          aria-label={of + label}
           title={title}
           onClick={() => choose(id)}
         >
+          {of && <span class="in-wide-side">{of}</span>}
           {label}
         </button>
       ))}

@@ -65,11 +65,11 @@ export class Server {
     throw new Error(`serve does not answer on ${this.url}:\n${this.#output}`);
   }
 
-  /** Runs a statement by the API. */
-  async run(statement: string): Promise<{ value: unknown }> {
+  /** Runs a statement by the API, in the name of a client. */
+  async run(statement: string, client?: string): Promise<{ value: unknown }> {
     const response = await fetch(`http://127.0.0.1:${this.port}/api/query`, {
       method: "POST",
-      headers: { "Content-Type": "application/json" },
+      headers: { "Content-Type": "application/json", ...(client && { "X-Algebra3d-Client": client }) },
       body: JSON.stringify({ statement }),
     });
     const text = await response.text();
