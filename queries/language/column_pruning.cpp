@@ -111,6 +111,20 @@ TypedPtr reading_pairs(const TypedPtr& node, const StreamCallView& call, ReadAtt
   return with_arguments(node, call, std::move(bound), std::move(arguments));
 }
 
+/// As `reading`, for tuples that are changed: they have the attributes of their input, of an update twice, and the id.
+TypedPtr reading_changes(const TypedPtr& node, const StreamCallView& call, const ReadAttributes& read) {
+  if (std::get<ChangesTuples>(call.bound.role).of_own) return node;  // all attributes are compared
+  std::vector<TypedPtr> arguments(call.arguments.begin(), call.arguments.end());
+  ReadAttributes of_input(attribute_count(*arguments[0]));
+  for (std::size_t index = 0; index + 1 < read.size(); ++index)
+    if (read[index]) of_input[index % of_input.size()] = true;
+  if (arguments.size() > 2)
+    if (const auto list = view_as<ListView>(*arguments[2]))
+      for (const TypedPtr& function : list->elements) add_attributes_of(*function, of_input);
+  arguments[0] = reading(arguments[0], of_input);
+  return with_arguments(node, call, call.bound, std::move(arguments));
+}
+
 /// As `reading`, for streams that a function gives, one for each tuple of another stream.
 TypedPtr reading_chain(const TypedPtr& node, const StreamCallView& call, const ReadAttributes& read) {
   std::vector<TypedPtr> arguments(call.arguments.begin(), call.arguments.end());
@@ -191,8 +205,7 @@ TypedPtr reading(const TypedPtr& node, const ReadAttributes& read) {
     return with_operator(node, *call, scan->of_attributes(read));
   if (const auto* search = std::get_if<FindsTuples>(&call->bound.role))
     return with_operator(node, *call, search->of_attributes(read));
-  if (const auto* change = std::get_if<ChangesTuples>(&call->bound.role))
-    return with_operator(node, *call, change->of_attributes(read));
+  if (std::holds_alternative<ChangesTuples>(call->bound.role)) return reading_changes(node, *call, read);
   if (std::holds_alternative<ChainsStreams>(call->bound.role)) return reading_chain(node, *call, read);
   if (std::holds_alternative<PairsTuples>(call->bound.role)) return reading_pairs(node, *call, read);
   if (!node->type().is_tuple_stream()) return node;
@@ -218,11 +231,6 @@ void take_own_tuples(BoundOperator& bound, std::vector<TypedPtr>& arguments) {
   const auto from = origin != nullptr ? view_as<ObjectView>(*origin) : std::nullopt;
   const auto changed = view_as<ObjectView>(*arguments[1]);
   if (!from || !changed || from->name != changed->name) return;
-  ReadAttributes read(attribute_count(*arguments[0]));
-  if (arguments.size() > 2)
-    if (const auto list = view_as<ListView>(*arguments[2]))
-      for (const TypedPtr& function : list->elements) add_attributes_of(*function, read);
-  arguments[0] = reading(arguments[0], read);
   bound = BoundOperator(change->of_own());
 }
 

@@ -18,45 +18,6 @@ std::size_t bytes_of(const ValueColumn& column) {
   });
 }
 
-/// Batches, then the tuples of a stream.
-class BufferedBatches final : public TupleStream {
- public:
-  BufferedBatches(std::deque<KeptBatch> batches, algebra3d::MemoryAccount account, TupleStreamPtr rest)
-      : batches_(std::move(batches)), account_(std::move(account)), rest_(std::move(rest)), rest_batches_(*rest_) {}
-
-  Result<TuplePtr> next() override {
-    A3D_ASSIGN(const Batch* const batch, next_batch(1));
-    return batch == nullptr ? TuplePtr() : tuple_of(*batch, batch->rows[0]);
-  }
-  bool has_batches() const override { return true; }
-  Result<const Batch*> next_batch(std::size_t most) override {
-    while (!batches_.empty() && position_ == batches_.front().batch().size) {
-      position_ = 0;
-      batches_.pop_front();
-    }
-    if (batches_.empty()) {
-      account_.clear();
-      return rest_batches_.next(most);
-    }
-    const Batch& front = batches_.front().batch();
-    rows_.clear();
-    for (; rows_.size() < most && position_ < front.size; ++position_)
-      rows_.push_back(static_cast<std::uint32_t>(position_));
-    part_ = front;
-    part_.rows = {rows_.data(), rows_.size()};
-    return &part_;
-  }
-
- private:
-  std::deque<KeptBatch> batches_;
-  algebra3d::MemoryAccount account_;
-  TupleStreamPtr rest_;
-  BatchReader rest_batches_;
-  std::size_t position_ = 0;  // in the first batch
-  std::vector<std::uint32_t> rows_;
-  Batch part_;
-};
-
 }  // namespace
 
 KeptBatch::KeptBatch(const Batch& batch) : own_(std::make_unique<OwnBatch>()) {
@@ -73,21 +34,56 @@ KeptBatch::KeptBatch(const Batch& batch) : own_(std::make_unique<OwnBatch>()) {
 }
 
 Status BatchBuffer::add(const Batch& batch) {
-  if (!rest_) {
+  Content& content = *content_;
+  if (!content.rest) {
     KeptBatch kept(batch);
-    if (account_.take(kept.bytes())) {
-      batches_.push_back(std::move(kept));
+    if (content.account.take(kept.bytes())) {
+      content.batches.push_back(std::move(kept));
       return {};
     }
-    rest_.emplace(context_);
+    content.rest.emplace(content.context);
   }
-  for (std::size_t i = 0; i < batch.rows.count; ++i) A3D_TRY(rest_->add(tuple_of(batch, batch.rows[i])));
+  for (std::size_t i = 0; i < batch.rows.count; ++i) A3D_TRY(content.rest->add(tuple_of(batch, batch.rows[i])));
   return {};
 }
 
-TupleStreamPtr BatchBuffer::take() {
-  TupleStreamPtr rest = rest_ ? rest_->scan() : TupleBuffer(std::vector<TuplePtr>()).scan();
-  return std::make_shared<BufferedBatches>(std::move(batches_), std::move(account_), std::move(rest));
+class BatchBuffer::Scan final : public TupleStream {
+ public:
+  explicit Scan(std::shared_ptr<const Content> content)
+      : content_(std::move(content)),
+        rest_(content_->rest ? content_->rest->scan() : TupleBuffer(std::vector<TuplePtr>()).scan()),
+        rest_batches_(*rest_) {}
+
+  Result<TuplePtr> next() override {
+    A3D_ASSIGN(const Batch* const batch, next_batch(1));
+    return batch == nullptr ? TuplePtr() : tuple_of(*batch, batch->rows[0]);
+  }
+  bool has_batches() const override { return true; }
+  Result<const Batch*> next_batch(std::size_t most) override {
+    while (batch_ < content_->batches.size() && position_ == content_->batches[batch_].batch().size) {
+      position_ = 0;
+      ++batch_;
+    }
+    if (batch_ == content_->batches.size()) return rest_batches_.next(most);
+    part_ = content_->batches[batch_].batch();
+    rows_.clear();
+    for (; rows_.size() < most && position_ < part_.size; ++position_)
+      rows_.push_back(static_cast<std::uint32_t>(position_));
+    part_.rows = {rows_.data(), rows_.size()};
+    return &part_;
+  }
+
+ private:
+  std::shared_ptr<const Content> content_;
+  TupleStreamPtr rest_;
+  BatchReader rest_batches_;
+  std::size_t batch_ = 0, position_ = 0;  // of the next tuple
+  std::vector<std::uint32_t> rows_;
+  Batch part_;
+};
+
+TupleStreamPtr BatchBuffer::scan() const {
+  return std::make_shared<Scan>(content_);
 }
 
 }  // namespace queries

@@ -25,22 +25,27 @@ class KeptBatch {
   std::size_t bytes_ = 0;
 };
 
-/// A sequence of tuples in columns, to be read once: in memory while the work memory lasts, the rest in a temporary
-/// file, tuple by tuple.
+/// A sequence of tuples in columns, to be read again: in memory while the work memory lasts, the rest in a temporary
+/// file, tuple by tuple. Filled first, then read any number of times.
 class BatchBuffer {
  public:
-  explicit BatchBuffer(const algebra3d::Context& context) : context_(context), account_(context.memory) {}
+  explicit BatchBuffer(const algebra3d::Context& context) : content_(std::make_shared<Content>(context)) {}
 
   /// Errors: those of the temporary file.
   Status add(const Batch& batch);
-  /// Reads all tuples, which are released as they are read.
-  TupleStreamPtr take();
+  TupleStreamPtr scan() const;
 
  private:
-  const algebra3d::Context& context_;
-  algebra3d::MemoryAccount account_;
-  std::deque<KeptBatch> batches_;
-  std::optional<TupleBuffer> rest_;
+  struct Content {
+    explicit Content(const algebra3d::Context& given) : context(given), account(given.memory) {}
+    const algebra3d::Context& context;
+    algebra3d::MemoryAccount account;
+    std::deque<KeptBatch> batches;
+    std::optional<TupleBuffer> rest;
+  };
+  class Scan;
+
+  std::shared_ptr<Content> content_;
 };
 
 }  // namespace queries

@@ -1,6 +1,5 @@
 #include "queries/streams/detail/relation_changes.h"
 
-#include <algorithm>
 #include <functional>
 
 #include "algebra3d/values/types/tuple_number.h"
@@ -154,77 +153,48 @@ Status OwnTuples::compare_with_stored(const Batch& batch) {
   return {};
 }
 
-ChangedTuples::ChangedTuples(RelationPtr relation, std::size_t now_count, std::vector<bool> read)
-    : relation_(std::move(relation)),
-      now_count_(now_count),
-      read_(std::move(read)),
-      id_column_(algebra3d::TypeOf<algebra3d::TupleNumber>::type()) {
-  for (const auto& attribute : relation_->tuple_type().attributes())
-    unread_.emplace_back(undefined_of(attribute.type).type());
-}
+namespace {
 
-std::vector<bool> ChangedTuples::read_of(std::size_t first, std::size_t count) const {
-  const auto begin = read_.begin() + static_cast<std::ptrdiff_t>(first);
-  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
-}
+class AttributesWithIds final : public TupleStream {
+ public:
+  AttributesWithIds(TupleStreamPtr tuples, std::vector<std::size_t> attributes, std::vector<TupleId> ids)
+      : tuples_(std::move(tuples)),
+        attributes_(std::move(attributes)),
+        ids_(std::move(ids)),
+        id_column_(algebra3d::TypeOf<algebra3d::TupleNumber>::type()) {}
 
-Result<std::shared_ptr<ChangedTuples>> ChangedTuples::make(RelationPtr relation, std::size_t now_count,
-                                                           std::vector<bool> read) {
-  std::shared_ptr<ChangedTuples> made(new ChangedTuples(std::move(relation), now_count, std::move(read)));
-  const std::vector<bool> before = made->read_of(now_count, made->unread_.size());
-  if (std::ranges::find(before, true) == before.end()) return made;
-  A3D_ASSIGN(made->before_, made->relation_->by_id(before));
-  A3D_TRY(made->before_->read({}));
-  return made;
-}
-
-Status ChangedTuples::begin(std::vector<TupleId> ids) {
-  ids_ = std::move(ids);
-  const std::vector<bool> now = read_of(0, now_count_);
-  if (std::ranges::find(now, true) == now.end()) return {};
-  A3D_ASSIGN(now_, relation_->by_id(now));
-  A3D_TRY(now_->read({}));
-  return {};
-}
-
-/// Adds some attributes of these tuples to the batch.
-Status ChangedTuples::add(TuplesById* tuples, std::span<const TupleId> ids, std::size_t count) {
-  if (tuples == nullptr) {
-    for (std::size_t attribute = 0; attribute < count; ++attribute) batch_.columns.push_back(&unread_[attribute]);
-    return {};
+  Result<TuplePtr> next() override {
+    A3D_ASSIGN(const Batch* const batch, next_batch(1));
+    return batch == nullptr ? TuplePtr() : tuple_of(*batch, batch->rows[0]);
   }
-  A3D_ASSIGN(const Batch* const found, tuples->read(ids));
-  if (found->rows.count != ids.size())
-    return Error{ErrorCode::internal, "{}: a tuple that was changed cannot be read", relation_->name()};
-  batch_.columns.insert(batch_.columns.end(), found->columns.begin(), found->columns.end());
-  return {};
-}
-
-Result<const Batch*> ChangedTuples::next_batch(std::size_t most) {
-  if (position_ == ids_.size()) return nullptr;
-  const auto ids = std::span(ids_).subspan(position_, std::min(most, ids_.size() - position_));
-  position_ += ids.size();
-  batch_.columns.clear();
-  A3D_TRY(add(now_.get(), ids, now_count_));
-  A3D_TRY(add(before_.get(), ids, unread_.size()));
-  id_column_.restart(read_.back() ? ids.size() : 0);
-  for (std::size_t row = 0; row < id_column_.size(); ++row) id_column_.set(row, id_value(ids[row]));
-  batch_.columns.push_back(&id_column_);
-  batch_.size = ids.size();
-  batch_.rows = {nullptr, ids.size()};
-  return &batch_;
-}
-
-Result<TuplePtr> ChangedTuples::next() {
-  if (row_ == batch_.size) {
-    A3D_ASSIGN(const Batch* const batch, next_batch(kBatchTuples));
-    row_ = 0;
-    if (batch == nullptr) {
-      batch_.size = 0;
-      return TuplePtr();
-    }
+  bool has_batches() const override { return true; }
+  Result<const Batch*> next_batch(std::size_t most) override {
+    A3D_ASSIGN(const Batch* const batch, tuples_->next_batch(most));
+    if (batch == nullptr) return nullptr;
+    id_column_.restart(batch->size);
+    batch->rows.for_each([&](std::size_t row) { id_column_.set(row, id_value(ids_[position_++])); });
+    batch_.size = batch->size;
+    batch_.rows = batch->rows;
+    batch_.columns.clear();
+    for (const std::size_t attribute : attributes_) batch_.columns.push_back(batch->columns[attribute]);
+    batch_.columns.push_back(&id_column_);
+    return &batch_;
   }
-  return tuple_of(batch_, row_++);
+
+ private:
+  TupleStreamPtr tuples_;
+  std::vector<std::size_t> attributes_;
+  std::vector<TupleId> ids_;
+  std::size_t position_ = 0;
+  ValueColumn id_column_;
+  Batch batch_;
+};
+
+}  // namespace
+
+TupleStreamPtr attributes_with_ids(TupleStreamPtr tuples, std::vector<std::size_t> attributes,
+                                   std::vector<TupleId> ids) {
+  return std::make_shared<AttributesWithIds>(std::move(tuples), std::move(attributes), std::move(ids));
 }
 
 Result<TupleBuffer> tuple_by_id(const Value& id, Relation& relation) {

@@ -99,36 +99,9 @@ class OwnTuples final : public TupleStream {
   Batch batch_;
 };
 
-/// Tuples that were changed, with the attributes that they have now, those that they had, and the id.
-class ChangedTuples final : public TupleStream {
- public:
-  /// `read`: by attribute of the result, which has `now_count` attributes as they are now. To be made before the
-  /// change.
-  static Result<std::shared_ptr<ChangedTuples>> make(RelationPtr relation, std::size_t now_count,
-                                                     std::vector<bool> read);
-  /// To be called after the change.
-  Status begin(std::vector<TupleId> ids);
-
-  Result<TuplePtr> next() override;
-  bool has_batches() const override { return true; }
-  Result<const Batch*> next_batch(std::size_t most) override;
-
- private:
-  ChangedTuples(RelationPtr relation, std::size_t now_count, std::vector<bool> read);
-  std::vector<bool> read_of(std::size_t first, std::size_t count) const;
-  Status add(TuplesById* tuples, std::span<const TupleId> ids, std::size_t count);
-
-  RelationPtr relation_;
-  std::size_t now_count_;
-  std::vector<bool> read_;
-  std::unique_ptr<TuplesById> before_, now_;  // null if nothing is read of them
-  std::vector<ValueColumn> unread_;           // by attribute of the relation, without rows
-  ValueColumn id_column_;
-  std::vector<TupleId> ids_;
-  std::size_t position_ = 0;
-  Batch batch_;
-  std::size_t row_ = 0;  // of the batch, for `next`
-};
+/// Some attributes of the tuples of a stream, by their places there, each with its id as a further attribute.
+TupleStreamPtr attributes_with_ids(TupleStreamPtr tuples, std::vector<std::size_t> attributes,
+                                   std::vector<TupleId> ids);
 
 /// The tuple with this id (tid or int), which can be read after it was changed; an empty buffer if there is none.
 Result<TupleBuffer> tuple_by_id(const Value& id, Relation& relation);
