@@ -28,8 +28,12 @@ constexpr std::size_t kBlockBytes = std::size_t{4} << 20;
 Error reading_error(const std::filesystem::path& path, int reason) {
   constexpr std::array kOfTheName = {ENOENT, ENOTDIR, EISDIR, EACCES, EPERM, ELOOP, ENAMETOOLONG};
   const bool is_of_the_name = std::ranges::find(kOfTheName, reason) != kOfTheName.end();
-  return Error{is_of_the_name ? ErrorCode::file_missing : ErrorCode::io_error, std::generic_category().message(reason)}
-      .about(path.string());
+  std::error_code not_a_link;
+  const std::filesystem::path target = std::filesystem::read_symlink(path, not_a_link);
+  const std::string why = reason == ENOENT && !not_a_link
+                              ? fmt::format("it is a link to '{}', which does not exist", target.string())
+                              : std::generic_category().message(reason);
+  return Error{is_of_the_name ? ErrorCode::file_missing : ErrorCode::io_error, "{}", why}.about(path.string());
 }
 
 FileState state_of(const struct stat& facts) {

@@ -15,6 +15,21 @@ namespace {
 
 constexpr std::size_t kLongestFound = 24;
 
+std::size_t digits_at_begin(std::string_view text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
+}
+
+/// True of "0,5" and "-12,25e3".
+bool has_decimal_comma(std::string_view word) {
+  if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.remove_prefix(1);
+  const std::size_t whole = digits_at_begin(word);
+  if (whole == 0 || whole == word.size() || word[whole] != ',') return false;
+  word.remove_prefix(whole + 1);
+  const std::size_t fraction = digits_at_begin(word);
+  return fraction > 0 && (fraction == word.size() || word[fraction] == 'e' || word[fraction] == 'E');
+}
+
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
@@ -39,7 +54,7 @@ std::string found_text(std::string_view text) {
       fmt::format_to(std::back_inserter(found), "\\x{:02x}", static_cast<unsigned char>(c));
   }
   if (length < text.size() && !is_blank(text[length])) found += "...";
-  return found + "'";
+  return found + (has_decimal_comma(text.substr(0, length)) ? "' with a decimal comma" : "'");
 }
 
 std::size_t find_either(std::string_view text, char a, char b) {

@@ -12,6 +12,7 @@
 #include "queries/shell/detail/command_table.h"
 #include "queries/shell/detail/file_arguments.h"
 #include "queries/shell/detail/interruption.h"
+#include "queries/shell/detail/screen.h"
 #include "queries/shell/detail/statement_runner.h"
 
 namespace queries {
@@ -125,7 +126,8 @@ RunResult StatementRunner::run_file(const std::string& file, CommandReader::Skip
   const auto refuse = [&](const std::string& why) { return complain(why, place); };
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
-    return refuse("cannot read the script '" + file + "': it is a folder");
+    return refuse("cannot read the script '" + file + "': it is a folder; `algebra3d check " + shell_word(file) +
+                  "` lists the mesh files in it");
   if (is_device(file)) return refuse("cannot read the script '" + file + "': it is a device");
   if (const std::string why = why_no_script(file); !why.empty())
     return refuse("cannot read the script '" + file + "': " + why);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -80,6 +81,13 @@ std::string repair_text(const ImportedSolid& imported) {
   return "would give a solid: " + (imported.repair ? imported.repair->text() : imported.status);
 }
 
+/// "a valid solid; turned right side out": the status "ok: turned right side out" in other words.
+std::string validity_text(std::string_view status) {
+  constexpr std::size_t kOk = std::string_view("ok").size();
+  if (status.size() <= kOk + 2) return "a valid solid";
+  return "a valid solid; " + std::string(status.substr(kOk + 2));
+}
+
 /// Volume and area of the solid, or the area of the triangles.
 Result<std::string> measures(const ImportedSolid& imported, const FileFacts& facts, const MeshConsole& console) {
   if (!imported.solid) return row("area", facts.area.text(10) + ", of the triangles");
@@ -95,19 +103,18 @@ Status show_mesh_file(const std::string& name, const MeshConsole& console) {
   A3D_ASSIGN(MeshFile mesh, algebra3d::read_mesh(input.bytes(), input.name(), nullptr, console.cancel));
   const FileFacts facts = facts_of(mesh, input.bytes().size());
   const std::vector<std::string> remarks = mesh.remarks;
-  console.out << printable(input.name()) << "\n"
+  console.out << printable_line(input.name()) << "\n"
               << row("format", facts.form) << row("triangles", std::to_string(facts.triangle_count))
               << row("box", size_text(facts.box)) << std::flush;
   A3D_ASSIGN(const ImportedSolid imported, algebra3d::import_solid(std::move(mesh), {}, console.cancel));
   const bool is_valid = imported.solid && !imported.repair;
-  const std::string remark = imported.status == "ok" ? "" : " (" + imported.status + ")";
-  console.out << row("validity", is_valid ? "a valid solid" + remark : imported.found.defects());
+  console.out << row("validity", is_valid ? validity_text(imported.status) : imported.found.defects());
   if (!is_valid) console.out << row("repair", repair_text(imported));
   A3D_ASSIGN(const std::string measured, measures(imported, facts, console));
   console.out << measured;
   for (const std::string& note : remarks) console.out << row("note", note);
   if (!is_valid && imported.solid && name != "-")
-    console.out << row("", fmt::format("`algebra3d repair {} -o OUT.stl` writes that solid", name));
+    console.out << row("", fmt::format("`algebra3d repair {} -o OUT.stl` writes that solid", shell_word(name)));
   return {};
 }
 

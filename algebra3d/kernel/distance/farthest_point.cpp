@@ -16,23 +16,46 @@ namespace {
 
 using distances::PieceSearch;
 
-Result<std::vector<PieceSearch>> with_measured_vertices(std::span<const FarthestSearch> searches,
-                                                        const Monitor& monitor) {
-  std::vector<PieceSearch> measured;
-  for (const FarthestSearch& search : searches) {
-    const Box3 box = unite(search.from.hierarchy->bounds(), search.to.hierarchy->bounds());
-    measured.emplace_back(search, box);
-    A3D_TRY(measured.back().measure_vertices(monitor));
-  }
-  return measured;
+std::vector<PieceSearch> begun(std::span<const FarthestSearch> searches) {
+  std::vector<PieceSearch> all;
+  all.reserve(searches.size());
+  for (const FarthestSearch& search : searches)
+    all.emplace_back(search, unite(search.from.hierarchy->bounds(), search.to.hierarchy->bounds()));
+  return all;
+}
+
+double lower_bound_of(std::span<const PieceSearch> searches) {
+  double lower = 0;
+  for (const PieceSearch& search : searches) lower = std::max(lower, search.lower_bound());
+  return lower;
+}
+
+/// Takes a step of each search; step(search, at_least) gets a lower bound of what all found before, so that the order
+/// of the searches does not matter.
+template <typename Step>
+Status for_each(std::span<PieceSearch> searches, Step step) {
+  const double at_least = lower_bound_of(searches);
+  for (PieceSearch& search : searches) A3D_TRY(step(search, at_least));
+  return {};
+}
+
+Status bound_faces(std::span<PieceSearch> searches, const Monitor& monitor) {
+  A3D_TRY(
+      for_each(searches, [&](PieceSearch& search, double at_least) { return search.begin_bounds(at_least, monitor); }));
+  while (std::ranges::any_of(searches, &PieceSearch::has_round))
+    A3D_TRY(for_each(searches,
+                     [&](PieceSearch& search, double at_least) { return search.bound_round(at_least, monitor); }));
+  return for_each(searches,
+                  [&](PieceSearch& search, double at_least) { return search.bound_near_faces(at_least, monitor); });
 }
 
 Result<std::optional<FarthestPoint>> farthest_of_all(std::span<const FarthestSearch> searches, const Monitor& monitor) {
-  A3D_ASSIGN(std::vector<PieceSearch> all, with_measured_vertices(searches, monitor));
-  double at_least = 0;
-  for (const PieceSearch& search : all) at_least = std::max(at_least, search.lower_bound());
-  for (PieceSearch& search : all) A3D_TRY(search.bound_faces(at_least, monitor));
-  for (const PieceSearch& search : all) at_least = std::max(at_least, search.lower_bound());
+  std::vector<PieceSearch> all = begun(searches);
+  A3D_TRY(for_each(all, [&](PieceSearch& search, double) { return search.measure_some(monitor); }));
+  A3D_TRY(
+      for_each(all, [&](PieceSearch& search, double at_least) { return search.measure_vertices(at_least, monitor); }));
+  A3D_TRY(bound_faces(all, monitor));
+  const double at_least = lower_bound_of(all);
   std::optional<FarthestPoint> farthest;
   double upper_bound = 0;
   bool is_bounded = true;

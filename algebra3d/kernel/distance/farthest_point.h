@@ -32,11 +32,11 @@ struct FarthestPoint {
 /// largest coordinate, or else by the gap that is left after 2^22 parts of triangles for each search; where no point
 /// was found that is farther than 2^-16 of the largest coordinate, by the gap that is left after work in proportion to
 /// the number of triangles. Deterministic; the distance does not depend on the order of the searches. Errors:
-/// interrupted. Cost: a search in the hierarchy for each vertex, and some microseconds for each triangle, or triangle
-/// of the other set near it, unless it is not farther than the farthest vertex from one triangle; both in parallel.
-/// Then a search for those whose bounds are not tight: few where the sets are nearly parallel; where they nearly
-/// coincide, at most some 100 microseconds for each triangle of both. Sources: [tang2009] for the bounds of a
-/// triangle's distance by that of its corners from one triangle; [guthe2005] for the search, best bounds first.
+/// interrupted. Cost: a search in the hierarchy for each vertex that may be farthest, and some microseconds for each
+/// triangle, or triangle of the other set near it, unless it is not farther than the farthest vertex from one triangle;
+/// both in parallel. Then a search for those whose bounds are not tight: few where the sets are nearly parallel; where
+/// they nearly coincide, at most some 100 microseconds for each triangle of both. Sources: [tang2009] for the bounds of
+/// a triangle's distance by that of its corners from one triangle; [guthe2005] for the search, best bounds first.
 Result<std::optional<FarthestPoint>> farthest_point(std::span<const FarthestSearch> searches,
                                                     const Monitor& monitor = {});
 

@@ -42,12 +42,15 @@ const StepWording& wording_of(RepairStep step) {
   return kStepWordings[static_cast<std::size_t>(step)];
 }
 
-std::string text_of_left_out(const RepairAmounts& amounts, double size) {
+/// Nothing is a distance away from a solid that is empty.
+std::string text_of_left_out(const RepairAmounts& amounts, bool is_solid_empty, double size) {
   const SurfaceAmount& left_out = amounts.left_out;
   if (left_out.triangle_count == 0) return {};
-  return fmt::format("left out: {} {}, area {} ({}), up to {} from the solid ({})", left_out.triangle_count,
-                     left_out.triangle_count == 1 ? "triangle" : "triangles", left_out.area.text(3),
-                     percent_text(amounts.left_out_part()), length_text(left_out.distance, 3),
+  const std::string text = fmt::format("left out: {} {}, area {} ({})", left_out.triangle_count,
+                                       left_out.triangle_count == 1 ? "triangle" : "triangles", left_out.area.text(3),
+                                       percent_text(amounts.left_out_part()));
+  if (is_solid_empty) return text;
+  return fmt::format("{}, up to {} from the solid ({})", text, length_text(left_out.distance, 3),
                      near_text(left_out.where, size));
 }
 
@@ -169,7 +172,7 @@ std::string RepairReport::changes_text() const {
     if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
   };
   if (amounts) {
-    add(text_of_left_out(*amounts, size));
+    add(text_of_left_out(*amounts, volume_after && volume_after->is_zero(), size));
     add(text_of_added(*amounts));
     if (const double moved = largest_move(); moved > 0) add(fmt::format("moved by {} at most", length_text(moved, 3)));
   } else if (const double moved = deviation(); moved > 0) {

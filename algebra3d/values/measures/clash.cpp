@@ -311,12 +311,12 @@ std::string_view name_of(ClashKind kind) {
 
 Result<std::optional<Clash>> clash_of(const Volume3d& a, const Volume3d& b, const Rational& clearance,
                                       const Monitor& monitor) {
-  A3D_ASSIGN(const SpatialRelation relation, relation_of(a, b, monitor));
-  if (!relation.do_meet) return violated_clearance(a, b, clearance, monitor);
-  if (!relation.do_interiors_meet) return meeting(ClashKind::touching, a, b, monitor);
-  if (relation.is_first_inside && relation.is_second_inside) return meeting(ClashKind::duplication, a, b, monitor);
-  if (relation.is_first_inside || relation.is_second_inside)
-    return envelopment(a, b, relation.is_first_inside, monitor);
+  A3D_ASSIGN(const RelativePosition position, position_of(a, b, monitor));
+  if (!position.do_meet) return violated_clearance(a, b, clearance, monitor);
+  if (!position.do_interiors_meet) return meeting(ClashKind::touching, a, b, monitor);
+  if (position.is_first_inside && position.is_second_inside) return meeting(ClashKind::duplication, a, b, monitor);
+  if (position.is_first_inside || position.is_second_inside)
+    return envelopment(a, b, position.is_first_inside, monitor);
   return overlap(a, b, monitor);
 }
 

@@ -218,6 +218,12 @@ Result<Emptiness> find(const SpatialSet& a, const SpatialSet& b, Findings& findi
   return emptiness;
 }
 
+RelativePosition position_from(const Findings& findings, const Emptiness& is_empty) {
+  if (is_empty[0] || is_empty[1]) return {false, false, is_empty[0], is_empty[1]};
+  return {findings.do_meet(), findings.do_interiors_meet(), !findings.leaves(Role::first),
+          !findings.leaves(Role::second)};
+}
+
 }  // namespace
 
 Result<bool> do_meet(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
@@ -244,15 +250,17 @@ Result<bool> do_overlap(const SpatialSet& a, const SpatialSet& b, const Monitor&
   return findings.do_interiors_meet() && findings.leaves(Role::first) && findings.leaves(Role::second);
 }
 
+// The search for an overlap ends when all four facts are true, or with every fact found.
+Result<RelativePosition> position_of(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
+  Findings findings(Question::overlap);
+  A3D_ASSIGN(const Emptiness is_empty, find(a, b, findings, monitor));
+  return position_from(findings, is_empty);
+}
+
 Result<SpatialRelation> relation_of(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
   Findings findings(Question::everything);
   A3D_ASSIGN(const Emptiness is_empty, find(a, b, findings, monitor));
-  if (is_empty[0] || is_empty[1]) return SpatialRelation{false, false, is_empty[0], is_empty[1], -1, -1};
-  return SpatialRelation{findings.do_meet(),
-                         findings.do_interiors_meet(),
-                         !findings.leaves(Role::first),
-                         !findings.leaves(Role::second),
-                         findings.shared_dimension(),
+  return SpatialRelation{position_from(findings, is_empty), findings.shared_dimension(),
                          findings.shared_boundary_dimension()};
 }
 

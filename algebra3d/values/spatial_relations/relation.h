@@ -36,12 +36,17 @@ Result<bool> is_inside(const SpatialSet& a, const SpatialSet& b, const Monitor& 
 /// True if their interiors meet and neither is inside the other.
 Result<bool> do_overlap(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor = {});
 
-/// All about two sets.
-struct SpatialRelation {
+/// How two sets lie to each other.
+struct RelativePosition {
   bool do_meet = false;
   bool do_interiors_meet = false;
   bool is_first_inside = false;   ///< every point of the first is in the second
   bool is_second_inside = false;  ///< the converse
+};
+Result<RelativePosition> position_of(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor = {});
+
+/// All about two sets.
+struct SpatialRelation : RelativePosition {
   /// The dimension of the common part: -1 if it is empty, else 0 to 3 for points, lines, faces and space.
   int shared_dimension = -1;
   int shared_boundary_dimension = -1;  ///< the same of the boundaries alone

@@ -12,6 +12,7 @@
 #include "mesh_formats/foreign_file.h"
 #include "mesh_formats/mesh_format.h"
 #include "mesh_formats/mesh_formats.h"
+#include "queries/shell/detail/screen.h"
 
 namespace queries {
 
@@ -104,7 +105,8 @@ std::string why_no_script(const std::string& name) {
   const FileArgument argument = examine_file(name);
   if (argument.kind == FileKind::mesh)
     return fmt::format("it is a mesh file; `query {}('{}')` reads such files", importing_operator(name), name);
-  if (argument.kind == FileKind::database) return "it is a database; `algebra3d --db " + name + "` opens it";
+  if (argument.kind == FileKind::database)
+    return "it is a database; `algebra3d --db " + shell_word(name) + "` opens it";
   return argument.reason;
 }
 

@@ -49,7 +49,7 @@ std::string solid_name(const std::string& file) {
 
 /// One line: the file's name and what it is.
 std::string line_of(const std::string& name, const std::string& status) {
-  return printable(name + ": " + status) + "\n";
+  return printable_line(name + ": " + status) + "\n";
 }
 
 const mesh_formats::MeshFormats& known_formats() {
@@ -171,7 +171,7 @@ int MeshCommands::check(const MeshConsole& console) const {
       const bool is_valid = checked->solid.has_value();
       if (!is_valid) status = 1;
       if (!is_valid || !is_quiet_)
-        console.out << printable(checked->text_about(name == "-" ? "standard input" : name)) + "\n" << std::flush;
+        console.out << printable_line(checked->text_about(name == "-" ? "standard input" : name)) + "\n" << std::flush;
     }
   }
   return status;

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 
 #include "algebra3d/values/types/utf8.h"
+#include "base/text.h"
 
 namespace queries {
 
@@ -40,6 +42,23 @@ std::string printable(std::string_view text) {
       result += text[i];
   }
   return result;
+}
+
+std::string printable_line(std::string_view text) {
+  const std::string line = algebra3d::with_replaced(algebra3d::shown_as_text(text), "\n", "\\x0a");
+  return printable(algebra3d::with_replaced(line, "\t", "\\x09"));
+}
+
+std::string shell_word(std::string_view name) {
+  constexpr std::string_view kPlain = "_-./+,:@%=";
+  const auto is_plain = [&](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80 ||
+           kPlain.find(c) != std::string_view::npos;
+  };
+  // What begins with a hyphen would be an option.
+  const std::string path = (name.starts_with('-') ? "./" : "") + std::string(name);
+  if (!path.empty() && std::ranges::all_of(path, is_plain)) return path;
+  return "'" + algebra3d::with_replaced(path, "'", "'\\''") + "'";
 }
 
 }  // namespace queries

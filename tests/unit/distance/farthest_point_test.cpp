@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "unit/distance/farthest.h"
 
@@ -166,6 +168,22 @@ TEST(FarthestPoint, TheFarthestOfSeveralSearches) {
   EXPECT_EQ(point->squared_distance, 25);
   EXPECT_EQ(point->search, 1U);
   EXPECT_FALSE(farthest_point({}).value());
+}
+
+// What one search finds saves work of the others, so they take their steps by turns.
+TEST(FarthestPoint, TheOrderOfSearchesDoesNotMatter) {
+  const Set low = plate(0, 0, 1, 1, 3, false), high = plate(0.3, 0.2, 1, 1.25, 4, true),
+            ridge({{-1, 0, 2}, {2, 0, 2}, {-1, -3, 0}, {2, 4, 0.5}}, {{0, 1, 2}, {0, 1, 3}});
+  std::vector<FarthestSearch> searches;
+  for (const Set* from : {&low, &high, &ridge})
+    for (const Set* to : {&low, &high, &ridge})
+      if (from != to) searches.push_back({from->operand(), to->operand()});
+  const auto forwards = farthest_point(searches).value();
+  std::ranges::reverse(searches);
+  const auto backwards = farthest_point(searches).value();
+  EXPECT_EQ(forwards->squared_distance, backwards->squared_distance);
+  EXPECT_EQ(forwards->upper_bound, backwards->upper_bound);
+  EXPECT_EQ(forwards->search, searches.size() - 1 - backwards->search);
 }
 
 TEST(FarthestPoint, AnEdgeBesideARidge) {

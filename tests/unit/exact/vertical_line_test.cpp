@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/kernel/exact/axis_line.h"
 #include "algebra3d/kernel/exact/vertical_line.h"
 
 namespace algebra3d {
@@ -162,6 +163,31 @@ TEST(vertical_line, triangles_without_projected_area_are_never_crossed) {
       EXPECT_EQ(cross_vertical_line(Vec3{double(x), double(y), 0}, upright).sign, 0);
       EXPECT_EQ(cross_vertical_line(Vec3{double(x), double(y), 0}, needle).sign, 0);
     }
+}
+
+/// The point with its axes exchanged cyclically, so that `axis` becomes the last.
+Point with_last(std::size_t axis, const Point& p) {
+  return axis == 0 ? Point{p.y, p.z, p.x} : axis == 1 ? Point{p.z, p.x, p.y} : p;
+}
+
+TEST(axis_line, crosses_as_the_vertical_line_does_with_exchanged_axes) {
+  std::mt19937_64 random(7);
+  int crossed = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const int divisor = i % 4 == 0 ? 3 : 1;
+    const std::size_t axis = static_cast<std::size_t>(i) % 3;
+    const auto point = [&] { return random_point(random, 4); };
+    const Point a = point(), b = point(), c = point(), p = point();
+    const ExactPoint ea = exact(a, divisor), eb = exact(b, divisor), ec = exact(c, divisor), ep = exact(p, divisor);
+    const LineCrossing found = cross_axis_line(axis, ep, {ea.ref(), eb.ref(), ec.ref()});
+    const ExactPoint ta = exact(with_last(axis, a), divisor), tb = exact(with_last(axis, b), divisor),
+                     tc = exact(with_last(axis, c), divisor), tp = exact(with_last(axis, p), divisor);
+    const LineCrossing expected = cross_vertical_line(tp, {ta.ref(), tb.ref(), tc.ref()});
+    EXPECT_EQ(found.sign, expected.sign);
+    EXPECT_EQ(found.side, expected.side);
+    crossed += expected.sign != 0;
+  }
+  EXPECT_GT(crossed, 1000);
 }
 
 }  // namespace

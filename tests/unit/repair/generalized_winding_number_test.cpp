@@ -92,5 +92,17 @@ TEST(GeneralizedWindingNumbers, degenerate_triangles_add_nothing) {
   EXPECT_NEAR(GeneralizedWindingNumbers(indexed).at({0.25, 0.5, 0.125}), 1, 1e-12);
 }
 
+// Each of many closed bodies is seen from outside as nothing, so that a point is asked of the body about it alone.
+TEST(GeneralizedWindingNumbers, of_many_bodies_need_the_angles_of_one) {
+  TriangleSoup soup;
+  for (int i = 0; i < 100; ++i)
+    soup = joined(std::move(soup), shifted(soup_of(solids::geodesic_sphere(2)), {0.1 * i, 2.5 * i, 0}));
+  const IndexedSoup indexed = indexed_soup(soup);
+  const GeneralizedWindingNumbers numbers(indexed);
+  for (int i = 0; i < 100; ++i) EXPECT_NEAR(numbers.at({0.1 * i, 2.5 * i, 0.1}), 1, 1e-9);
+  const std::size_t of_one = soup.triangles.size() / 100;
+  EXPECT_LE(numbers.angle_count(), 100 * of_one);
+}
+
 }  // namespace
 }  // namespace algebra3d::soups

@@ -89,6 +89,43 @@ TEST(RepairedSolid, an_open_cylinder_is_closed_at_both_ends) {
   EXPECT_EQ(left_open->reason.find("2 holes were left open (near "), 0U) << left_open->reason;
 }
 
+// Two cubes with a common face: its triangles lie inside the solid, and are counted once.
+TEST(RepairedSolid, triangles_that_went_with_their_duplicates_are_counted_once) {
+  TriangleSoup mirrored = turned(cube_soup(0, 2));
+  for (SoupTriangle& triangle : mirrored.triangles)
+    for (Vec3& corner : triangle) corner.x = 4 - corner.x;
+  const SolidFromSoup made = repaired(joined(cube_soup(0, 2), mirrored));
+  EXPECT_EQ(volume_of(made), 16);
+  EXPECT_EQ(count_of(*made.repair, RepairStep::duplicate_triangles), 2U);
+  EXPECT_EQ(count_of(*made.repair, RepairStep::opposite_triangles), 2U);
+  EXPECT_EQ(count_of(*made.repair, RepairStep::inner_triangles), 0U);
+  EXPECT_EQ(made.repair->amounts->inside.triangle_count, 4U);
+}
+
+TEST(RepairedSolid, dangling_sheets_inside_are_counted_once) {
+  TriangleSoup soup = cube_soup(0, 2);
+  soup.triangles.push_back({Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{1, 1, 1}});
+  const SolidFromSoup made = repaired(soup);
+  EXPECT_EQ(volume_of(made), 8);
+  EXPECT_EQ(count_of(*made.repair, RepairStep::dangling_sheets), 1U);
+  EXPECT_EQ(count_of(*made.repair, RepairStep::inner_triangles), 0U);
+}
+
+TEST(RepairedSolid, nothing_is_a_distance_away_from_an_empty_one) {
+  TriangleSoup open = cube_soup(0, 2);
+  open.triangles.pop_back();
+  const auto made = solid_from_soup(open, with(&RepairOptions::smallest_shell, 100.0));
+  ASSERT_TRUE(made.ok() && made->mesh);
+  const std::string text = made->repair->text();
+  EXPECT_NE(text.find("left out: 11 triangles, area 22 (100 %)"), std::string::npos) << text;
+  EXPECT_EQ(text.find("from the solid"), std::string::npos) << text;
+}
+
+TEST(RepairedSolid, places_in_reasons_have_the_digits_to_find_them) {
+  const auto made = solid_from_soup(shifted(wall_at(0, 0, 0, 1, 1), {4512345, 5798765, 123}));
+  EXPECT_EQ(made->reason, "the triangles are an open patch (near (4512345 5798765 123))");
+}
+
 // Shells in one another, as onion skins, each looking in or out.
 TEST(RepairedSolid, nested_shells_of_any_orientation_follow_the_rules_for_shells) {
   for (int pattern = 0; pattern < 32; ++pattern) {

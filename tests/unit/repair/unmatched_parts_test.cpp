@@ -1,5 +1,10 @@
 #include "algebra3d/kernel/repair/detail/unmatched_parts.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
 #include "algebra3d/kernel/repair/detail/inside_test.h"
 #include "unit/repair/repaired.h"
 
@@ -72,6 +77,45 @@ TEST(InsideTest, tells_cavities_from_bodies) {
   EXPECT_TRUE(test.is_inside({0.5, 0.5, 0.5}));
   EXPECT_FALSE(test.is_inside({2, 2, 2}));
   EXPECT_FALSE(test.is_inside({5, 2, 2}));
+}
+
+/// A chain of cubes along an axis, one behind the other, each with a cavity.
+TriangleSoup chain_along(std::size_t axis) {
+  TriangleSoup chain;
+  for (int i = 0; i < 40; ++i) {
+    Vec3 shift;
+    shift[axis] = 4 * i;
+    chain = joined(std::move(chain), shifted(joined(cube_soup(0, 3), turned(cube_soup(1, 2))), shift));
+  }
+  return chain;
+}
+
+// Whatever the axis along which the rays of many points go.
+TEST(InsideTest, answers_many_points_as_geometry_does) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    SCOPED_TRACE("axis " + std::to_string(axis));
+    const TriangleMesh solid = mesh_of(chain_along(axis));
+    Chance chance(axis + 1);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 3000; ++i) {
+      Vec3 point{3.5 * chance.unit(), 3.5 * chance.unit(), 3.5 * chance.unit()};
+      point[axis] = 165 * chance.unit();
+      // On edges and diagonals of other cubes as seen along any axis.
+      if (chance.one_in(3)) point[(axis + 1) % 3] = point[(axis + 2) % 3];
+      if (chance.one_in(5)) point[(axis + 1) % 3] = 1.5;
+      points.push_back(point);
+    }
+    const auto are_inside = InsideTest(solid).are_inside(points, {});
+    ASSERT_TRUE(are_inside.ok());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      Vec3 here = points[i];
+      here[axis] = std::fmod(here[axis], 4);
+      const auto [least, most] = std::minmax({here.x, here.y, here.z});
+      const bool is_in_cube = points[i][axis] < 160 && least > 0 && most < 3;
+      const bool is_in_cavity = least > 1 && most < 2;
+      EXPECT_EQ((*are_inside)[i], is_in_cube && !is_in_cavity) << "point " << i;
+    }
+  }
 }
 
 }  // namespace

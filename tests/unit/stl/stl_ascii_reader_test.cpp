@@ -208,7 +208,7 @@ std::vector<Refused> wrong_words() {
        "byte 110, line 7: facet 1 has more than 3 corners; expected 'endloop', found 'vertex'"},
       {with("vertex 1 0 0", "vertex 1 0"), "byte 89, line 6: expected a number, found 'vertex'"},
       {with("vertex 1 0 0", "vertex 1 0 0 0"), "byte 85, line 5: expected 'vertex', found '0'"},
-      {with("vertex 1 0 0", "vertex 1 0,5 0"), "byte 81, line 5: expected a number, found '0,5'"},
+      {with("vertex 1 0 0", "vertex 1 0,5 0"), "byte 81, line 5: expected a number, found '0,5' with a decimal comma"},
       {with("vertex 1 0 0", "vertex 1 0x1 0"), "byte 81, line 5: expected a number, found '0x1'"},
       {with("vertex 1 0 0", "vertex 1 --1 0"), "byte 81, line 5: expected a number, found '--1'"},
       {with("vertex 1 0 0", "vertex 1 +-1 0"), "byte 81, line 5: expected a number, found '+-1'"},
@@ -297,11 +297,12 @@ TEST(StlAsciiReader, what_is_wrong_is_found_in_later_facets_too) {
   const auto wrong = [](std::string_view what, std::string_view by) {
     return "solid a\n" + kAsciiFacet + kAsciiFacet + replaced(kAsciiFacet, what, by) + kAsciiFacet + "endsolid a\n";
   };
-  for (const auto& [what, by, message] : {std::array{"endfacet", "endfacets", "expected 'endfacet', found 'endfacets'"},
-                                          std::array{"vertex 1", "vertex1", "expected 'vertex', found 'vertex1'"},
-                                          std::array{"1 0 0", "1 0 0 0", "expected 'vertex', found '0'"},
-                                          std::array{"1 0 0", "1 0,5 0", "expected a number, found '0,5'"},
-                                          std::array{"1 0 0", "1 1e999 0", "y is '1e999'; expected a number within"}}) {
+  for (const auto& [what, by, message] :
+       {std::array{"endfacet", "endfacets", "expected 'endfacet', found 'endfacets'"},
+        std::array{"vertex 1", "vertex1", "expected 'vertex', found 'vertex1'"},
+        std::array{"1 0 0", "1 0 0 0", "expected 'vertex', found '0'"},
+        std::array{"1 0 0", "1 0,5 0", "expected a number, found '0,5' with a decimal comma"},
+        std::array{"1 0 0", "1 1e999 0", "y is '1e999'; expected a number within"}}) {
     const auto read = read_stl(wrong(what, by), "a.stl");
     ASSERT_FALSE(read) << message;
     EXPECT_NE(read.error().text().find(message), std::string::npos) << read.error().text();

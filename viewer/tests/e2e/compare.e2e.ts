@@ -30,10 +30,16 @@ test("two meshes stand side by side with their statistics", async () => {
   expect(left.colors()).toBeGreaterThan(10);
   expect(right.colors()).toBeGreaterThan(10);
   for (const picture of [left, right]) expect(touchesSides(picture)).toBe(false);
-  // On a small page the rows of operations leave the scenes their room.
+});
+
+test("on a small page the rows of operations leave the scenes their room", async () => {
+  await load("left", "Cube");
+  await load("right", "Ball");
+  const usual = page.viewportSize()!;
   await page.setViewportSize({ width: 1280, height: 720 });
   for (const name of ["left", "right"] as const)
     await expect.poll(async () => (await boxOf(page, sceneOf(name))).height).toBeGreaterThan(300);
+  await page.setViewportSize(usual);
 });
 
 test.each([

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <tuple>
 #include <utility>
 
+#include "algebra3d/base/strong_id.h"
 #include "algebra3d/kernel/arrangement/detail/bucket_sort.h"
 #include "algebra3d/kernel/arrangement/detail/numbers_by_bucket.h"
 #include "algebra3d/kernel/arrangement/detail/task_sizes.h"
@@ -48,6 +50,16 @@ class EndsOfNodes {
 /// Edge ends at one node. The edges of all regions that lead from there to one other node are an *arm*.
 using EdgeEnds = std::span<const EdgeEnd>;
 
+using ArmId = StrongId<struct ArmTag>;
+
+/// An edge end at the node at hand, and its arm; none if that is left out.
+struct EndOfArm {
+  EdgeEnd end;
+  ArmId arm;
+
+  RegionKey region() const { return end.region; }
+};
+
 class PseudoNodeFinder {
  public:
   PseudoNodeFinder(const Subdivision& subdivision, const PatchCorners& patch_corners)
@@ -62,14 +74,17 @@ class PseudoNodeFinder {
   void find_at_node(EdgeEnds ends);
   void find_arms(EdgeEnds ends);
   bool is_straight(NodeId before, NodeId node, NodeId after) const;
-  bool continue_each_other(EdgeEnds one, EdgeEnds other, EdgeEnds all) const;
-  bool is_half_disc(const EdgeEnd& end, NodeId opposite, EdgeEnds all) const;
+  std::span<const EndOfArm> ends_of(RegionKey region) const;
+  bool continue_each_other(ArmId one, ArmId other) const;
+  bool is_half_disc(const EdgeEnd& end, NodeId opposite) const;
   void add_along(std::span<const NodeId> nodes, PlaneId plane, bool is_forward);
 
   const Subdivision& subdivision_;
   const PatchCorners& patch_corners_;
   std::vector<PseudoNode> found_;
-  std::vector<EdgeEnds> arms_;  // at the node at hand; a member, so that its memory is used again
+  // At the node at hand; members, so that their memory is used again.
+  std::vector<EdgeEnds> arms_;
+  std::vector<EndOfArm> by_region_;  // all ends: at the tip of a cone there are many, few of each region
 };
 
 /// The order of the ends at one node.
@@ -103,22 +118,32 @@ std::vector<PseudoNode> PseudoNodeFinder::found_at_nodes(const EndsOfNodes& ends
 void PseudoNodeFinder::find_arms(EdgeEnds ends) {
   const bool is_corner = patch_corners_.is_corner(ends[0].node);
   arms_.clear();
+  by_region_.clear();
   for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
     while (last < ends.size() && ends[last].other == ends[first].other) ++last;
     const SpaceEdge line = SpaceEdge::of(ends[first].node, ends[first].other);
-    if (!is_corner || !subdivision_.uncut_edges.space_edges.contains(line))
-      arms_.push_back(ends.subspan(first, last - first));
+    const bool is_arm = !is_corner || !subdivision_.uncut_edges.space_edges.contains(line);
+    const ArmId arm = is_arm ? ArmId(arms_.size()) : ArmId();
+    if (is_arm) arms_.push_back(ends.subspan(first, last - first));
+    for (const EdgeEnd& end : ends.subspan(first, last - first)) by_region_.push_back({end, arm});
   }
+  std::ranges::sort(by_region_, {},
+                    [](const EndOfArm& e) { return std::tuple(e.region(), e.end.other, e.end.is_outgoing); });
+}
+
+std::span<const EndOfArm> PseudoNodeFinder::ends_of(RegionKey region) const {
+  return equal_span(std::span<const EndOfArm>(by_region_), region, &EndOfArm::region);
 }
 
 void PseudoNodeFinder::find_at_node(EdgeEnds ends) {
   find_arms(ends);
   for (std::size_t i = 0; i < arms_.size(); ++i)
-    for (std::size_t j = i + 1; j < arms_.size(); ++j) {
-      const NodeId from = arms_[i][0].other, to = arms_[j][0].other;
-      if (!continue_each_other(arms_[i], arms_[j], ends) || !is_straight(from, ends[0].node, to)) continue;
-      for (const EdgeEnd& end : arms_[i])
-        found_.push_back({end.node, end.region, end.is_outgoing ? to : from, end.is_outgoing ? from : to});
+    for (const auto& [end, arm] : ends_of(arms_[i][0].region)) {
+      if (arm.is_none() || arm <= ArmId(i) || end.is_outgoing == arms_[i][0].is_outgoing) continue;
+      const NodeId from = arms_[i][0].other, to = end.other;
+      if (!continue_each_other(ArmId(i), arm) || !is_straight(from, end.node, to)) continue;
+      for (const EdgeEnd& e : arms_[i])
+        found_.push_back({e.node, e.region, e.is_outgoing ? to : from, e.is_outgoing ? from : to});
     }
 }
 
@@ -131,21 +156,26 @@ bool PseudoNodeFinder::is_straight(NodeId before, NodeId node, NodeId after) con
 /// True if the boundaries of all regions that come along one arm leave along the other, and each region is half a disc
 /// at the node, on its side of the line: then none of them needs the node as a corner. Anything else there, also of the
 /// same regions, touches the straight edge in a point.
-bool PseudoNodeFinder::continue_each_other(EdgeEnds one, EdgeEnds other, EdgeEnds all) const {
-  if (one.size() != other.size()) return false;
-  return std::ranges::all_of(one, [&](const EdgeEnd& end) {
-    const auto continues = [&](const EdgeEnd& e) { return e.region == end.region && e.is_outgoing != end.is_outgoing; };
-    return std::ranges::count_if(other, continues) == 1 && is_half_disc(end, other[0].other, all);
-  });
+bool PseudoNodeFinder::continue_each_other(ArmId one, ArmId other) const {
+  const EdgeEnds first = arms_[one.index()], second = arms_[other.index()];
+  if (first.size() != second.size()) return false;
+  const auto continues = [&](const EdgeEnd& end) {
+    return std::ranges::count_if(ends_of(end.region), [&](const EndOfArm& e) {
+             return e.arm == other && e.end.is_outgoing != end.is_outgoing;
+           }) == 1;
+  };
+  return std::ranges::all_of(first, continues) &&
+         std::ranges::all_of(first, [&](const EdgeEnd& end) { return is_half_disc(end, second[0].other); });
 }
 
 /// `opposite` is the other end of the second arm. True if no other boundary edge of the region ends at the node on the
 /// side of the line where the region lies along the edge.
-bool PseudoNodeFinder::is_half_disc(const EdgeEnd& end, NodeId opposite, EdgeEnds all) const {
+bool PseudoNodeFinder::is_half_disc(const EdgeEnd& end, NodeId opposite) const {
   const NodePool& nodes = subdivision_.complex.nodes;
   const Projection projection = subdivision_.facets.planes[end.region.plane()].projection;
-  return std::ranges::none_of(all, [&](const EdgeEnd& e) {
-    if (e.region != end.region || e.other == end.other || e.other == opposite) return false;
+  return std::ranges::none_of(ends_of(end.region), [&](const EndOfArm& of_region) {
+    const EdgeEnd& e = of_region.end;
+    if (e.other == end.other || e.other == opposite) return false;
     const int turn = orient2d(projection, nodes[end.node], nodes[end.other], nodes[e.other]);
     return (turn > 0) == end.is_outgoing;
   });

@@ -25,6 +25,8 @@ constexpr std::size_t kManyCandidates = 64;
 constexpr std::size_t kMaxParts = 1 << 14;
 /// So many parts of a face that are left when the steps for the part that they are of are used up are visited anew.
 constexpr std::size_t kMaxRenewed = 64;
+/// Parts that were divided less often are divided at a face that is near enough, without a search for the nearest.
+constexpr std::uint32_t kDepthAmongNeedles = 8;
 /// Parts are not divided more often, which halves two of their sides as often as there are digits, and more.
 template <typename Number>
 constexpr std::uint32_t kMaxDepth = sizeof(Number) > sizeof(double) ? 192 : 96;
@@ -151,7 +153,8 @@ bool FaceBounds<Vector>::is_clearly_nearer(Number distance, const Farthest& boun
 }
 
 template <typename Vector>
-auto FaceBounds<Vector>::nearest(const Vector& point, FaceId near) -> Near {
+template <typename IsEnough>
+auto FaceBounds<Vector>::nearest(const Vector& point, FaceId near, IsEnough is_enough) -> Near {
   Near best{near, distance(point, target(near))};
   const auto reach = [&] { return unscaled(best.distance + kOfDistance<Number>); };
   const Vec3 place = unscaled(point);
@@ -159,8 +162,9 @@ auto FaceBounds<Vector>::nearest(const Vector& point, FaceId near) -> Near {
   to_.hierarchy->for_each_near(Box3::of(place), reach(), gaps, [&](std::uint32_t face) {
     ++work_;
     const Number own = distance(point, target(FaceId(face)));
-    if (own < best.distance) best = {FaceId(face), own};
-    return reach();
+    if (own >= best.distance) return reach();
+    best = {FaceId(face), own};
+    return is_enough(best.face) ? -1 : reach();
   });
   return best;
 }
@@ -185,6 +189,17 @@ auto FaceBounds<Vector>::walk(const Vector& point, FaceId from) const -> Near {
     }
   }
   return best;
+}
+
+/// The one of the hint and the faces found before that is nearest to a point.
+template <typename Vector>
+FaceId FaceBounds<Vector>::near_of_recent(const Vector& point) const {
+  Near best{hint_, distance(point, target(hint_))};
+  for (const FaceId recent : recent_) {
+    if (recent.is_none()) break;
+    if (const Number own = distance(point, target(recent)); own < best.distance) best = {recent, own};
+  }
+  return best.face;
 }
 
 template <typename Vector>
@@ -307,12 +322,21 @@ void FaceBounds<Vector>::visit(const Part& part) {
   const Vector centre = part.centre();
   Number radius = 0;
   for (std::uint32_t i = 0; i < part.size; ++i) radius = std::max(radius, size_of(part.corners[i] - centre));
-  Near near = walk(centre, hint_);
+  Near near = walk(centre, near_of_recent(centre));
   Farthest bound = farthest(part, target(near.face));
   const auto is_bounded = [&] { return bound.upper <= irrelevant() || lies_over_facet(part, near.face); };
   if (is_bounded()) return;
-  near = nearest(centre, near.face);
-  bound = farthest(part, target(near.face));
+  // Among needles a long part has many candidates, and what is nearest to its centre rarely does for all of it.
+  if (boxes_ != nullptr && near.distance <= irrelevant() && part.depth < kDepthAmongNeedles) {
+    hint_ = near.face;
+    divide(part, target(near.face), waiting_, [&](const Farthest& own) { return clearly_nearer_of_all(own); });
+    return;
+  }
+  near = nearest(centre, near.face, [&](FaceId face) {
+    bound = farthest(part, target(face));
+    return bound.upper <= irrelevant();
+  });
+  recent_[recent_count_++ % recent_.size()] = near.face;
   if (is_bounded()) return;
   const bool has_few =
       gather(part, std::min(bound.upper, (near.distance + radius + kOfDistance<Number>)*kGrown<Number>));
@@ -404,7 +428,8 @@ auto FaceBounds<Vector>::clearly_nearer(const Farthest& bound) const -> std::opt
 /// The triangle of the whole set that is nearest to the farthest corner, if it shows that the bound is not tight.
 template <typename Vector>
 auto FaceBounds<Vector>::clearly_nearer_of_all(const Farthest& bound) -> std::optional<Target> {
-  const Near near = nearest(bound.where, walk(bound.where, hint_).face);
+  const Near near =
+      nearest(bound.where, walk(bound.where, near_of_recent(bound.where)).face, [](FaceId) { return false; });
   return is_clearly_nearer(near.distance, bound) ? std::optional(target(near.face)) : std::nullopt;
 }
 

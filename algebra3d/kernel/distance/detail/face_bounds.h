@@ -83,7 +83,9 @@ class FaceBounds {
   static Number distance(const Vector& point, const Target& target);
   static Farthest farthest(const Part& part, const Target& target);
   Near walk(const Vector& point, FaceId from) const;
-  Near nearest(const Vector& point, FaceId near);
+  template <typename IsEnough>
+  Near nearest(const Vector& point, FaceId near, IsEnough is_enough);
+  FaceId near_of_recent(const Vector& point) const;
   Number irrelevant() const { return best_.upper > enough_ ? best_.upper : enough_; }
   void take(const Farthest& farthest, FaceId near);
   bool gather(const Part& part, Number reach);
@@ -110,6 +112,8 @@ class FaceBounds {
   Vector normal_;  // of the face; of any length, rounded
   Farthest best_{};
   FaceId best_near_, hint_;
+  std::array<FaceId, 8> recent_;  // near parts before, of this face and others
+  std::size_t recent_count_ = 0;
   std::size_t work_ = 0;  // comparisons for the face
   std::size_t comparison_count_ = 0, renewed_count_ = 0;
   std::vector<Part> waiting_, uncovered_;

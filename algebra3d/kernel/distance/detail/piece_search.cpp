@@ -54,30 +54,64 @@ void PieceSearch::take_sharpened(SampleId id, double rounding) {
   take_sample(id, rounding);
 }
 
-Status PieceSearch::measure_vertices(const Monitor& monitor) {
+/// Measures the vertices that are taken. What one task finds does not serve another: results do not depend on threads.
+template <typename IsTaken>
+Status PieceSearch::measure(IsTaken is_taken, const Monitor& monitor) {
   constexpr std::size_t kTask = 256;
   const std::size_t count = from_.vertex_count();
-  std::vector<SampledSet::Sample> samples(count);
   const Stage stage(monitor, "measuring distances", count);
+  const auto for_each = [&](std::size_t begin, std::size_t end, auto visit) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (is_taken(i) && !from_.is_isolated(VertexId(i)) && !visit(SampleId(i))) return;
+  };
   parallel_for((count + kTask - 1) / kTask, 1, [&](std::size_t task) {
     Stage own(stage);
-    FaceId near(0);  // consecutive vertices are mostly near each other
-    for (std::size_t i = task * kTask; i < std::min((task + 1) * kTask, count) && own.begin_step(); ++i) {
-      if (from_.is_isolated(VertexId(i))) continue;
-      samples[i] = set_.measured(from_.points().point(i), near);
-      near = samples[i].nearest;
-    }
+    std::array<FaceId, 4> near{FaceId(0), {}, {}, {}};  // those before: vertices are mostly near each other
+    std::size_t measured = 0;
+    for_each(task * kTask, std::min((task + 1) * kTask, count), [&](SampleId id) {
+      if (!own.begin_step()) return false;
+      set_.set(id, set_.measured(from_.points().point(id.index()), near, lower_));
+      near[measured++ % near.size()] = set_[id].nearest;
+      return true;
+    });
   });
   A3D_TRY(monitor.check());
   SampleId largest;
-  for (std::size_t i = 0; i < count; ++i) {
-    const SampleId id = set_.add(std::move(samples[i]));
-    if (from_.is_isolated(VertexId(i))) continue;
+  for_each(0, count, [&](SampleId id) {
     take_sample(id, 0);
     if (largest.is_none() || set_[id].upper > set_[largest].upper) largest = id;
-  }
+    return true;
+  });
   if (!largest.is_none()) take_sharpened(largest, 0);
   return {};
+}
+
+/// The step between indices of which at most kFirstSamples are taken.
+std::size_t PieceSearch::first_step(std::size_t count) {
+  return count / kFirstSamples + 1;
+}
+
+Status PieceSearch::measure_some(const Monitor& monitor) {
+  set_.resize(from_.vertex_count());
+  const std::size_t vertex_step = first_step(from_.vertex_count()), face_step = first_step(from_.face_count());
+  A3D_TRY(measure([&](std::size_t i) { return i % vertex_step == 0; }, monitor));
+  const std::vector<Vec3>& points = from_.points().approx();
+  FaceId near(0);
+  for (std::size_t f = 0; f < from_.face_count(); f += face_step) {
+    A3D_TRY(monitor.check());
+    const auto [a, b, c] = from_.triangle(FaceId(f));
+    near = set_[new_sample(between(between(points[a], points[b], 0.5), points[c], 1.0 / 3), near)].nearest;
+  }
+  work_ = 0;
+  // So that vertices that are as far replace these samples.
+  lower_ = std::max(0.0, lower_ * (1 - kRelative / 16) - tolerance_ / 2);
+  return {};
+}
+
+Status PieceSearch::measure_vertices(double at_least, const Monitor& monitor) {
+  lower_ = std::max(lower_, at_least);
+  const std::size_t step = first_step(from_.vertex_count());
+  return measure([step](std::size_t i) { return i % step != 0; }, monitor);
 }
 
 /// Bounds faces that are not bounded yet, or whose bounds are to be lowered; `max_work` as of FaceBounds.
@@ -105,37 +139,41 @@ std::vector<std::uint32_t> PieceSearch::unsettled_faces() const {
   return faces;
 }
 
-Status PieceSearch::bound_faces(double at_least, const Monitor& monitor) {
+Status PieceSearch::begin_bounds(double at_least, const Monitor& monitor) {
   lower_ = std::max(lower_, at_least);
   face_bounds_.assign(from_.face_count(), {kInfinity, {}, {}});
   facets_.emplace(*to_.mesh, half_scale_for(box_));
   bound<Vec3>(unsettled_faces(), 0, monitor);
-  A3D_TRY(bound_by_rounds(monitor));
-  return do_nearly_coincide() ? bound_near_faces(monitor) : Status();
+  A3D_TRY(monitor.check());
+  left_ = unsettled_faces();
+  return {};
 }
 
-/// Faces in rounds: first the few that seem to be farthest, then more each time, since the samples of a round settle
-/// many faces of the next.
-Status PieceSearch::bound_by_rounds(const Monitor& monitor) {
+Status PieceSearch::bound_round(double at_least, const Monitor& monitor) {
   constexpr std::size_t kWorkOfFirstBound = 1 << 13, kUnlimited = static_cast<std::size_t>(-1), kGrowth = 8;
-  std::vector<std::uint32_t> left = unsettled_faces();
-  for (std::size_t count = kProbedFaces; !left.empty(); count *= kGrowth) {
-    count = std::min(count, left.size());
-    move_farthest_to_front(left, count);
-    const std::span<std::uint32_t> round(left.data(), count);
-    std::ranges::sort(round);  // those of a task are mostly near each other
-    bound<Vec3>(round, do_nearly_coincide() ? kWorkOfFirstBound : kUnlimited, monitor);
-    A3D_TRY(monitor.check());
-    probe(round);
-    left.erase(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(count));
-    std::erase_if(left, [&](std::uint32_t face) { return is_settled(face_bounds_[face].upper); });
-  }
+  lower_ = std::max(lower_, at_least);
+  const auto drop_settled = [&] {
+    std::erase_if(left_, [&](std::uint32_t face) { return is_settled(face_bounds_[face].upper); });
+  };
+  drop_settled();
+  const std::size_t count = std::min(round_size_, left_.size());
+  round_size_ *= kGrowth;
+  move_farthest_to_front(left_, count);
+  const std::span<std::uint32_t> round(left_.data(), count);
+  std::ranges::sort(round);  // those of a task are mostly near each other
+  bound<Vec3>(round, do_nearly_coincide() ? kWorkOfFirstBound : kUnlimited, monitor);
+  A3D_TRY(monitor.check());
+  probe(round);
+  left_.erase(left_.begin(), left_.begin() + static_cast<std::ptrdiff_t>(count));
+  drop_settled();
   return {};
 }
 
 /// The work is limited by the number of all faces: it is spent on those that are not settled, which mostly are few.
-Status PieceSearch::bound_near_faces(const Monitor& monitor) {
+Status PieceSearch::bound_near_faces(double at_least, const Monitor& monitor) {
   constexpr std::size_t kLeastWork = 512;
+  lower_ = std::max(lower_, at_least);
+  if (!do_nearly_coincide()) return {};
   std::vector<std::uint32_t> faces = unsettled_faces();
   bound<WideVec3>(faces, std::max(kLeastWork, near_work() / std::max<std::size_t>(1, faces.size())), monitor);
   A3D_TRY(monitor.check());
@@ -240,7 +278,7 @@ double PieceSearch::share_near(const Vec3& near_first, const Vec3& near_second, 
 }
 
 SampleId PieceSearch::new_sample(const Vec3& point, FaceId near) {
-  const SampleId id = set_.add(set_.measured(ExactPoint(point), near));
+  const SampleId id = set_.add(set_.measured(ExactPoint(point), std::span(&near, 1)));
   work_ += set_[id].work;
   take_sharpened(id, rounding_);
   return id;

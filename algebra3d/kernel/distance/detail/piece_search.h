@@ -29,12 +29,23 @@ class PieceSearch {
         rounding_(kRoundings * largest_coordinate(box) + kLeast),
         tolerance_(kTolerance * largest_coordinate(box) + 4 * kLeast) {}
 
-  /// Measures all vertices.
-  Status measure_vertices(const Monitor& monitor);
-  /// Bounds the distance of each face, unless it is clearly not farther than `at_least` and the best sample; where sets
-  /// nearly coincide, once more in long doubles if that did not settle it, and with all others by a covering. Takes
-  /// samples of the faces with the largest bounds, where these were found.
-  Status bound_faces(double at_least, const Monitor& monitor);
+  // The steps, in this order. What several searches need for their farthest point is less if each step of all is done
+  // before the next one, and gets the largest lower bound of all as `at_least`.
+
+  /// Measures some vertices and points inside of faces.
+  Status measure_some(const Monitor& monitor);
+  /// Measures the others, as far as they can be farther than `at_least` and the best sample.
+  Status measure_vertices(double at_least, const Monitor& monitor);
+  /// Bounds the distance of each face roughly.
+  Status begin_bounds(double at_least, const Monitor& monitor);
+  /// False if no face is left for another round.
+  bool has_round() const { return !left_.empty(); }
+  /// Bounds those left that seem to be farthest, few in the first round and more in each one after it: what is found in
+  /// a round settles many of the next. Takes samples where the largest bounds were found.
+  Status bound_round(double at_least, const Monitor& monitor);
+  /// Where sets nearly coincide, bounds what is not settled once more in long doubles, and then all that is left by a
+  /// covering.
+  Status bound_near_faces(double at_least, const Monitor& monitor);
   /// Divides pieces until none can have a point that is clearly farther than `at_least` and the best sample, or until
   /// there are too many.
   Status refine(double at_least, const Monitor& monitor);
@@ -58,7 +69,9 @@ class PieceSearch {
   static constexpr std::size_t kWorkOfNear = std::size_t{1} << 18U, kWorkOfNearFace = 256;
   static constexpr std::size_t kWorkOfDivision = 240;  ///< besides that of its samples
   static constexpr double kNear = 0x1p-16;
-  static constexpr std::size_t kProbedFaces = 64;
+  static constexpr std::size_t kProbedFaces = 64;  ///< in a round at most, and the faces of the first one
+  /// So many vertices and points of faces at most are measured before all others.
+  static constexpr std::size_t kFirstSamples = 256;
 
   using Corners = std::array<SampleId, 3>;
   struct Piece {
@@ -72,6 +85,9 @@ class PieceSearch {
     std::vector<SampleId> first, second;
   };
 
+  template <typename IsTaken>
+  Status measure(IsTaken is_taken, const Monitor& monitor);
+  static std::size_t first_step(std::size_t count);
   static double largest_coordinate(const Box3& box);
   bool is_better(double distance) const;
   void take_sample(SampleId id, double rounding);
@@ -86,9 +102,7 @@ class PieceSearch {
   std::vector<std::uint32_t> unsettled_faces() const;
   template <typename Vector>
   void bound(std::span<const std::uint32_t> faces, std::size_t max_work, const Monitor& monitor);
-  Status bound_near_faces(const Monitor& monitor);
   Status cover(std::span<const std::uint32_t> faces, const Monitor& monitor);
-  Status bound_by_rounds(const Monitor& monitor);
   void move_farthest_to_front(std::vector<std::uint32_t>& faces, std::size_t count) const;
   void probe(std::span<const std::uint32_t> bounded);
   void bound_by(FaceId face, const Corners& corners, double& least, FaceId& of_least) const;
@@ -112,7 +126,9 @@ class PieceSearch {
   bool is_bounded_ = true;
   std::size_t work_ = 0;  // comparisons for pieces
   std::vector<FaceBound> face_bounds_;
-  std::optional<LargeFacets> facets_;  // of `to`
+  std::vector<std::uint32_t> left_;        // faces for the rounds to come
+  std::size_t round_size_ = kProbedFaces;  // of the next one
+  std::optional<LargeFacets> facets_;      // of `to`
   std::priority_queue<Piece> pieces_;
 };
 

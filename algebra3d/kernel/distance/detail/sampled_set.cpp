@@ -15,9 +15,9 @@ OrientedGaps SampledSet::gaps_from(const PointRef& point) const {
   return {*to_.hierarchy, to_.hierarchy->oriented_boxes(*to_.mesh), point.approx};
 }
 
-SampledSet::Sample SampledSet::measured(ExactPoint point, FaceId near) const {
+SampledSet::Sample SampledSet::measured(ExactPoint point, std::span<const FaceId> near, double enough) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Sample sample{std::move(point), near, kInfinity, kInfinity, 0};
+  Sample sample{std::move(point), near.front(), kInfinity, kInfinity, 0};
   const PointRef place = sample.point;
   const auto visit = [&](FaceId other) {
     ++sample.work;
@@ -27,11 +27,14 @@ SampledSet::Sample SampledSet::measured(ExactPoint point, FaceId near) const {
       sample.upper = bounds.upper;
       sample.nearest = other;
     }
-    return sample.upper;
+    return sample.upper > enough ? sample.upper : -1;
   };
-  visit(near);
-  to_.hierarchy->for_each_near(box_of(place), sample.upper, gaps_from(place),
-                               [&](std::uint32_t other) { return visit(FaceId(other)); });
+  for (const FaceId face : near)
+    if (face.is_none() || visit(face) < 0) break;
+  if (sample.upper > enough)
+    to_.hierarchy->for_each_near(box_of(place), sample.upper, gaps_from(place),
+                                 [&](std::uint32_t other) { return visit(FaceId(other)); });
+  if (sample.upper <= enough) sample.lower = 0;
   return sample;
 }
 

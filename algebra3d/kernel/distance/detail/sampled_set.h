@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,12 +29,17 @@ class SampledSet {
     std::uint32_t work = 0;       // number of faces that it was compared with
   };
 
-  /// Measures a point; `near` is a face of the set that is probably near it. Callable by several threads.
-  Sample measured(ExactPoint point, FaceId near) const;
+  /// Measures a point; `near` are faces of the set that are probably near it, at least one; those from an invalid id on
+  /// do not count. Once a face shows that the distance is at most `enough`, the sample has that upper bound, no lower
+  /// one, and that face as nearest. Callable by several threads.
+  Sample measured(ExactPoint point, std::span<const FaceId> near, double enough = -1) const;
   SampleId add(Sample sample) {
     samples_.push_back(std::move(sample));
     return SampleId(samples_.size() - 1);
   }
+  /// The number of samples; those that are new are to be set.
+  void resize(std::size_t count) { samples_.resize(count); }
+  void set(SampleId id, Sample sample) { samples_[id.index()] = std::move(sample); }
   const Sample& operator[](SampleId id) const { return samples_[id.index()]; }
   /// Bounds of the distance of a sample from one face.
   DistanceBounds bounds(SampleId id, FaceId face) const { return bounds(samples_[id.index()].point, face); }

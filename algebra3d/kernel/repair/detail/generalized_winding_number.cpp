@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/disjoint_ids.h"
 #include "base/interruption_scope.h"
 
 namespace algebra3d {
@@ -36,8 +37,53 @@ void add_up(Edges& edges) {
 }  // namespace
 
 GeneralizedWindingNumbers::GeneralizedWindingNumbers(const IndexedSoup& soup) : soup_(soup) {
+  find_components();
   for (const FaceId triangle : soup.triangles.ids()) order_.push_back(triangle);
   if (!order_.empty()) add_part(0, order_.size());
+}
+
+/// Triangles that have a corner in common, or are connected by others, are one component.
+void GeneralizedWindingNumbers::find_components() {
+  DisjointIds<VertexId> sets(soup_.points.size());
+  for (const TriangleMesh::Triangle& t : soup_.triangles) {
+    sets.unite(VertexId(t[0]), VertexId(t[1]));
+    sets.unite(VertexId(t[0]), VertexId(t[2]));
+  }
+  IdVector<VertexId, ComponentId> known(soup_.points.size());
+  IdVector<ComponentId, Box3> boxes;
+  for (const FaceId triangle : soup_.triangles.ids()) {
+    ComponentId& component = known[sets.find(VertexId(soup_.triangles[triangle][0]))];
+    if (component.is_none()) {
+      component = boxes.next_id();
+      boxes.push_back({});
+    }
+    for (std::size_t i = 0; i < 3; ++i) boxes[component].extend(soup_.corner(triangle, i));
+    component_of_.push_back(component);
+  }
+  for (const Box3& box : boxes) middles_.push_back(0.5 * box.min + 0.5 * box.max);
+}
+
+/// Orders the triangles of a part, so that it can be cut in two at the place that is given. Components are not cut as
+/// long as there are several: closed ones have no boundary.
+std::size_t GeneralizedWindingNumbers::halve(std::span<FaceId> triangles, std::size_t axis) const {
+  const std::size_t half = triangles.size() / 2;
+  const auto at = [&](std::size_t place) { return triangles.begin() + static_cast<std::ptrdiff_t>(place); };
+  const auto of_component = [&](FaceId triangle) {
+    const ComponentId component = component_of_[triangle];
+    return std::pair(middles_[component][axis], component);
+  };
+  std::ranges::nth_element(triangles, at(half), {}, of_component);
+  const auto middle = of_component(triangles[half]);
+  const auto comes_before = [&](FaceId triangle) { return of_component(triangle) < middle; };
+  const auto comes_not_behind = [&](FaceId triangle) { return of_component(triangle) <= middle; };
+  const auto begin = static_cast<std::size_t>(std::ranges::partition(triangles, comes_before).begin() - at(0));
+  const auto end =
+      static_cast<std::size_t>(std::ranges::partition(triangles.subspan(begin), comes_not_behind).begin() - at(0));
+  if (begin > 0 && (half - begin <= end - half || end == triangles.size())) return begin;
+  if (end < triangles.size()) return end;
+  std::ranges::nth_element(triangles, at(half), {},
+                           [&](FaceId triangle) { return std::pair(soup_.middle(triangle)[axis], triangle); });
+  return half;
 }
 
 GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::boundary_of(std::span<const FaceId> triangles) const {
@@ -69,9 +115,7 @@ GeneralizedWindingNumbers::Boundary GeneralizedWindingNumbers::add_part(std::siz
   } else {
     const Vec3 extent = part.box.max - part.box.min;
     const std::size_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-    const std::size_t half = begin + (end - begin) / 2;
-    std::ranges::nth_element(triangles, triangles.begin() + static_cast<std::ptrdiff_t>(half - begin), {},
-                             [&](FaceId triangle) { return std::pair(soup_.middle(triangle)[axis], triangle); });
+    const std::size_t half = begin + halve(triangles, axis);
     const Boundary first = add_part(begin, half), second = add_part(half, end);
     std::ranges::merge(first, second, std::back_inserter(boundary), {}, ends_of, ends_of);
     add_up(boundary);

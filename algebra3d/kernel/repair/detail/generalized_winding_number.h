@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/strong_id.h"
 #include "algebra3d/base/vec3.h"
 #include "algebra3d/kernel/repair/detail/indexed_soup.h"
+#include "base/id_vector.h"
 
 namespace algebra3d {
 
@@ -42,6 +44,8 @@ class GeneralizedWindingNumbers {
     std::size_t behind = 0;                            // the first part that is not within it
   };
 
+  void find_components();
+  std::size_t halve(std::span<FaceId> triangles, std::size_t axis) const;
   Boundary add_part(std::size_t begin, std::size_t end);
   Boundary boundary_of(std::span<const FaceId> triangles) const;
   class AngleSum;
@@ -50,7 +54,11 @@ class GeneralizedWindingNumbers {
   void add_triangles(const Part& part, const Vec3& point, AngleSum& sum) const;
   void add_cone(const Part& part, const Vec3& point, AngleSum& sum) const;
 
+  using ComponentId = StrongId<struct WindingComponentTag>;
+
   const IndexedSoup& soup_;
+  IdVector<FaceId, ComponentId> component_of_;
+  IdVector<ComponentId, Vec3> middles_;  // of the boxes around components
   std::vector<FaceId> order_;
   std::vector<Part> parts_;
   Boundary boundaries_;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
+#include "algebra3d/base/box3.h"
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/base/vec3.h"
@@ -24,6 +26,12 @@ class InsideTest {
   Result<std::vector<bool>> are_inside(std::span<const Vec3> points, const Monitor& monitor) const;
 
  private:
+  Box3 ray_from(const Vec3& point, std::size_t axis) const;
+  std::size_t axis_of_rays(std::span<const Vec3> points) const;
+  bool is_inside_along(std::size_t axis, const Vec3& point) const;
+  void look_upwards(std::span<const Vec3> points, const std::vector<std::size_t>& asked,
+                    std::vector<bool>& answers) const;
+
   const TriangleMesh& solid_;
   BoxHierarchy hierarchy_;
 };

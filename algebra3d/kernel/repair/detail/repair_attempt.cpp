@@ -138,10 +138,6 @@ bool have_same_faces(const TriangleMesh& a, const TriangleMesh& b) {
   return of_a == of_b;
 }
 
-std::string near_six_digits(const Vec3& where) {
-  return fmt::format("near ({:.6g} {:.6g} {:.6g})", where.x, where.y, where.z);
-}
-
 }  // namespace
 
 bool RepairAttempt::keeps_what_is_enclosed() const {
@@ -266,7 +262,7 @@ Vec3 RepairAttempt::place_of_meeting() const {
 /// Finds why there is no solid, if there is none.
 Status RepairAttempt::note_outcome(Status made) {
   is_beyond_limit_ = !made && made.error().code == ErrorCode::limit_exceeded;
-  if (is_beyond_limit_) reason_ = made.error().message;
+  if (is_beyond_limit_) reason_ = made.error().message + " (option work)";
   if (!made) return is_beyond_limit_ ? Status() : made;
   const bool lacks_what_is_open = has(RepairStep::open_holes) && lost_.is_any;
   const bool is_nothing = solid_.is_empty() && (!soup_.soup().triangles.empty() || !soup_.sheets().empty());
@@ -277,11 +273,11 @@ Status RepairAttempt::note_outcome(Status made) {
 std::string RepairAttempt::reason_for_nothing() const {
   if (const RepairEntry* open = soup_.report().find(RepairStep::open_holes))
     return fmt::format("{} {} left open ({})", open->count, open->count == 1 ? "hole was" : "holes were",
-                       near_six_digits(open->where));
+                       near_text(open->where, soup_.report().size));
   if (const RepairEntry* patches = soup_.report().find(RepairStep::open_patches))
     return fmt::format("{} ({})",
                        patches->count == 1 ? "the triangles are an open patch" : "the triangles are open patches",
-                       near_six_digits(patches->where));
+                       near_text(patches->where, soup_.report().size));
   return "the triangles enclose no volume";
 }
 
@@ -414,12 +410,18 @@ Status RepairAttempt::filter() {
   return measure();
 }
 
-/// Reports holes that are closed in the solid, and triangles inside it.
-void RepairAttempt::complete_report() {
+/// Reports holes that are closed in the solid, and triangles inside it that no earlier step has counted.
+Status RepairAttempt::complete_report() {
   RepairReport& report = soup_.report();
   report.drop_missing_covers(are_covers_there_);
-  if (const SurfaceAmount& inside = report.amounts->inside; inside.triangle_count > 0)
-    report.add(RepairStep::inner_triangles, inside.where, 0, inside.triangle_count);
+  const SurfaceAmount& inside = report.amounts->inside;
+  if (inside.triangle_count == 0) return {};
+  A3D_ASSIGN(const std::vector<bool> are_inside,
+             InsideTest(solid_).are_inside(soup_.dropped_middles(), monitor_.silent()));
+  const auto counted = static_cast<std::uint64_t>(std::ranges::count(are_inside, true));
+  if (inside.triangle_count > counted)
+    report.add(RepairStep::inner_triangles, inside.where, 0, inside.triangle_count - counted);
+  return {};
 }
 
 Result<bool> RepairAttempt::is_proved(const FaceSet& known) const {
@@ -433,7 +435,7 @@ Result<RepairedSolid> RepairAttempt::finish() && {
   if (const auto reason = reason_for_limit()) return nothing(*reason);
   A3D_TRY(report_division());
   A3D_TRY(filter());
-  complete_report();
+  A3D_TRY(complete_report());
   const FaceMatches recognised = given_->recognise(solid_);
   A3D_ASSIGN(const bool is_valid, is_proved(recognised_faces(recognised)));
   if (!is_valid) return nothing("the repair gave no valid solid");

@@ -95,7 +95,7 @@ class RepairAttempt {
   std::vector<bool> are_flipped_so_far(const std::vector<FaceId>& triangles) const;
   std::vector<FaceId> triangles_of_file() const;
   Status filter();
-  void complete_report();
+  Status complete_report();
   Result<bool> is_proved(const FaceSet& known) const;
 
   const KnownTriangles* given_;

@@ -56,8 +56,27 @@ double SoupRepair::largest_hole() const {
 
 void SoupRepair::drop_defective(const ValidityReport& found) {
   if (found.count(Defect::degenerate_triangle) > 0) drop_degenerate_triangles(soup_, report_);
-  if (found.count(Defect::duplicate_triangle) > 0) drop_duplicates();
+  if (found.count(Defect::duplicate_triangle) > 0) {
+    const auto before = soup_.triangles;
+    drop_duplicates();
+    note_dropped(before);
+  }
   without_defective_ = soup_.mesh();
+}
+
+/// Remembers the triangles that are there no longer, and none with the same corners.
+void SoupRepair::note_dropped(const IdVector<FaceId, TriangleMesh::Triangle>& before) {
+  if (soup_.triangles.size() == before.size()) return;
+  const auto in_order = [](TriangleMesh::Triangle corners) {
+    std::ranges::sort(corners);
+    return corners;
+  };
+  std::vector<TriangleMesh::Triangle> rest;
+  for (const TriangleMesh::Triangle& triangle : soup_.triangles) rest.push_back(in_order(triangle));
+  std::ranges::sort(rest);
+  for (const TriangleMesh::Triangle& t : before)
+    if (!std::ranges::binary_search(rest, in_order(t)))
+      dropped_middles_.push_back((1.0 / 3) * (soup_.points[t[0]] + soup_.points[t[1]] + soup_.points[t[2]]));
 }
 
 void SoupRepair::drop_duplicates() {
@@ -123,7 +142,11 @@ Status SoupRepair::orient() {
   if (may_have_one_side && strategy_.closes_holes) A3D_TRY(drop_one_sided_patches());
   if (!strategy_.drops_open_patches) return {};
   if (has_boundary(mesh())) drop_misconnected_triangles(soup_, report_);
-  if (has_boundary(mesh()) && mesh().nonmanifold_edge_count() > 0) drop_dangling_sheets(soup_, report_);
+  if (has_boundary(mesh()) && mesh().nonmanifold_edge_count() > 0) {
+    const auto before = soup_.triangles;
+    drop_dangling_sheets(soup_, report_);
+    note_dropped(before);
+  }
   return {};
 }
 

@@ -44,6 +44,8 @@ class SoupRepair {
   const RepairReport& report() const { return report_; }
   /// The triangles of open patches that are thin or have one side (thin_patches.h, one_sided_patches.h).
   const std::vector<Triangle3>& sheets() const { return sheets_; }
+  /// The middles of triangles that the report counts as dangling sheets, or as duplicates of which none is left.
+  const std::vector<Vec3>& dropped_middles() const { return dropped_middles_; }
   bool has_covered_nonmanifold_loops() const { return has_covered_nonmanifold_loops_; }
   const RepairStrategy& strategy() const { return strategy_; }
 
@@ -51,6 +53,7 @@ class SoupRepair {
   double largest_hole() const;
   Status drop_one_sided_patches();
   void drop_duplicates();
+  void note_dropped(const IdVector<FaceId, TriangleMesh::Triangle>& before);
   void drop_what_became_defective();
   Result<bool> close_holes_once();
 
@@ -61,6 +64,7 @@ class SoupRepair {
   RepairReport report_;
   std::shared_ptr<const TriangleMesh> without_defective_;  // the mesh after `drop_defective`
   std::vector<Triangle3> sheets_;
+  std::vector<Vec3> dropped_middles_;
   bool has_covered_nonmanifold_loops_ = false;
 };
 

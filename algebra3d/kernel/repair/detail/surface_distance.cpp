@@ -18,6 +18,21 @@ std::array<Triangle3, 4> quarters(const Triangle3& t) {
   return {{{t[0], ab, ca}, {ab, t[1], bc}, {ca, bc, t[2]}, {ab, bc, ca}}};
 }
 
+/// The largest distance of a point of a triangle from another one. Distances from one triangle are convex, so it is
+/// that of a corner.
+double farthest_corner(const Triangle3& triangle, const Triangle3& other) {
+  double result = 0;
+  for (const Vec3& corner : triangle) result = std::max(result, distance(corner, other));
+  return result;
+}
+
+/// No point of a triangle is farther from its middle than a corner.
+double radius_about(const Vec3& middle, const Triangle3& triangle) {
+  double result = 0;
+  for (const Vec3& corner : triangle) result = std::max(result, length(corner - middle));
+  return result;
+}
+
 /// A triangle of which some point may be that far away.
 struct Open {
   double at_most;
@@ -51,15 +66,26 @@ FarthestBounds SurfaceDistance::bounds(const Triangle3& triangle) const {
   const Nearest from_middle = nearest(middle);
   FarthestBounds result{from_middle.distance, std::numeric_limits<double>::infinity(), middle};
   if (is_empty()) return result;
-  // The distance from one triangle is convex, so that it is largest in a corner; no point is farther from the middle
-  // than a corner.
-  double from_one = 0, radius = 0;
-  for (const Vec3& corner : triangle) {
-    from_one = std::max(from_one, distance(corner, triangles_[from_middle.triangle]));
-    radius = std::max(radius, length(corner - middle));
-  }
-  result.at_most = std::min(from_one, from_middle.distance + radius);
+  result.at_most = std::min(farthest_corner(triangle, triangles_[from_middle.triangle]),
+                            from_middle.distance + radius_about(middle, triangle));
   return result;
+}
+
+/// What one search in the window around the middle says of whether all of a triangle is near. The window is wider than
+/// the distance, since its sides are rounded.
+SurfaceDistance::Nearness SurfaceDistance::nearness(const Triangle3& triangle, double distance) const {
+  const Vec3 middle = middle_of(triangle);
+  const double margin = 2 * distance;
+  const Vec3 around{margin, margin, margin};
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t number : tree_.window(Box3{middle - around, middle + around})) {
+    const double away = algebra3d::distance(middle, triangles_[number]);
+    if (away > distance) continue;
+    if (farthest_corner(triangle, triangles_[number]) <= distance) return Nearness::near;
+    nearest = std::min(nearest, away);
+  }
+  if (!(nearest <= distance)) return Nearness::far;
+  return nearest + radius_about(middle, triangle) <= distance ? Nearness::near : Nearness::unknown;
 }
 
 bool SurfaceDistance::is_near(const Triangle3& triangle, double distance) const {
@@ -69,9 +95,9 @@ bool SurfaceDistance::is_near(const Triangle3& triangle, double distance) const 
     if (looks == kMostLooks) return false;
     const Triangle3 next = open.back();
     open.pop_back();
-    const FarthestBounds found = bounds(next);
-    if (found.at_least > distance) return false;
-    if (!(found.at_most <= distance))
+    const Nearness found = nearness(next, distance);
+    if (found == Nearness::far) return false;
+    if (found == Nearness::unknown)
       for (const Triangle3& part : quarters(next)) open.push_back(part);
   }
   return true;

@@ -39,6 +39,8 @@ class SurfaceDistance {
   };
 
   Nearest nearest(const Vec3& point) const;
+  enum class Nearness : std::uint8_t { near, far, unknown };
+  Nearness nearness(const Triangle3& triangle, double distance) const;
   /// Bounds of the largest distance of a point of the triangle, from one search.
   FarthestBounds bounds(const Triangle3& triangle) const;
 
