@@ -11,6 +11,7 @@
 #include "base/diagnostics.h"
 #include "base/propagate.h"
 #include "queries/streams/index_object.h"
+#include "queries/streams/listed_tuples.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
 
@@ -114,32 +115,34 @@ Result<std::optional<Found>> found_by_index(const Relation& relation, const std:
   return std::optional<Found>();
 }
 
-/// Whether the values of a tuple are ones that an index can have found.
-bool is_as_found(const Tuple& tuple, const std::vector<IndexCandidates>& by_index,
-                 const std::vector<std::size_t>& attributes) {
-  for (std::size_t i = 0; i < by_index.size(); ++i)
-    if (fits(by_index[i], tuple.attributes[attributes[i]])) return true;
-  return false;
-}
-
-/// The tuples of a relation that indexes have found. Each must be as one of them says: the filter would pass over one
-/// that is not.
-Result<TupleStreamPtr> selected(Relation& relation, Found found) {
-  A3D_ASSIGN(TupleStreamPtr tuples, relation.select(std::exchange(found.ids, {})));
+/// The tuples of a relation that indexes have found, with some of their attributes. Each must be as one of the indexes
+/// says: the filter would pass over one that is not.
+Result<TupleStreamPtr> selected(const RelationPtr& relation, Found found, std::vector<bool> read,
+                                const Context& context) {
+  TupleList list{std::exchange(found.ids, {}), std::move(read), {}, {}};
   std::vector<std::size_t> indices;
   for (const IndexCandidates& each : found.by_index) {
-    const auto& attributes = relation.tuple_type().attributes();
+    const auto& attributes = relation->tuple_type().attributes();
     const auto attribute = std::ranges::find(attributes, each.attribute, &TypeExpr::Attribute::name);
     if (attribute == attributes.end())
-      return Error{ErrorCode::internal, "{}: the relation has no attribute '{}'", relation.name(), each.attribute};
+      return Error{ErrorCode::internal, "{}: the relation has no attribute '{}'", relation->name(), each.attribute};
     indices.push_back(static_cast<std::size_t>(attribute - attributes.begin()));
+    if (each.window) list.read[indices.back()] = true;
   }
-  return make_stream([tuples = std::move(tuples), by_index = std::move(found.by_index), indices = std::move(indices),
-                      name = relation.name()]() -> Result<TuplePtr> {
-    A3D_ASSIGN(TuplePtr tuple, tuples->next());
-    if (tuple == nullptr || is_as_found(*tuple, by_index, indices)) return tuple;
-    return index_disagrees(name, by_index.front().attribute, tuple->id, true);
-  });
+  const bool are_looked_at =
+      std::ranges::all_of(found.by_index, [](const IndexCandidates& each) { return each.window.has_value(); });
+  list.found_wrong = [name = relation->name(), attribute = found.by_index.front().attribute](TupleId id,
+                                                                                             bool has_tuple) {
+    return Status(index_disagrees(name, attribute, id, has_tuple));
+  };
+  if (are_looked_at)
+    list.fits = [by_index = std::move(found.by_index), indices = std::move(indices)](const Batch& batch,
+                                                                                     std::size_t row) {
+      for (std::size_t i = 0; i < by_index.size(); ++i)
+        if (fits(by_index[i], batch.columns[indices[i]]->value(row))) return true;
+      return false;
+    };
+  return listed_tuples(relation, std::move(list), context);
 }
 
 /// A search in a relation by its indexes, and the attributes that it reads.
@@ -172,7 +175,7 @@ class IndexedTuples final : public TupleStream {
  private:
   Status open() {
     A3D_ASSIGN(auto found, found_by_index(*reading_.relation, reading_.searches, reading_.questions, objects_));
-    A3D_ASSIGN(tuples_, found ? selected(*reading_.relation, *std::move(found))
+    A3D_ASSIGN(tuples_, found ? selected(reading_.relation, *std::move(found), reading_.read, context_)
                               : reading_.relation->scan_columns(reading_.read, {}));
     batches_.emplace(*tuples_, reading_.read);
     return {};

@@ -30,6 +30,8 @@ class IndexFeedNode final : public TypedNode {
                 SourcePlace place);
   Result<Datum> evaluate(const Frame* frame, Context& context) const override;
 
+  /// The expression of the relation.
+  const TypedPtr& relation() const { return relation_; }
   /// A node that reads only some attributes, by their places.
   std::shared_ptr<IndexFeedNode> reading(std::vector<bool> read) const;
 

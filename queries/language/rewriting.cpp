@@ -60,6 +60,7 @@ Status rewrite(const algebra3d::Operator& op, BoundOperator& bound, std::vector<
   pair_by_hash(bound, arguments);
   group_by_hash(bound, arguments);
   count_without_reading(bound, arguments);
+  take_own_tuples(bound, arguments);
   read_needed_attributes(bound, arguments);
   return {};
 }

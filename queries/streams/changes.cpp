@@ -1,5 +1,6 @@
 // inserttuple, insert, deletesearch, deletedirect, deletebyid: tuples come into stored relations and go.
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
@@ -7,7 +8,7 @@
 #include "algebra3d/values/types/tuple_number.h"
 #include "base/propagate.h"
 #include "queries/streams/all.h"
-#include "queries/streams/batch.h"
+#include "queries/streams/batch_buffer.h"
 #include "queries/streams/detail/block_join.h"
 #include "queries/streams/detail/relation_changes.h"
 
@@ -186,8 +187,29 @@ Result<TupleBuffer> equal_tuples(const TupleStreamPtr& wanted, Relation& relatio
 
 /// Erases the tuples, and passes them on with their ids.
 Result<TupleStreamPtr> erase_all(const TupleBuffer& doomed, Relation& relation, const Context& context) {
-  A3D_TRY(for_each_tuple(*doomed.scan(), context, [&](const TuplePtr& tuple) { return relation.erase(tuple->id); }));
+  std::vector<TupleId> ids;
+  A3D_TRY(for_each_tuple(*doomed.scan(), context, [&](const TuplePtr& tuple) {
+    ids.push_back(tuple->id);
+    return Status();
+  }));
+  A3D_TRY(relation.erase_all(ids, context));
   return tuples_with_ids(doomed);
+}
+
+/// The same, of a relation that changes in columns.
+Result<TupleStreamPtr> erase_in_columns(Operand operand, const Context& context) {
+  const RelationPtr relation = operand.relation;
+  BatchBuffer doomed(context);
+  std::vector<TupleId> ids;
+  {
+    OwnTuples own(std::move(operand));
+    A3D_TRY(for_each_batch(own, context, [&](const Batch& batch) { return doomed.add(batch); }));
+    ids = own.take_ids();
+  }
+  A3D_TRY(relation->erase_all(ids, context));
+  std::vector<std::size_t> attributes(relation->tuple_type().attributes().size());
+  std::iota(attributes.begin(), attributes.end(), std::size_t{0});
+  return attributes_with_ids(doomed.scan(), std::move(attributes), std::move(ids));
 }
 
 Result<BoundOperator> map_deletesearch(std::span<const ArgumentType> arguments) {
@@ -201,16 +223,25 @@ Result<BoundOperator> map_deletesearch(std::span<const ArgumentType> arguments) 
                        }};
 }
 
+/// `are_own`: the plan says that the tuples are of the relation.
+BoundOperator delete_operator(const TypeExpr& result, bool are_own) {
+  ChangesTuples role{[result, are_own](const std::vector<bool>&) { return delete_operator(result, are_own); }};
+  if (!are_own) role.of_own = [result] { return delete_operator(result, true); };
+  return {TypeExpr::stream(result),
+          [are_own](std::vector<Datum> given, Context& context) -> Result<Datum> {
+            Operand operand{given[0].tuples(), given[1].relation(), "deletedirect", are_own};
+            return Datum{made_when_asked([operand = std::move(operand), &context]() mutable -> Result<TupleStreamPtr> {
+              if (operand.relation->changes_in_columns()) return erase_in_columns(std::move(operand), context);
+              A3D_ASSIGN(const TupleBuffer doomed, own_tuples(operand, context));
+              return erase_all(doomed, *operand.relation, context);
+            })};
+          },
+          std::move(role)};
+}
+
 Result<BoundOperator> map_deletedirect(std::span<const ArgumentType> arguments) {
   A3D_ASSIGN(const TypeExpr result, changed_type(MappingCheck("deletedirect", arguments)));
-  return BoundOperator{
-      TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        return Datum{made_when_asked(
-            [tuples = given[0].tuples(), relation = given[1].relation(), &context]() -> Result<TupleStreamPtr> {
-              A3D_ASSIGN(const TupleBuffer doomed, own_tuples(*tuples, *relation, "deletedirect", context));
-              return erase_all(doomed, *relation, context);
-            })};
-      }};
+  return delete_operator(result, false);
 }
 
 Result<BoundOperator> map_deletebyid(std::span<const ArgumentType> arguments) {

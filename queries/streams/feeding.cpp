@@ -41,19 +41,6 @@ TupleStreamPtr interruptible(TupleStreamPtr tuples, const Context& context) {
   return std::make_shared<InterruptibleTuples>(std::move(tuples), context);
 }
 
-/// "reads K, X"; empty for all attributes.
-std::string read_text(const TypeExpr& tuple, const std::vector<bool>& read) {
-  std::string names;
-  std::size_t count = 0;
-  for (std::size_t attribute = 0; attribute < read.size(); ++attribute) {
-    if (!read[attribute]) continue;
-    ++count;
-    names += (names.empty() ? "" : ", ") + tuple.attributes()[attribute].name;
-  }
-  if (count == read.size()) return {};
-  return count == 0 ? "reads no attribute" : "reads " + names;
-}
-
 /// How a relation is read.
 struct ScanPlan {
   TypeExpr tuple;
@@ -75,7 +62,7 @@ BoundOperator scan_operator(const ScanPlan& plan) {
     return scan_operator({plan.tuple, plan.read.value_or(std::move(all)), std::move(bounds)});
   };
   return {TypeExpr::stream(plan.tuple), run, ScansRelation{of_attributes, within},
-          plan.read ? read_text(plan.tuple, *plan.read) : std::string()};
+          plan.read ? text_of_read(plan.tuple, *plan.read) : std::string()};
 }
 
 Result<BoundOperator> map_feed(std::span<const ArgumentType> arguments) {

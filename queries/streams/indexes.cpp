@@ -134,6 +134,37 @@ TupleStreamPtr meeting(TupleStreamPtr candidates, std::size_t attribute, const R
   return parallel_filter(std::move(candidates), condition, context);
 }
 
+/// How the tuples are found whose boxes meet a window.
+struct WindowPlan {
+  TypeExpr tuple;
+  std::optional<ResolvedCall> predicate;  ///< that their geometry must fulfil with that of the window
+  std::vector<bool> read;
+};
+
+Result<Datum> tuples_in_window(const WindowPlan& plan, const std::vector<Datum>& given, Context& context) {
+  A3D_ASSIGN(const IndexSearch search, index_search(given, "windowintersects"));
+  const Value& window = given[2].value();
+  A3D_ASSIGN(const auto ids, ids_in_window(*search.index, window_of(window)));
+  TupleList list{std::vector<TupleId>(ids.begin(), ids.end()), plan.read, {}, {}};
+  list.read[search.attribute] = true;
+  list.fits = [attribute = search.attribute, box = window_of(window)](const Batch& batch, std::size_t row) {
+    return window_of(batch.columns[attribute]->value(row)).intersects(box);
+  };
+  TupleStreamPtr tuples = found_tuples(search.relation, search.index, std::move(list), context);
+  if (!plan.predicate) return Datum{std::move(tuples)};
+  A3D_ASSIGN(const Value loaded, window.loaded());
+  return Datum{meeting(std::move(tuples), search.attribute, *plan.predicate, loaded, context)};
+}
+
+BoundOperator window_operator(const WindowPlan& plan) {
+  return {TypeExpr::stream(plan.tuple),
+          [plan](const std::vector<Datum>& given, Context& context) { return tuples_in_window(plan, given, context); },
+          FindsTuples{[plan](std::vector<bool> read) {
+            return window_operator({plan.tuple, plan.predicate, std::move(read)});
+          }},
+          text_of_read(plan.tuple, plan.read)};
+}
+
 TypeMapping map_windowintersects(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("windowintersects", arguments);
@@ -146,21 +177,7 @@ TypeMapping map_windowintersects(const Registry& registry) {
       const std::array types{check[0].type.arguments()[1], check[2].type};
       A3D_ASSIGN(predicate, registry.resolve(*registry.find_operator("intersects"), types));
     }
-    return BoundOperator{
-        TypeExpr::stream(tuple), [predicate](std::vector<Datum> given, Context& context) -> Result<Datum> {
-          A3D_ASSIGN(const IndexSearch search, index_search(given, "windowintersects"));
-          const Value& window = given[2].value();
-          A3D_ASSIGN(auto ids, ids_in_window(*search.index, window_of(window)));
-          const auto meets = [attribute = search.attribute, box = window_of(window)](const Tuple& found,
-                                                                                     std::uint64_t) {
-            return window_of(found.attributes[attribute]).intersects(box);
-          };
-          TupleStreamPtr tuples =
-              fetched(search.relation, search.index, one_by_one(std::move(ids)), std::identity(), meets);
-          if (!predicate) return Datum{std::move(tuples)};
-          A3D_ASSIGN(const Value loaded, window.loaded());
-          return Datum{meeting(std::move(tuples), search.attribute, *predicate, loaded, context)};
-        }};
+    return window_operator({tuple, std::move(predicate), std::vector<bool>(tuple.attributes().size(), true)});
   };
 }
 

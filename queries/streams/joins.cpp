@@ -52,17 +52,16 @@ Result<BoundOperator> map_symmjoin(std::span<const ArgumentType> arguments) {
   return bound_pairs(types, true, std::nullopt, {});
 }
 
-/// What `combine(outer, inner)` makes of each tuple and each tuple of the stream that the function gives for it.
-template <typename Combine>
-Datum looped(std::vector<Datum> given, const Context& context, Combine combine) {
+/// Each tuple joined with each tuple of the stream that the function gives for it.
+Datum looped(std::vector<Datum> given, const Context& context) {
   return Datum{
-      make_stream([outer_tuples = given[0].tuples(), function = given[1].function_ptr(), &context, combine,
-                   outer = TuplePtr(), inner_tuples = TupleStreamPtr(), step = 0U]() mutable -> Result<TuplePtr> {
+      make_stream([outer_tuples = given[0].tuples(), function = given[1].function_ptr(), &context, outer = TuplePtr(),
+                   inner_tuples = TupleStreamPtr(), step = 0U]() mutable -> Result<TuplePtr> {
         while (true) {
           if (++step % 1024 == 0) A3D_TRY(context.check_cancelled());
           if (inner_tuples != nullptr) {
             A3D_ASSIGN(const TuplePtr inner, inner_tuples->next());
-            if (inner != nullptr) return combine(outer, inner);
+            if (inner != nullptr) return concatenated(*outer, *inner);
           }
           A3D_ASSIGN(outer, outer_tuples->next());
           if (outer == nullptr) return TuplePtr();
@@ -72,6 +71,54 @@ Datum looped(std::vector<Datum> given, const Context& context, Combine combine) 
         }
       })};
 }
+
+/// The tuples of the streams that a function gives, one after the other.
+class ChainedStreams final : public TupleStream {
+ public:
+  ChainedStreams(TupleStreamPtr outer, std::shared_ptr<const Function> function, const Context& context)
+      : outer_(std::move(outer)), function_(std::move(function)), context_(context) {}
+
+  Result<TuplePtr> next() override {
+    while (true) {
+      if (inner_ != nullptr) {
+        A3D_ASSIGN(TuplePtr tuple, inner_->next());
+        if (tuple != nullptr) return tuple;
+      }
+      A3D_ASSIGN(const bool has_stream, next_stream());
+      if (!has_stream) return TuplePtr();
+    }
+  }
+  bool has_batches() const override { return true; }
+  Result<const Batch*> next_batch(std::size_t most) override {
+    while (true) {
+      if (inner_ != nullptr) {
+        A3D_ASSIGN(const Batch* const batch, batches_->next(most));
+        if (batch != nullptr) return batch;
+      }
+      A3D_ASSIGN(const bool has_stream, next_stream());
+      if (!has_stream) return nullptr;
+    }
+  }
+
+ private:
+  Result<bool> next_stream() {
+    A3D_TRY(context_.check_cancelled());
+    A3D_ASSIGN(outer_tuple_, outer_->next());
+    if (outer_tuple_ == nullptr) return false;
+    const Datum argument{outer_tuple_};
+    A3D_ASSIGN(const Datum stream, function_->call({&argument, 1}));
+    inner_ = stream.tuples();
+    batches_.emplace(*inner_);
+    return true;
+  }
+
+  TupleStreamPtr outer_;
+  std::shared_ptr<const Function> function_;
+  const Context& context_;
+  TuplePtr outer_tuple_;
+  TupleStreamPtr inner_;
+  std::optional<BatchReader> batches_;  // of it
+};
 
 /// The tuple type of the stream that the function at place 1 gives.
 Result<TypeExpr> inner_type(const MappingCheck& check, const TypeExpr& outer) {
@@ -87,10 +134,7 @@ Result<BoundOperator> map_loopjoin(std::span<const ArgumentType> arguments) {
   A3D_ASSIGN(const TypeExpr inner, inner_type(check, left));
   A3D_ASSIGN(const TypeExpr joined, check.concatenated(left, inner));
   return BoundOperator{TypeExpr::stream(joined), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                         return looped(std::move(given), context,
-                                       [](const TuplePtr& outer, const TuplePtr& inner_tuple) {
-                                         return concatenated(*outer, *inner_tuple);
-                                       });
+                         return looped(std::move(given), context);
                        }};
 }
 
@@ -98,10 +142,12 @@ Result<BoundOperator> map_loopsel(std::span<const ArgumentType> arguments) {
   const MappingCheck check("loopsel", arguments);
   A3D_ASSIGN(const TypeExpr left, check.stream(0));
   A3D_ASSIGN(const TypeExpr inner, inner_type(check, left));
-  return BoundOperator{TypeExpr::stream(inner), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                         return looped(std::move(given), context,
-                                       [](const TuplePtr&, const TuplePtr& inner_tuple) { return inner_tuple; });
-                       }};
+  return BoundOperator{TypeExpr::stream(inner),
+                       [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         return Datum{TupleStreamPtr(
+                             std::make_shared<ChainedStreams>(given[0].tuples(), given[1].function_ptr(), context))};
+                       },
+                       ChainsStreams{}};
 }
 
 }  // namespace

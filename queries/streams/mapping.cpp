@@ -260,4 +260,16 @@ Status append_results(const DatumList& functions, const Datum& argument, std::ve
   return {};
 }
 
+std::string text_of_read(const TypeExpr& tuple, const std::vector<bool>& read) {
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t attribute = 0; attribute < read.size(); ++attribute) {
+    if (!read[attribute]) continue;
+    ++count;
+    names += (names.empty() ? "" : ", ") + tuple.attributes()[attribute].name;
+  }
+  if (count == read.size()) return {};
+  return count == 0 ? "reads no attribute" : "reads " + names;
+}
+
 }  // namespace queries

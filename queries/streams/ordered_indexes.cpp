@@ -56,7 +56,9 @@ std::optional<Value> bound(const std::vector<Datum>& given, std::size_t position
   return position == 0 ? std::optional<Value>() : converted(given[position].value(), conversion);
 }
 
-Result<Datum> found(const std::vector<Datum>& given, const Bounds& bounds, const std::vector<Conversion>& conversions) {
+/// The tuples that a search finds; of each the attributes in `read`.
+Result<Datum> found(const std::vector<Datum>& given, const Bounds& bounds, const std::vector<Conversion>& conversions,
+                    const std::vector<bool>& read, const Context& context) {
   const auto& index = given[0].ordered_index();
   A3D_TRY(check_fits(*index, *given[1].relation(), bounds.op));
   std::optional<Value> low = bound(given, bounds.low, conversions[bounds.low]);
@@ -68,9 +70,27 @@ Result<Datum> found(const std::vector<Datum>& given, const Bounds& bounds, const
     A3D_ASSIGN(*each, (*each)->loaded());
   }
   A3D_ASSIGN(std::vector<TupleId> ids, index->entries().range(low, high));
-  // The keys in the index are proved by the rows when they are found: StoredOrder.
-  const auto fits = [](const Tuple&, TupleId) { return true; };
-  return Datum{fetched(given[1].relation(), index, one_by_one(std::move(ids)), std::identity(), fits)};
+  // The keys in the index are proved when they are found: StoredOrder.
+  return Datum{found_tuples(given[1].relation(), index, {std::move(ids), read, {}, {}}, context)};
+}
+
+/// How a search by an index is done.
+struct SearchPlan {
+  TypeExpr tuple;
+  Bounds bounds;
+  std::vector<Conversion> conversions;
+  std::vector<bool> read;
+};
+
+BoundOperator search_operator(const SearchPlan& plan) {
+  return {TypeExpr::stream(plan.tuple),
+          [plan](const std::vector<Datum>& given, Context& context) {
+            return found(given, plan.bounds, plan.conversions, plan.read, context);
+          },
+          FindsTuples{[plan](std::vector<bool> read) {
+            return search_operator({plan.tuple, plan.bounds, plan.conversions, std::move(read)});
+          }},
+          text_of_read(plan.tuple, plan.read)};
 }
 
 TypeMapping map_search(Bounds bounds) {
@@ -85,9 +105,7 @@ TypeMapping map_search(Bounds bounds) {
     for (std::size_t position = 2; position < check.count(); ++position) {
       A3D_ASSIGN(conversions[position], check.conversion(position, index.arguments()[1]));
     }
-    return BoundOperator{TypeExpr::stream(tuple), [bounds, conversions](const std::vector<Datum>& given, Context&) {
-                           return found(given, bounds, conversions);
-                         }};
+    return search_operator({tuple, bounds, conversions, std::vector<bool>(tuple.attributes().size(), true)});
   };
 }
 

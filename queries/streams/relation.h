@@ -1,13 +1,25 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "queries/streams/datum.h"
+#include "queries/streams/batch.h"
 #include "queries/streams/tuple_buffer.h"
 
 namespace queries {
+
+/// Reads tuples of a relation by their ids. Used by one thread; the relation outlives it.
+class TuplesById {
+ public:
+  virtual ~TuplesById() = default;
+  TuplesById() = default;
+  TuplesById(const TuplesById&) = delete;
+  TuplesById& operator=(const TuplesById&) = delete;
+  /// The tuples with these ids, in their order, without those that are not there. Valid until the next call.
+  virtual Result<const Batch*> read(std::span<const TupleId> ids) = 0;
+};
 
 /// A relation: stored in the database, or a list of tuples in memory. Used by one thread at a time.
 class Relation {
@@ -28,9 +40,8 @@ class Relation {
   }
   /// The tuple with this id, or null.
   virtual Result<TuplePtr> fetch(TupleId id) = 0;
-  /// A stream of the tuples with these ids, which are ascending, in the relation, and come from an index of it. It
-  /// shows the relation as `scan` does. The relation outlives it. Errors: database_corrupt for an id without a row.
-  virtual Result<TupleStreamPtr> select(std::vector<TupleId> ids);
+  /// Reads tuples by their ids, as they are when it reads first. `read`: as for `scan_columns`.
+  virtual Result<std::unique_ptr<TuplesById>> by_id(std::vector<bool> read);
   /// True if the tuple that `fetch` returns now can be read until the statement ends, with its deferred values, even if
   /// the stored tuple is changed or deleted.
   virtual bool keeps(TupleId /*id*/) const { return false; }
@@ -45,6 +56,14 @@ class Relation {
   virtual Status erase(TupleId id);
   /// Writes only the values that differ.
   virtual Status update(TupleId id, const Tuple& tuple);
+  /// Erases tuples, all different.
+  virtual Status erase_all(std::span<const TupleId> ids, const algebra3d::Context& context);
+  /// Whether it has `update_all`.
+  virtual bool changes_in_columns() const { return false; }
+  /// Gives tuples, all different, new values of some attributes: `values` has a tuple of these for each id, in their
+  /// order.
+  virtual Status update_all(std::span<const TupleId> ids, std::span<const std::size_t> attributes, TupleStream& values,
+                            const algebra3d::Context& context);
 };
 using RelationPtr = std::shared_ptr<Relation>;
 

@@ -1,11 +1,15 @@
 // filter, head, tail, nth, some, exist: which elements of a stream go on.
 #include <algorithm>
+#include <deque>
+#include <numeric>
+#include <optional>
 #include <random>
 #include <utility>
 
 #include "algebra3d/values/types/scalars.h"
 #include "base/propagate.h"
 #include "queries/streams/all.h"
+#include "queries/streams/batch_buffer.h"
 #include "queries/streams/detail/any_stream.h"
 #include "queries/streams/detail/column_streams.h"
 #include "queries/streams/detail/element_buffer.h"
@@ -68,18 +72,123 @@ Result<BoundOperator> map_head(std::span<const ArgumentType> arguments) {
       TakesFirst{}};
 }
 
-// Two buffers: when the newer one holds as many as are wanted, the older one goes.
+/// The last elements that were added. Two buffers: when the newer one holds as many as are wanted, the older one goes.
+template <typename Stream>
+class LastInBuffers {
+ public:
+  LastInBuffers(std::size_t count, const Context& context)
+      : wanted_(count), context_(context), older_(context), newer_(context) {}
+
+  Status add(const ElementOf<Stream>& element) {
+    if (wanted_ == 0) return {};
+    if (newer_.size() == wanted_) older_ = std::exchange(newer_, ElementBuffer<Stream>(context_));
+    return newer_.add(element);
+  }
+  std::shared_ptr<Stream> all() const {
+    const std::size_t wanted_of_older = std::min(wanted_ - newer_.size(), older_.size());
+    return one_after_the_other(older_.scan(older_.size() - wanted_of_older), newer_.scan());
+  }
+
+ private:
+  std::size_t wanted_;
+  const Context& context_;
+  ElementBuffer<Stream> older_, newer_;
+};
+
+/// The last tuples of a stream, in columns, as batches.
+class LastBatches {
+ public:
+  LastBatches(std::size_t count, const Context& context) : wanted_(count), account_(context.memory) {}
+
+  /// False if the work memory is exhausted: then nothing was added.
+  bool add(const Batch& batch) {
+    if (wanted_ == 0) return true;
+    KeptBatch kept(batch);
+    if (kept.bytes() > spare_bytes_ && !account_.take(kept.bytes() - spare_bytes_)) return false;
+    spare_bytes_ -= std::min(spare_bytes_, kept.bytes());
+    size_ += batch.rows.count;
+    batches_.push_back(std::move(kept));
+    for (; size_ - batches_.front().batch().size >= wanted_; batches_.pop_front()) {
+      size_ -= batches_.front().batch().size;
+      spare_bytes_ += batches_.front().bytes();
+    }
+    return true;
+  }
+  /// Calls `visit` for the tuples so far.
+  template <typename Visit>
+  Status for_each(Visit visit) const {
+    for (const KeptBatch& kept : batches_)
+      for (std::size_t row = 0; row < kept.batch().size; ++row) A3D_TRY(visit(tuple_of(kept.batch(), row)));
+    return {};
+  }
+  /// The next of the last tuples; null at the end. To be called when all have been added.
+  const Batch* next(std::size_t most) {
+    if (size_ > wanted_) skipped_ += std::exchange(size_, wanted_) - wanted_;
+    while (!batches_.empty() && skipped_ == batches_.front().batch().size) {
+      skipped_ = 0;
+      batches_.pop_front();
+    }
+    if (batches_.empty()) return nullptr;
+    part_ = batches_.front().batch();
+    rows_.resize(std::min(most, part_.size - skipped_));
+    std::iota(rows_.begin(), rows_.end(), static_cast<std::uint32_t>(skipped_));
+    skipped_ += rows_.size();
+    part_.rows = {rows_.data(), rows_.size()};
+    return &part_;
+  }
+
+ private:
+  std::size_t wanted_;
+  algebra3d::MemoryAccount account_;
+  std::size_t spare_bytes_ = 0;  // taken, and free again
+  std::deque<KeptBatch> batches_;
+  std::size_t size_ = 0;     // of all batches
+  std::size_t skipped_ = 0;  // rows of the first one
+  Batch part_;
+  std::vector<std::uint32_t> rows_;
+};
+
+class LastTuples final : public TupleStream {
+ public:
+  explicit LastTuples(LastBatches last) : last_(std::move(last)) {}
+  Result<TuplePtr> next() override {
+    const Batch* const batch = last_.next(1);
+    return batch == nullptr ? TuplePtr() : tuple_of(*batch, batch->rows[0]);
+  }
+  bool has_batches() const override { return true; }
+  Result<const Batch*> next_batch(std::size_t most) override { return last_.next(most); }
+
+ private:
+  LastBatches last_;
+};
+
+/// As `last_elements`, of a stream with batches.
+Result<TupleStreamPtr> last_tuples(TupleStream& stream, std::size_t count, const Context& context) {
+  std::optional<LastBatches> in_columns(std::in_place, count, context);
+  std::optional<LastInBuffers<TupleStream>> in_rows;
+  const auto add = [&](const TuplePtr& tuple) { return in_rows->add(tuple); };
+  const auto add_batch = [&](const Batch& batch) -> Status {
+    if (in_columns && in_columns->add(batch)) return {};
+    if (in_columns) {
+      in_rows.emplace(count, context);
+      A3D_TRY(in_columns->for_each(add));
+      in_columns.reset();
+    }
+    for (std::size_t i = 0; i < batch.rows.count; ++i) A3D_TRY(add(tuple_of(batch, batch.rows[i])));
+    return {};
+  };
+  A3D_TRY(for_each_batch(stream, context, add_batch));
+  if (in_rows) return in_rows->all();
+  return TupleStreamPtr(std::make_shared<LastTuples>(*std::move(in_columns)));
+}
+
 template <typename Stream>
 Result<std::shared_ptr<Stream>> last_elements(Stream& stream, std::size_t count, const Context& context) {
-  ElementBuffer<Stream> older(context);
-  ElementBuffer<Stream> newer(context);
-  A3D_TRY(for_each_element(stream, context, [&](const auto& element) -> Status {
-    if (count == 0) return {};
-    if (newer.size() == count) older = std::exchange(newer, ElementBuffer<Stream>(context));
-    return newer.add(element);
-  }));
-  const std::size_t wanted_of_older = std::min(count - newer.size(), older.size());
-  return one_after_the_other(older.scan(older.size() - wanted_of_older), newer.scan());
+  if constexpr (std::is_same_v<Stream, TupleStream>)
+    if (stream.has_batches()) return last_tuples(stream, count, context);
+  LastInBuffers<Stream> last(count, context);
+  A3D_TRY(for_each_element(stream, context, [&](const auto& element) { return last.add(element); }));
+  return last.all();
 }
 
 /// The elements of a stream, the last one first. They stand in memory; error if they are too many for it.
@@ -101,7 +210,8 @@ Result<BoundOperator> map_tail(std::span<const ArgumentType> arguments) {
   A3D_TRY(check.argument_count(2, 3));
   A3D_TRY(check.type(1, "int"));
   if (check.count() == 3) A3D_TRY(check.type(2, "bool"));
-  return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+  return BoundOperator{TypeExpr::stream(element),
+                       [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                          const bool keep_order =
                              given.size() < 3 || !given[2].value().is_defined() || given[2].value().get<bool>();
                          return visit_stream(given[0], [&](const auto& stream) -> Result<Datum> {
@@ -110,7 +220,8 @@ Result<BoundOperator> map_tail(std::span<const ArgumentType> arguments) {
                            A3D_ASSIGN(auto backwards, reversed(*last, context));
                            return Datum{std::move(backwards)};
                          });
-                       }};
+                       },
+                       TakesLast{}};
 }
 
 /// Elements n, 2n, 3n and so on, or element n alone.

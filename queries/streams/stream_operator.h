@@ -59,6 +59,23 @@ struct ScansRelation {
   /// May leave out tuples that are not within all bounds.
   std::function<BoundOperator(std::vector<AttributeBounds> bounds)> within;
 };
+/// Tuples of a relation that are found otherwise.
+struct FindsTuples {
+  /// Reads only some attributes, by their places: the others are undefined.
+  std::function<BoundOperator(std::vector<bool> read)> of_attributes;
+};
+/// The tuples of the streams that the function at place 1 gives for those of the stream at place 0, one after the
+/// other.
+struct ChainsStreams {};
+/// The tuples of the stream at place 0, which are of the relation at place 1, changed there, perhaps by the functions
+/// at place 2.
+struct ChangesTuples {
+  /// Reads only some attributes of the result, by their places: the others are undefined.
+  std::function<BoundOperator(std::vector<bool> read)> of_attributes;
+  /// Takes tuples that are known to be of the relation, of which it needs the ids and what the functions read. Null if
+  /// it does already.
+  std::function<BoundOperator()> of_own = {};
+};
 /// The relation of the tuples of the stream at place 0.
 struct CollectsTuples {};
 /// The elements of the stream at place 0 for which the function at place 1 gives TRUE.
@@ -69,6 +86,9 @@ struct SelectsByAttributes {
 };
 /// The first elements of the stream at place 0, as many as the int at place 1 says.
 struct TakesFirst {};
+/// The last elements of the stream at place 0, as many as the int at place 1 says, in their order or the last one
+/// first.
+struct TakesLast {};
 /// The number of elements of the stream or relation at place 0.
 struct CountsElements {};
 /// The aggregate of an attribute of the stream at place 0.
@@ -126,9 +146,10 @@ struct PairsTuples {
   /// Makes only some of the joined attributes, by their places: the others are undefined. Null if it makes all.
   std::function<BoundOperator(std::vector<bool> read)> of_attributes = {};
 };
-using OperatorRole = std::variant<std::monostate, ReadsAttribute, ScansRelation, CollectsTuples, SelectsElements,
-                                  SelectsByAttributes, TakesFirst, CountsElements, AggregatesAttribute, UsesAttributes,
-                                  MakesTuples, SortsTuples, GroupsTuples, RemovesDuplicates, PairsTuples>;
+using OperatorRole = std::variant<std::monostate, ReadsAttribute, ScansRelation, FindsTuples, ChainsStreams,
+                                  ChangesTuples, CollectsTuples, SelectsElements, SelectsByAttributes, TakesFirst,
+                                  TakesLast, CountsElements, AggregatesAttribute, UsesAttributes, MakesTuples,
+                                  SortsTuples, GroupsTuples, RemovesDuplicates, PairsTuples>;
 
 /// An operator bound to the types of its arguments: the type of the result, and the function that computes it.
 /// `arguments` holds per place: the evaluated expression (operands, `_`), a Function (`fun`), a list of Functions

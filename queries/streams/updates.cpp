@@ -1,6 +1,10 @@
 // updatedirect, updatebyid: tuples of stored relations get new values.
+#include <numeric>
+
 #include "base/propagate.h"
 #include "queries/streams/all.h"
+#include "queries/streams/batch_buffer.h"
+#include "queries/streams/detail/column_streams.h"
 #include "queries/streams/detail/relation_changes.h"
 
 namespace queries {
@@ -59,6 +63,88 @@ Result<TupleStreamPtr> update_all(const TupleBuffer& old_tuples, Relation& relat
   });
 }
 
+/// How `updatedirect` works.
+struct UpdatePlan {
+  TypeExpr tuple, result;
+  Assignments assigned;
+  bool are_own;  ///< the plan says that the tuples are of the relation
+};
+
+/// The results of functions, converted.
+class ConvertedColumns {
+ public:
+  /// `first`: the place of the first result in a batch.
+  ConvertedColumns(const std::vector<Conversion>& conversions, std::size_t first)
+      : conversions_(conversions), first_(first) {}
+
+  Batch converted_batch(const Batch& batch) {
+    Batch result = batch;
+    columns_.clear();
+    columns_.reserve(conversions_.size());  // the batch refers to them
+    for (std::size_t i = 0; i < conversions_.size(); ++i) {
+      if (conversions_[i] == nullptr) continue;
+      ValueColumn& column = columns_.emplace_back(*conversions_[i]);
+      column.restart(batch.size);
+      batch.rows.for_each(
+          [&](std::size_t row) { column.set(row, converted(batch.columns[first_ + i]->value(row), conversions_[i])); });
+      result.columns[first_ + i] = &column;
+    }
+    return result;
+  }
+
+ private:
+  const std::vector<Conversion>& conversions_;
+  std::size_t first_;
+  std::vector<ValueColumn> columns_;
+};
+
+// The functions may ask for the relation, so that all of them are called before anything is written. Kept are the old
+// attributes, as far as they are read, and behind them the new ones.
+Result<TupleStreamPtr> update_in_columns(Operand operand, const UpdatePlan& plan, const DatumList& functions,
+                                         const Context& context) {
+  const RelationPtr relation = operand.relation;
+  const std::size_t count = plan.tuple.attributes().size();
+  BatchBuffer changes(context);
+  std::vector<TupleId> ids;
+  {
+    const auto own = std::make_shared<OwnTuples>(std::move(operand));
+    AttributeSources sources;
+    for (std::size_t index = 0; index < count; ++index) sources.push_back({false, index});
+    for (std::size_t i = 0; i < functions.size(); ++i) sources.push_back({true, i});
+    ConvertedColumns conversion(plan.assigned.conversions, count);
+    A3D_TRY(for_each_batch(*made_tuples(own, std::move(sources), functions), context,
+                           [&](const Batch& batch) { return changes.add(conversion.converted_batch(batch)); }));
+    ids = own->take_ids();
+  }
+  AttributeSources values;
+  std::vector<std::size_t> shown(2 * count);
+  std::iota(shown.begin(), shown.begin() + static_cast<std::ptrdiff_t>(count), std::size_t{0});
+  std::iota(shown.begin() + static_cast<std::ptrdiff_t>(count), shown.end(), std::size_t{0});
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    values.push_back({false, count + i});
+    shown[plan.assigned.attributes[i]] = count + i;
+  }
+  A3D_TRY(relation->update_all(ids, plan.assigned.attributes, *made_tuples(changes.scan(), values, {}), context));
+  return attributes_with_ids(changes.scan(), std::move(shown), std::move(ids));
+}
+
+BoundOperator update_operator(const UpdatePlan& plan) {
+  ChangesTuples role{[plan](const std::vector<bool>&) { return update_operator(plan); }};
+  if (!plan.are_own) role.of_own = [plan] { return update_operator({plan.tuple, plan.result, plan.assigned, true}); };
+  return {TypeExpr::stream(plan.result),
+          [plan](std::vector<Datum> given, Context& context) -> Result<Datum> {
+            Operand operand{given[0].tuples(), given[1].relation(), "updatedirect", plan.are_own};
+            return Datum{made_when_asked([operand = std::move(operand), functions = given[2].list(), plan,
+                                          &context]() mutable -> Result<TupleStreamPtr> {
+              if (operand.relation->changes_in_columns())
+                return update_in_columns(std::move(operand), plan, functions, context);
+              A3D_ASSIGN(const TupleBuffer old, own_tuples(operand, context));
+              return update_all(old, *operand.relation, plan.assigned, functions, context);
+            })};
+          },
+          std::move(role)};
+}
+
 Result<BoundOperator> map_updatedirect(std::span<const ArgumentType> arguments) {
   const MappingCheck check("updatedirect", arguments);
   A3D_ASSIGN(const TypeExpr given_tuple, check.stream(0));
@@ -66,14 +152,7 @@ Result<BoundOperator> map_updatedirect(std::span<const ArgumentType> arguments) 
   if (!(given_tuple == tuple)) return check.expected("a stream of " + tuple.text(), given_tuple);
   A3D_ASSIGN(const Assignments assigned, assignments(check, 2, tuple));
   A3D_ASSIGN(const TypeExpr result, updated_type(check, tuple));
-  return BoundOperator{
-      TypeExpr::stream(result), [assigned](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        return Datum{made_when_asked([tuples = given[0].tuples(), relation = given[1].relation(),
-                                      functions = given[2].list(), assigned, &context]() -> Result<TupleStreamPtr> {
-          A3D_ASSIGN(const TupleBuffer old, own_tuples(*tuples, *relation, "updatedirect", context));
-          return update_all(old, *relation, assigned, functions, context);
-        })};
-      }};
+  return update_operator({tuple, result, assigned, false});
 }
 
 Result<BoundOperator> map_updatebyid(std::span<const ArgumentType> arguments) {

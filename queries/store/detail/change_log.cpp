@@ -13,9 +13,19 @@ void ChangeLog::clear() {
 }
 
 void ChangeLog::note_tuple(std::int64_t table_number, std::int64_t tuple) {
+  note_tuples(table_number, {&tuple, 1});
+}
+
+void ChangeLog::note_tuples(std::int64_t table_number, std::span<const std::int64_t> tuples) {
+  if (tuples.empty()) return;
   ++now_;
-  const auto [place, is_first] = tuples_[table_number].try_emplace(tuple, Span{now_, now_});
-  if (!is_first) place->second.last = now_;
+  auto& noted = tuples_[table_number];
+  auto place = noted.lower_bound(tuples.front());
+  for (const std::int64_t tuple : tuples) {
+    place = noted.try_emplace(place, tuple, Span{now_, now_});
+    place->second.last = now_;
+    ++place;
+  }
 }
 
 void ChangeLog::note_renamed(std::int64_t table_number) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <span>
 #include <vector>
 
 namespace queries {
@@ -24,6 +25,8 @@ class ChangeLog {
   void clear();
   /// Records that a tuple was erased or overwritten.
   void note_tuple(std::int64_t table_number, std::int64_t tuple);
+  /// Records that tuples, ascending, were erased or overwritten at once.
+  void note_tuples(std::int64_t table_number, std::span<const std::int64_t> tuples);
   /// Records an inserted tuple; its id is greater than all earlier ones.
   void note_inserted(std::int64_t table_number, std::int64_t tuple) { first_new_.emplace(table_number, tuple); }
   void note_created(std::int64_t table_number) { first_new_.emplace(table_number, 0); }

@@ -223,6 +223,32 @@ Status ColumnChunk::read(std::size_t first, std::size_t count, ValueColumn& colu
   return {};
 }
 
+Status ColumnChunk::read(std::span<const RowPlace> places, ValueColumn& column) const {
+  const auto each = [&](auto put) {
+    for (const RowPlace& place : places) {
+      if (is_defined(place.from))
+        put(place);
+      else
+        column.set_undefined(place.to);
+    }
+  };
+  if (form_ == ChunkForm::integers && column.holds<std::int64_t>()) {
+    each([&, to = column.data<std::int64_t>()](const RowPlace& place) { to[place.to] = integer(place.from); });
+  } else if (form_ == ChunkForm::integers && column.holds<bool>()) {
+    each([&, to = column.data<bool>()](const RowPlace& place) { to[place.to] = integer(place.from) != 0 ? 1 : 0; });
+  } else if (form_ == ChunkForm::reals && column.holds<double>()) {
+    each([&, to = column.data<double>()](const RowPlace& place) { to[place.to] = real(place.from); });
+  } else if (attribute_form_ == AttributeForm::string && column.holds<std::string>()) {
+    each([&, to = column.data<std::string>()](const RowPlace& place) { to[place.to].assign(bytes_of(place.from)); });
+  } else {
+    for (const RowPlace& place : places) {
+      A3D_ASSIGN(const Value decoded_value, value(place.from));
+      column.set(place.to, decoded_value);
+    }
+  }
+  return {};
+}
+
 Status ColumnChunk::audit(const ValueRange& range) const {
   ValueRange found;
   for (std::size_t row = 0; row < count_; ++row) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,12 @@ struct ValueRange {
   friend bool operator==(const ValueRange&, const ValueRange&) = default;
 };
 
+/// A row of a column chunk, and the row of a column that its value goes to.
+struct RowPlace {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+};
+
 /// A column chunk that was read: gives single values, and rows into columns. Immutable.
 class ColumnChunk {
  public:
@@ -39,6 +46,8 @@ class ColumnChunk {
   algebra3d::Result<algebra3d::Value> value(std::size_t row) const;
   /// Puts the values of some rows into the first rows of `column`, which has room. Errors: database_corrupt.
   algebra3d::Status read(std::size_t first, std::size_t count, algebra3d::ValueColumn& column) const;
+  /// Puts the values of single rows into rows of `column`. Errors: database_corrupt.
+  algebra3d::Status read(std::span<const RowPlace> places, algebra3d::ValueColumn& column) const;
   std::size_t heap_bytes() const { return bytes_.size() + ends_.size() * sizeof(ends_[0]) + sizeof(ColumnChunk); }
   /// Whether the values are what `encode` may have written, and in this range. Errors: what is wrong.
   algebra3d::Status audit(const ValueRange& range) const;

@@ -125,9 +125,9 @@ Status Database::note_tuple(const RelationLayout& layout, TupleId tuple) {
   return {};
 }
 
-void Database::note_group_tuple(std::int64_t table_number, TupleId tuple) {
+void Database::note_group_tuples(std::int64_t table_number, std::span<const TupleId> tuples) {
   const std::lock_guard lock(mutex_);
-  changes_.note_tuple(table_number, tuple);
+  changes_.note_tuples(table_number, tuples);
 }
 
 // The other connection sees what was there before the transaction, and not what its statements have made of it.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "queries/store/detail/catalogue.h"
@@ -126,8 +127,8 @@ class Database : public std::enable_shared_from_this<Database> {
   /// To be called before a tuple is erased or overwritten; copies it if streams may still read it. Errors: those of
   /// copying.
   Status note_tuple(const RelationLayout& layout, TupleId tuple);
-  /// As `note_tuple`, for a tuple in a row group, which stays there for streams that have begun.
-  void note_group_tuple(std::int64_t table_number, TupleId tuple);
+  /// As `note_tuple`, for tuples in row groups, ascending: they stay there for streams that have begun.
+  void note_group_tuples(std::int64_t table_number, std::span<const TupleId> tuples);
   void note_inserted(std::int64_t table_number, TupleId tuple) { changes_.note_inserted(table_number, tuple); }
   void note_created(std::int64_t table_number);
   /// Drops the table of a relation, with its chunks, at the end of the statement; until then its tuples can be read.

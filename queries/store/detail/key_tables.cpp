@@ -87,6 +87,12 @@ Status update_keys(Database& database, const RelationLayout& layout, const RowRe
   return {};
 }
 
+Status update_key(Database& database, const RelationLayout& layout, std::size_t attribute, TupleId id,
+                  const Value& value) {
+  A3D_ASSIGN(SqliteStatement statement, database.connection().use(layout.update_key_sql(attribute)));
+  return statement.bind(1, key_of(layout.attributes()[attribute], value)).bind(2, id).run();
+}
+
 Status erase_keys(Database& database, const RelationLayout& layout, TupleId id) {
   A3D_ASSIGN(const std::vector<std::size_t>* attributes, database.key_attributes(layout));
   for (const std::size_t attribute : *attributes) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <utility>
 
 #include "algebra3d/values/types/binary_io.h"
 #include "base/memory_limit.h"
@@ -179,6 +180,26 @@ GroupList& RowGroups::own_list(Table& table) {
   return *table.list;
 }
 
+/// The bytes of a chunk, which its group has by their checksum.
+Result<std::string> RowGroups::chunk_bytes(const RelationLayout& layout, const GroupContent& group,
+                                           std::size_t attribute) {
+  const std::uint64_t checksum = group.columns[attribute].checksum;
+  const auto unwritten = unwritten_.find({layout.table_number(), group.first, attribute});
+  if (unwritten != unwritten_.end()) {
+    const auto found = std::ranges::find(unwritten->second, checksum, &Unwritten::checksum);
+    if (found != unwritten->second.end()) return *found->bytes;
+  }
+  A3D_ASSIGN(SqliteStatement statement,
+             connection_.use("SELECT bytes FROM column_chunks WHERE relation = ? AND attribute = ? AND first = ?"));
+  statement.bind(1, layout.table_number()).bind(2, static_cast<std::int64_t>(attribute)).bind(3, group.first);
+  A3D_ASSIGN(const bool has_row, statement.step());
+  if (!has_row) return Error{ErrorCode::database_corrupt, "the column chunk is not there"};
+  const Cell bytes = statement.column(0);
+  const std::uint64_t seed = chunk_seed(layout.table_number(), attribute, group.first);
+  if (bytes.is(Cell::Kind::blob) && checksum_of(bytes.bytes, seed) == checksum) return std::string(bytes.bytes);
+  return Error{ErrorCode::database_corrupt, "the column chunk is not what was written"};
+}
+
 Result<std::shared_ptr<const ColumnChunk>> RowGroups::read(const RelationLayout& layout, const GroupContent& group,
                                                            std::size_t attribute) {
   const AttributeColumns& columns = layout.attributes()[attribute];
@@ -187,17 +208,9 @@ Result<std::shared_ptr<const ColumnChunk>> RowGroups::read(const RelationLayout&
         .about(fmt::format("'{}' of {}", columns.name, tuples_text(group.first, group.last)))
         .about(layout.relation());
   };
-  A3D_ASSIGN(SqliteStatement statement,
-             connection_.use("SELECT bytes FROM column_chunks WHERE relation = ? AND attribute = ? AND first = ?"));
-  statement.bind(1, layout.table_number()).bind(2, static_cast<std::int64_t>(attribute)).bind(3, group.first);
-  const auto has_row = statement.step();
-  if (!has_row) return about(has_row.error());
-  if (!*has_row) return about(Error{ErrorCode::database_corrupt, "the column chunk is not there"});
-  const Cell bytes = statement.column(0);
-  const std::uint64_t seed = chunk_seed(layout.table_number(), attribute, group.first);
-  if (!bytes.is(Cell::Kind::blob) || checksum_of(bytes.bytes, seed) != group.columns[attribute].checksum)
-    return about(Error{ErrorCode::database_corrupt, "the column chunk is not what was written"});
-  auto chunk = ColumnChunk::parse(columns, std::string(bytes.bytes), group.count);
+  auto bytes = chunk_bytes(layout, group, attribute);
+  if (!bytes) return about(bytes.error());
+  auto chunk = ColumnChunk::parse(columns, *std::move(bytes), group.count);
   if (!chunk) return about(chunk.error());
   return chunk;
 }
@@ -270,18 +283,53 @@ Status RowGroups::append(const RelationLayout& layout, std::vector<RowGroup> gro
   return {};
 }
 
-Result<std::uint64_t> RowGroups::mark_dead(const RelationLayout& layout, const GroupRow& place) {
+Result<std::uint64_t> RowGroups::mark_dead(const RelationLayout& layout, std::size_t index,
+                                           std::span<const std::uint32_t> rows) {
   A3D_ASSIGN(Table * own, table(layout));
-  RowGroup& group = own_list(*own).groups_[place.group];
+  RowGroup& group = own_list(*own).groups_[index];
   auto dead = group.dead != nullptr ? std::make_shared<std::string>(*group.dead)
                                     : std::make_shared<std::string>((group.content->count + 7) / 8, '\0');
-  char& byte = (*dead)[place.row / 8];
-  byte = static_cast<char>(byte | (1 << (place.row % 8)));
+  for (const std::uint32_t row : rows) {
+    char& byte = (*dead)[row / 8];
+    byte = static_cast<char>(byte | (1 << (row % 8)));
+  }
+  group.dead_count = bit_count(*dead);
   group.dead = std::move(dead);
-  ++group.dead_count;
   const std::uint64_t before = group.checksum;
   group.checksum = group_sum(group.content_sum, group.dead);
-  own->changed.insert_or_assign(group.content->first, place.group);
+  own->changed.insert_or_assign(group.content->first, index);
+  return group.checksum - before;
+}
+
+Status RowGroups::write_chunk(const ChunkKey& key, std::string_view bytes) {
+  A3D_ASSIGN(SqliteStatement statement,
+             connection_.use("UPDATE column_chunks SET bytes = ? WHERE relation = ? AND attribute = ? AND first = ?"));
+  statement.bind(1, Cell::blob(bytes)).bind(2, key.table_number).bind(3, static_cast<std::int64_t>(key.attribute));
+  return statement.bind(4, key.first).run();
+}
+
+// Whoever reads the chunks of before has the content of the group, in a list of their own.
+Result<std::uint64_t> RowGroups::rewrite(const RelationLayout& layout, std::size_t index,
+                                         std::vector<NewChunk> chunks) {
+  A3D_ASSIGN(Table * own, table(layout));
+  RowGroup& group = own_list(*own).groups_[index];
+  const bool is_read = group.content.use_count() > 1;
+  auto content = std::make_shared<GroupContent>(*group.content);
+  for (NewChunk& each : chunks) {
+    const std::uint64_t seed = chunk_seed(layout.table_number(), each.attribute, content->first);
+    const std::uint64_t checksum = checksum_of(std::string_view(each.chunk.bytes), seed);
+    content->columns[each.attribute] = {checksum, each.chunk.range};
+    const ChunkKey key{layout.table_number(), content->first, each.attribute};
+    if (is_read || unwritten_.contains(key))
+      unwritten_[key].push_back({checksum, std::make_shared<const std::string>(std::move(each.chunk.bytes))});
+    else
+      A3D_TRY(write_chunk(key, each.chunk.bytes));
+  }
+  group.content_sum = content_sum(layout.table_number(), *content, bytes_of(*content));
+  group.content = std::move(content);
+  const std::uint64_t before = group.checksum;
+  group.checksum = group_sum(group.content_sum, group.dead);
+  own->changed.insert_or_assign(group.content->first, index);
   return group.checksum - before;
 }
 
@@ -315,13 +363,17 @@ Status RowGroups::erase_all(std::int64_t table_number) {
 }
 
 Status RowGroups::flush() {
+  for (const auto& [key, versions] : std::exchange(unwritten_, {})) A3D_TRY(write_chunk(key, *versions.back().bytes));
   for (auto& [number, table] : tables_) {
     for (const auto& [first, index] : table.changed) {
       const RowGroup& group = (*table.list)[index];
       A3D_ASSIGN(SqliteStatement statement,
-                 connection_.use("UPDATE row_groups SET dead = ?, checksum = ? WHERE relation = ? AND first = ?"));
-      statement.bind(1, Cell::blob(*group.dead)).bind(2, as_signed(group.checksum)).bind(3, number);
-      A3D_TRY(statement.bind(4, first).run());
+                 connection_.use("UPDATE row_groups SET dead = ?, columns = ?, checksum = ? WHERE relation = ? AND "
+                                 "first = ?"));
+      const GroupBytes bytes = bytes_of(*group.content);
+      statement.bind(1, Cell::blob(group.dead != nullptr ? std::string_view(*group.dead) : std::string_view()));
+      statement.bind(2, Cell::blob(bytes.columns)).bind(3, as_signed(group.checksum));
+      A3D_TRY(statement.bind(4, number).bind(5, first).run());
     }
     table.changed.clear();
   }
@@ -337,6 +389,7 @@ std::vector<std::int64_t> RowGroups::changed_tables() const {
 
 void RowGroups::forget() {
   tables_.clear();
+  unwritten_.clear();
   kept_.clear();
   kept_places_.clear();
   kept_bytes_ = 0;
@@ -344,6 +397,8 @@ void RowGroups::forget() {
 
 void RowGroups::forget(std::int64_t table_number) {
   tables_.erase(table_number);
+  unwritten_.erase(unwritten_.lower_bound({table_number, INT64_MIN, 0}),
+                   unwritten_.lower_bound({table_number + 1, INT64_MIN, 0}));
   for (auto kept = kept_places_.lower_bound({table_number, INT64_MIN, 0});
        kept != kept_places_.end() && kept->first.table_number == table_number;) {
     kept_bytes_ -= kept->second->chunk->heap_bytes();

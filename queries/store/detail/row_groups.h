@@ -82,8 +82,9 @@ class GroupList {
 using GroupListPtr = std::shared_ptr<const GroupList>;
 
 /// The row groups of the relations of a database. Lists are read when they are first asked for, and kept until
-/// `forget`; a reader keeps the list that it began with. Column chunks do not change within a statement: groups are
-/// replaced by `replace` at its end only. Which tuples are dead is written by `flush`. Used by one thread.
+/// `forget`; a reader keeps the list that it began with. Groups are replaced by `replace` at the end of a statement
+/// only. A chunk that `rewrite` replaces within a statement stays in the file as long as a reader may need it: then the
+/// new one is in memory until `flush`, which also writes which tuples are dead. Used by one thread.
 class RowGroups {
  public:
   RowGroups(SqliteConnection& connection, Catalogue& catalogue) : connection_(connection), catalogue_(catalogue) {}
@@ -102,15 +103,24 @@ class RowGroups {
   algebra3d::Result<RowGroup> write(const RelationLayout& layout, std::span<const std::int64_t> ids,
                                     std::span<const EncodedChunk> chunks);
   algebra3d::Status append(const RelationLayout& layout, std::vector<RowGroup> groups);
-  /// Marks a tuple as dead; by how much the checksum of its group changes.
-  algebra3d::Result<std::uint64_t> mark_dead(const RelationLayout& layout, const GroupRow& place);
+  /// Marks tuples of a group, by its position in the list, as dead; by how much the checksum of the group changes.
+  algebra3d::Result<std::uint64_t> mark_dead(const RelationLayout& layout, std::size_t group,
+                                             std::span<const std::uint32_t> rows);
+  /// The chunk of an attribute that comes in place of another one.
+  struct NewChunk {
+    std::size_t attribute = 0;
+    EncodedChunk chunk;
+  };
+  /// Replaces chunks of a group, by its position in the list; by how much the checksum of the group changes.
+  algebra3d::Result<std::uint64_t> rewrite(const RelationLayout& layout, std::size_t group,
+                                           std::vector<NewChunk> chunks);
   /// Puts another list in place of the current one, of which nothing is left to be flushed.
   algebra3d::Status replace(const RelationLayout& layout, std::vector<RowGroup> groups);
   /// Erases the row and the chunks of a group, not its place in the list.
   algebra3d::Status erase(const RelationLayout& layout, const RowGroup& group);
   /// Erases everything of the table with this number.
   algebra3d::Status erase_all(std::int64_t table_number);
-  /// Writes which tuples are dead.
+  /// Writes which tuples are dead, and new chunks that are not in the file.
   algebra3d::Status flush();
   /// The tables whose groups have changed since the last `flush`.
   std::vector<std::int64_t> changed_tables() const;
@@ -144,6 +154,15 @@ class RowGroups {
     std::shared_ptr<const ColumnChunk> chunk;
   };
 
+  /// A chunk that is to come into the file, as its group has it by this checksum.
+  struct Unwritten {
+    std::uint64_t checksum;
+    std::shared_ptr<const std::string> bytes;
+  };
+
+  algebra3d::Status write_chunk(const ChunkKey& key, std::string_view bytes);
+  algebra3d::Result<std::string> chunk_bytes(const RelationLayout& layout, const GroupContent& group,
+                                             std::size_t attribute);
   bool has_tables() const { return catalogue_.version() >= kFirstVersionWithRowGroups; }
   algebra3d::Result<Table*> table(const RelationLayout& layout);
   GroupList& own_list(Table& table);
@@ -152,7 +171,8 @@ class RowGroups {
   SqliteConnection& connection_;
   Catalogue& catalogue_;
   std::map<std::int64_t, Table> tables_;
-  std::list<Kept> kept_;  // latest used first
+  std::map<ChunkKey, std::vector<Unwritten>> unwritten_;  // the latest one last
+  std::list<Kept> kept_;                                  // latest used first
   std::map<ChunkKey, std::list<Kept>::iterator> kept_places_;
   std::size_t kept_bytes_ = 0;
 };

@@ -5,67 +5,15 @@
 
 #include "base/propagate.h"
 #include "queries/store/detail/chunks.h"
+#include "queries/store/detail/group_edits.h"
 #include "queries/store/detail/key_tables.h"
 #include "queries/store/detail/relation_filling.h"
 #include "queries/store/detail/relation_scan.h"
 #include "queries/store/detail/stored_tree.h"
+#include "queries/store/detail/stored_tuples.h"
 #include "queries/streams/datum.h"
 
 namespace queries {
-namespace {
-
-/// A stream of the tuples of a stored relation with given ids, as they were at the first `next`, like a RelationScan
-/// that knows which tuples to read. Errors: database_corrupt for an id without a row.
-class RelationSelection final : public TupleStream {
- public:
-  /// `ids` is ascending.
-  RelationSelection(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout,
-                    std::vector<TupleId> ids);
-  Result<TuplePtr> next() override;
-
- private:
-  std::shared_ptr<Database> database_;
-  std::shared_ptr<const RelationLayout> layout_;
-  std::uint64_t statement_;
-  std::vector<TupleId> ids_;
-  std::size_t position_ = 0;
-  ChangeTime time_ = 0;
-  GroupListPtr groups_;
-  std::optional<RowReader> reader_;  // from the first tuple on
-};
-
-RelationSelection::RelationSelection(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout,
-                                     std::vector<TupleId> ids)
-    : database_(std::move(database)),
-      layout_(std::move(layout)),
-      statement_(database_->statement()),
-      ids_(std::move(ids)) {}
-
-Result<TuplePtr> RelationSelection::next() {
-  A3D_TRY(database_->check_statement(statement_));
-  if (!reader_) {
-    time_ = database_->changes().now();
-    A3D_ASSIGN(groups_, database_->row_groups().list(*layout_));
-    reader_.emplace(database_, layout_, time_);
-  }
-  if (database_->changes().is_gone(layout_->table_number(), time_))
-    return Error{ErrorCode::wrong_usage, "the relation was replaced or deleted while it was read"}.about(
-        layout_->relation());
-  if (position_ == ids_.size()) return TuplePtr();
-  const TupleId id = ids_[position_++];
-  if (const auto place = groups_->find(id))
-    return tuple_of_group(*database_, *layout_, (*groups_)[place->group], place->row);
-  A3D_ASSIGN(SqliteConnection * source, database_->source_of(*layout_, id, time_));
-  A3D_ASSIGN(SqliteStatement statement, source->use(layout_->fetch_sql()));
-  statement.bind(1, id);
-  A3D_ASSIGN(const bool has_row, statement.step());
-  if (!has_row) return Database::missing(*layout_, id);
-  A3D_TRY(reader_->take(statement));
-  return reader_->tuple();
-}
-
-}  // namespace
-
 // The relation may have been replaced or removed since the statement asked for it.
 Result<const CatalogueEntry*> StoredRelation::entry() const {
   A3D_TRY(database_->check_statement(statement_));
@@ -92,21 +40,14 @@ Result<TupleStreamPtr> StoredRelation::scan_columns(std::vector<bool> read, std:
 
 Result<TuplePtr> StoredRelation::fetch(TupleId id) {
   A3D_TRY(entry());
-  A3D_ASSIGN(const GroupListPtr groups, database_->row_groups().list(*layout_));
-  if (const auto place = groups->find(id))
-    return tuple_of_group(*database_, *layout_, (*groups)[place->group], place->row);
-  A3D_ASSIGN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));
-  statement.bind(1, id);
-  A3D_ASSIGN(const bool has_row, statement.step());
-  if (!has_row) return TuplePtr();
-  RowReader reader(database_, layout_, database_->changes().now());
-  A3D_TRY(reader.take(statement));
-  return reader.tuple();
+  StoredTuples tuples(database_, layout_, std::vector<bool>(layout_->attributes().size(), true));
+  A3D_ASSIGN(const Batch* const found, tuples.read({&id, 1}));
+  return found->rows.count == 0 ? TuplePtr() : tuple_of(*found, found->rows[0]);
 }
 
-Result<TupleStreamPtr> StoredRelation::select(std::vector<TupleId> ids) {
+Result<std::unique_ptr<TuplesById>> StoredRelation::by_id(std::vector<bool> read) {
   A3D_TRY(entry());
-  return TupleStreamPtr(std::make_shared<RelationSelection>(database_, layout_, std::move(ids)));
+  return std::unique_ptr<TuplesById>(std::make_unique<StoredTuples>(database_, layout_, std::move(read)));
 }
 
 // Until the statement ends, the row can be read through another connection as it is now, if it has not changed before.
@@ -179,8 +120,9 @@ Status StoredRelation::write(CatalogueEntry& entry, RowWriter& writer, TupleId i
 /// Removes a tuple from where it stands. The checksum of its relation changes, and not the number of its tuples.
 Status StoredRelation::erase_place(CatalogueEntry& entry, const OldRow& old, TupleId id) {
   if (old.place) {
-    database_->note_group_tuple(layout_->table_number(), id);
-    A3D_ASSIGN(const std::uint64_t change, database_->row_groups().mark_dead(*layout_, *old.place));
+    database_->note_group_tuples(layout_->table_number(), {&id, 1});
+    const auto row = static_cast<std::uint32_t>(old.place->row);
+    A3D_ASSIGN(const std::uint64_t change, database_->row_groups().mark_dead(*layout_, old.place->group, {&row, 1}));
     entry.tuple_sum += change;
     return {};
   }
@@ -266,6 +208,46 @@ Status StoredRelation::update(TupleId id, const Tuple& tuple) {
     return overwrite(*database_->catalogue().edit(layout_->relation()), *old, *writer, id);
   });
   if (status) ++database_->change_counts().updated;
+  return status;
+}
+
+Status StoredRelation::erase_all(std::span<const TupleId> ids, const algebra3d::Context& context) {
+  A3D_TRY(entry());
+  Status status = database_->change([&]() -> Status {
+    follow_changes(database_, layout_);
+    CatalogueEntry& edited = *database_->catalogue().edit(layout_->relation());
+    A3D_ASSIGN(const std::vector<TupleId> others, GroupEdits(database_, layout_, edited).erase(ids, context));
+    for (const TupleId id : others) {
+      A3D_TRY(context.check_cancelled());
+      A3D_TRY(erase_row(edited, id));
+    }
+    return {};
+  });
+  if (status) database_->change_counts().deleted += ids.size();
+  return status;
+}
+
+/// Gives a tuple new values of some attributes.
+Status StoredRelation::update_row(TupleId id, std::span<const std::size_t> attributes, const Tuple& values) {
+  A3D_ASSIGN(const TuplePtr old, fetch(id));
+  if (old == nullptr) return Error{ErrorCode::unknown_name, "there is no tuple {}", id}.about(layout_->relation());
+  Tuple changed = *old;
+  for (std::size_t i = 0; i < attributes.size(); ++i) changed.attributes[attributes[i]] = values.attributes[i];
+  A3D_ASSIGN(const auto row, read_row(id));
+  A3D_ASSIGN(const auto writer, RowWriter::make(*database_, *layout_, id, changed, &row->reader));
+  return overwrite(*database_->catalogue().edit(layout_->relation()), *row, *writer, id);
+}
+
+Status StoredRelation::update_all(std::span<const TupleId> ids, std::span<const std::size_t> attributes,
+                                  TupleStream& values, const algebra3d::Context& context) {
+  A3D_TRY(entry());
+  const auto update_one = [&](TupleId id, const Tuple& tuple) { return update_row(id, attributes, tuple); };
+  Status status = database_->change([&]() -> Status {
+    follow_changes(database_, layout_);
+    CatalogueEntry& edited = *database_->catalogue().edit(layout_->relation());
+    return GroupEdits(database_, layout_, edited).update({ids, attributes, values}, update_one, context);
+  });
+  if (status) database_->change_counts().updated += ids.size();
   return status;
 }
 

@@ -23,13 +23,17 @@ class StoredRelation final : public Relation {
   Result<TupleStreamPtr> scan() override;
   Result<TupleStreamPtr> scan_columns(std::vector<bool> read, std::vector<AttributeBounds> bounds) override;
   Result<TuplePtr> fetch(TupleId id) override;
-  Result<TupleStreamPtr> select(std::vector<TupleId> ids) override;
+  Result<std::unique_ptr<TuplesById>> by_id(std::vector<bool> read) override;
   bool keeps(TupleId id) const override;
 
   Result<TupleId> insert(const Tuple& tuple) override;
   Result<TupleStreamPtr> insert_all(TupleStream& tuples, const algebra3d::Context& context) override;
   Status erase(TupleId id) override;
   Status update(TupleId id, const Tuple& tuple) override;
+  Status erase_all(std::span<const TupleId> ids, const algebra3d::Context& context) override;
+  bool changes_in_columns() const override { return database_->makes_row_groups(*layout_); }
+  Status update_all(std::span<const TupleId> ids, std::span<const std::size_t> attributes, TupleStream& values,
+                    const algebra3d::Context& context) override;
 
  private:
   using Keys = std::vector<std::pair<std::size_t, Value>>;  // by attribute
@@ -42,6 +46,7 @@ class StoredRelation final : public Relation {
   Status erase_place(CatalogueEntry& entry, const OldRow& old, TupleId id);
   Status index_group(const RowGroup& group);
   Status erase_row(CatalogueEntry& entry, TupleId id);
+  Status update_row(TupleId id, std::span<const std::size_t> attributes, const Tuple& values);
   Status overwrite(CatalogueEntry& entry, const OldRow& old, RowWriter& writer, TupleId id);
   void change_keys(const Keys& old_keys, const Keys& new_keys, TupleId id);
 

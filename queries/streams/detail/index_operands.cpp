@@ -26,4 +26,13 @@ std::string stored_name(const Datum& source) {
   return relation == nullptr ? std::string() : (*relation)->name();
 }
 
+TupleStreamPtr found_tuples(const RelationPtr& relation, const std::shared_ptr<const IndexObject>& index,
+                            TupleList list, const Context& context) {
+  list.found_wrong = [relation, index](TupleId id, bool has_tuple) -> Status {
+    if (!index->is_definition() || !relation->keeps(id)) return {};
+    return index_disagrees(relation->name(), index->attribute(), id, has_tuple);
+  };
+  return listed_tuples(relation, std::move(list), context);
+}
+
 }  // namespace queries

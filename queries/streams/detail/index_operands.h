@@ -8,6 +8,7 @@
 
 #include "base/propagate.h"
 #include "queries/streams/index_object.h"
+#include "queries/streams/listed_tuples.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
 
@@ -81,6 +82,10 @@ TupleStreamPtr fetched(RelationPtr relation, std::shared_ptr<Index> index, Next 
     }
   });
 }
+
+/// As `fetched`, of listed tuples in columns.
+TupleStreamPtr found_tuples(const RelationPtr& relation, const std::shared_ptr<const IndexObject>& index,
+                            TupleList list, const Context& context);
 
 /// A function object that returns the elements of a vector one by one, then nothing.
 template <typename T>

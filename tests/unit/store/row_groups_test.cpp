@@ -39,6 +39,14 @@ class RowGroupRelations : public StoreTest {
     const auto inserted = relation("R")->insert_all(*TupleBuffer(std::move(shared)).scan(), context_);
     return inserted ? Status() : inserted.error();
   }
+  /// Gives each tuple a number: its id and this one.
+  Status update_all(const std::vector<TupleId>& ids, int more) {
+    std::vector<TuplePtr> values;
+    for (const TupleId id : ids)
+      values.push_back(std::make_shared<const Tuple>(tuple({{"int", std::to_string(id + more)}})));
+    return relation("R")->update_all(ids, std::vector<std::size_t>{0}, *TupleBuffer(std::move(values)).scan(),
+                                     context_);
+  }
   std::vector<std::string> findings() {
     std::vector<std::string> result;
     auto found = store_->check(context_, nullptr);
@@ -50,6 +58,17 @@ class RowGroupRelations : public StoreTest {
   std::string group_count() { return sql("SELECT count(*) FROM row_groups"); }
   std::string table() { return sql("SELECT name FROM sqlite_schema WHERE name LIKE 'rel_%_R'"); }
   std::string loose_count() { return sql("SELECT count(*) FROM " + table()); }
+
+  /// The tuples with these ids.
+  static std::vector<std::string> by_ids(TuplesById& tuples, const std::vector<TupleId>& ids) {
+    std::vector<std::string> result;
+    const auto batch = tuples.read(ids);
+    EXPECT_TRUE(batch.ok()) << (batch ? "" : batch.error().text());
+    if (batch)
+      for (std::size_t i = 0; i < (*batch)->rows.count; ++i)
+        result.push_back(text(*tuple_of(**batch, (*batch)->rows[i])));
+    return result;
+  }
 
   /// The tuples of a scan in columns that reads some attributes.
   std::vector<std::string> in_columns(const std::string& name, std::vector<bool> read, std::size_t most) {
@@ -131,10 +150,10 @@ TEST_F(RowGroupRelations, a_scan_shows_the_relation_as_it_was_when_it_began) {
   write([&] {
     const auto before = rows("R");
     const auto scan = *relation("R")->scan();
-    const auto late = *relation("R")->select({2, 5, 9, 20});
+    const auto late = *relation("R")->by_id({true, true});
     std::vector<std::string> found;
     found.push_back(text(**scan->next()));
-    std::vector<std::string> selected = {text(**late->next())};
+    EXPECT_EQ(by_ids(*late, {2}), std::vector<std::string>{before[1]});
     for (const int id : {1, 2, 5, 9, 19}) ok(relation("R")->update(id, numbered(200 + id)));
     ok(relation("R")->erase(20));
     ok(relation("R")->erase(3));
@@ -142,12 +161,90 @@ TEST_F(RowGroupRelations, a_scan_shows_the_relation_as_it_was_when_it_began) {
     ASSERT_TRUE(relation("R")->insert(numbered(35)).ok());
     while (const TuplePtr next = *scan->next()) found.push_back(text(*next));
     EXPECT_EQ(found, before);
-    while (const TuplePtr next = *late->next()) selected.push_back(text(*next));
-    EXPECT_EQ(selected, (std::vector<std::string>{before[1], before[4], before[8], before[19]}));
+    EXPECT_EQ(by_ids(*late, {20, 5, 99, 9, 2, 3, 32, 9}),
+              (std::vector<std::string>{before[19], before[4], before[8], before[1], before[2], before[8]}));
+    EXPECT_EQ(by_ids(**relation("R")->by_id({true, true}), {20, 9}), std::vector<std::string>{text(numbered(209))});
     EXPECT_EQ(rows("R").size(), 23U);
     EXPECT_EQ(rows("R")[0], text(numbered(201)));
   });
   read([&] { EXPECT_EQ(findings(), std::vector<std::string>{}); });
+}
+
+// Whoever has begun to read sees the chunks of before, also when they are replaced twice.
+TEST_F(RowGroupRelations, chunks_are_replaced_under_readers) {
+  write([&] { let_numbers(20); });
+  write([&] { ok(relation("R")->update(5, numbered(105))); });
+  std::vector<std::string> after;
+  write([&] {
+    const auto before = rows("R");
+    const auto first_scan = *relation("R")->scan();
+    const auto first_ids = *relation("R")->by_id({true, true});
+    std::vector<std::string> first_found = {text(**first_scan->next())};
+    ok(first_ids->read({}).ok() ? Status() : Error{ErrorCode::internal, "not read"});
+    ok(update_all({20, 5, 3, 11, 7, 9}, 400));
+    const auto middle = rows("R");
+    EXPECT_EQ(middle[2], "403 \"s3\"");
+    EXPECT_EQ(middle[4], "405 undefined");
+    EXPECT_EQ(middle[6], "407 undefined");
+    const auto second_scan = *relation("R")->scan();
+    std::vector<std::string> second_found = {text(**second_scan->next())};
+    ok(update_all({1, 2, 3, 4, 5, 6, 7, 8}, 500));
+    ok(relation("R")->erase_all(std::vector<TupleId>{12, 5, 6}, context_));
+    while (const TuplePtr next = *first_scan->next()) first_found.push_back(text(*next));
+    while (const TuplePtr next = *second_scan->next()) second_found.push_back(text(*next));
+    EXPECT_EQ(first_found, before);
+    EXPECT_EQ(second_found, middle);
+    EXPECT_EQ(by_ids(*first_ids, {12, 3, 1}), (std::vector<std::string>{before[11], before[2], before[0]}));
+    after = rows("R");
+  });
+  EXPECT_EQ(after.size(), 17U);
+  EXPECT_EQ(after[2], "503 \"s3\"");
+  reopen(OpenMode::read_write, kSmallGroups);
+  read([&] {
+    EXPECT_EQ(rows("R"), after);
+    EXPECT_EQ(*relation("R")->count(), 17);
+    EXPECT_EQ(findings(), std::vector<std::string>{});
+  });
+}
+
+TEST_F(RowGroupRelations, replaced_chunks_go_with_their_statement) {
+  write([&] { let_numbers(20); });
+  std::vector<std::string> before;
+  ok(store_->begin(true));
+  before = rows("R");
+  const auto reader = *relation("R")->by_id({true, true});
+  EXPECT_EQ(by_ids(*reader, {2}), std::vector<std::string>{before[1]});
+  ok(update_all({1, 2, 3, 10, 20}, 400));
+  EXPECT_EQ(rows("R")[1], "402 \"s2\"");
+  store_->rollback();
+  read([&] {
+    EXPECT_EQ(rows("R"), before);
+    EXPECT_EQ(findings(), std::vector<std::string>{});
+  });
+}
+
+// Of large changes nothing stands beside the groups, and indexes follow, whether they are in the file or in memory.
+TEST_F(RowGroupRelations, indexes_follow_changes_in_columns) {
+  write([&] {
+    let_numbers(40);
+    let_order("R_A", "A", "int");
+  });
+  const auto in_range = [&](int low, int high) {
+    return *store_->read("R_A")->ordered_index()->entries().range(Value::of(std::int64_t{low}),
+                                                                  Value::of(std::int64_t{high}));
+  };
+  write([&] {
+    EXPECT_EQ(in_range(1, 5), (std::vector<TupleId>{1, 2, 3, 4, 5}));
+    ok(update_all({1, 2, 7, 30}, 400));
+    EXPECT_EQ(in_range(1, 5), (std::vector<TupleId>{3, 4, 5}));
+    ok(relation("R")->erase_all(std::vector<TupleId>{3, 40}, context_));
+  });
+  EXPECT_EQ(loose_count(), "0");
+  read([&] {
+    EXPECT_EQ(in_range(1, 5), (std::vector<TupleId>{4, 5}));
+    EXPECT_EQ(in_range(400, 499), (std::vector<TupleId>{1, 2, 7, 30}));
+    EXPECT_EQ(findings(), std::vector<std::string>{});
+  });
 }
 
 // A damaged chunk takes away its attribute in its tuples, and nothing else.
