@@ -225,7 +225,7 @@ Result<BoundOperator> map_deletesearch(std::span<const ArgumentType> arguments) 
 
 /// `are_own`: the plan says that the tuples are of the relation.
 BoundOperator delete_operator(const TypeExpr& result, bool are_own) {
-  ChangesTuples role{[result, are_own](const std::vector<bool>&) { return delete_operator(result, are_own); }};
+  ChangesTuples role;
   if (!are_own) role.of_own = [result] { return delete_operator(result, true); };
   return {TypeExpr::stream(result),
           [are_own](std::vector<Datum> given, Context& context) -> Result<Datum> {

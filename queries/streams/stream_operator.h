@@ -70,8 +70,6 @@ struct ChainsStreams {};
 /// The tuples of the stream at place 0, which are of the relation at place 1, changed there, perhaps by the functions
 /// at place 2.
 struct ChangesTuples {
-  /// Reads only some attributes of the result, by their places: the others are undefined.
-  std::function<BoundOperator(std::vector<bool> read)> of_attributes;
   /// Takes tuples that are known to be of the relation, of which it needs the ids and what the functions read. Null if
   /// it does already.
   std::function<BoundOperator()> of_own = {};

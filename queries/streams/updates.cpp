@@ -129,7 +129,7 @@ Result<TupleStreamPtr> update_in_columns(Operand operand, const UpdatePlan& plan
 }
 
 BoundOperator update_operator(const UpdatePlan& plan) {
-  ChangesTuples role{[plan](const std::vector<bool>&) { return update_operator(plan); }};
+  ChangesTuples role;
   if (!plan.are_own) role.of_own = [plan] { return update_operator({plan.tuple, plan.result, plan.assigned, true}); };
   return {TypeExpr::stream(plan.result),
           [plan](std::vector<Datum> given, Context& context) -> Result<Datum> {

@@ -1,5 +1,6 @@
 // When a Database's statements and transactions begin and end, and which data are dropped then.
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "base/interruption_scope.h"
@@ -203,15 +204,22 @@ void Database::keep_face_blocks() {
   if (values_to_block_.empty()) return;
   const std::vector<BlockedValue> values = std::exchange(values_to_block_, {});
   if (is_explicit_ || is_read_only_) return;
+  const auto write = [&]() -> Status {
+    connection_->wait_at_most(0);
+    const Status begun = connection_->execute("BEGIN IMMEDIATE");
+    connection_->wait_at_most(options_.busy_milliseconds);
+    A3D_TRY(begun);
+    for (const BlockedValue& value : values) A3D_TRY(write_if_there(*connection_, value));
+    return connection_->execute("COMMIT");
+  };
+  // The statement has ended well. Blocks that an interrupt, a limit of memory or another writer prevents are written
+  // when they are asked for again.
+  try {
+    static_cast<void>(algebra3d::as_interrupted(write));
+  } catch (const std::bad_alloc&) {
+  }
   const algebra3d::UninterruptedScope to_the_end;
-  connection_->wait_at_most(0);
-  Status status = connection_->execute("BEGIN IMMEDIATE");
-  connection_->wait_at_most(options_.busy_milliseconds);
-  if (!status) return;
-  for (const BlockedValue& value : values)
-    if (status) status = write_if_there(*connection_, value);
-  if (status) status = connection_->execute("COMMIT");
-  if (!status && connection_->in_transaction()) static_cast<void>(connection_->execute("ROLLBACK"));
+  if (connection_->in_transaction()) static_cast<void>(connection_->execute("ROLLBACK"));
 }
 
 // SQLite frees the pages of an index along its links, which may lead to pages of others if they are damaged. Then the

@@ -274,10 +274,7 @@ Status SqliteStore::assign_value(CatalogueEntry& entry, const Value& value) {
         .about(entry.name);
   A3D_ASSIGN(const Value loaded, value.loaded());
   A3D_ASSIGN(const std::string bytes, algebra3d::encode_to_store(loaded));
-  A3D_TRY(write_object_bytes(*database_, entry, bytes));
-  if (!loaded.is_defined() || !may_have_face_blocks(loaded.type(), loaded.type().is_large() ? loaded.header().size : 0))
-    return {};
-  return write_face_blocks(database_->connection(), {{0, entry.id, 0}, entry.value_sum, {}, loaded});
+  return write_object_bytes(*database_, entry, bytes);
 }
 
 Result<std::vector<Finding>> SqliteStore::check(const algebra3d::Context& context,

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "algebra3d/values/types/face_blocks.h"
+#include "base/interruption_scope.h"
 #include "unit/store/store_fixture.h"
 
 namespace queries {
@@ -283,9 +284,15 @@ std::string found_text(const Result<std::shared_ptr<const algebra3d::FaceBlocks>
   return !found ? found.error().text() : *found == nullptr ? "none" : "blocks";
 }
 
-TEST_F(Levels, face_blocks_are_written_and_go_with_a_large_object) {
+TEST_F(Levels, face_blocks_are_written_at_the_end_of_a_statement_that_asks_and_go_with_their_object) {
   const Value solid = large_solid();
   write([&] { let_object("sphere", solid); });
+  EXPECT_EQ(block_count(), "0");
+  reopen(OpenMode::read_only);
+  read([&] { EXPECT_EQ(found_text(object("sphere").deferred()->face_blocks()), "none"); });
+  EXPECT_EQ(block_count(), "0");
+  reopen(OpenMode::read_write);
+  read([&] { EXPECT_EQ(found_text(object("sphere").deferred()->face_blocks()), "none"); });
   const std::size_t blocks = (solid.header().size + algebra3d::kFacesOfBlock - 1) / algebra3d::kFacesOfBlock;
   EXPECT_GT(std::stoul(block_count()), blocks) << "with their list";
   EXPECT_LT(std::stoul(block_count()), 4 * blocks);
@@ -308,21 +315,26 @@ TEST_F(Levels, face_blocks_are_written_and_go_with_a_large_object) {
   EXPECT_EQ(block_count(), "0");
 }
 
-TEST_F(Levels, face_blocks_that_are_missing_are_made_at_the_end_of_a_statement) {
+TEST_F(Levels, face_blocks_that_are_interrupted_are_made_by_the_next_statement_that_asks) {
   write([&] { let_object("sphere", large_solid()); });
-  const std::string count = block_count();
-  store_.reset();
-  sql("DROP TABLE shape_levels");
-  reopen(OpenMode::read_only);
-  read([&] { EXPECT_EQ(found_text(object("sphere").deferred()->face_blocks()), "none"); });
   reopen(OpenMode::read_write);
-  read([&] { EXPECT_EQ(found_text(object("sphere").deferred()->face_blocks()), "none"); });
-  EXPECT_EQ(block_count(), count);
-  read([&] { EXPECT_EQ(found_text(object("sphere").deferred()->face_blocks()), "blocks"); });
+  std::atomic<bool> interrupted = false;
+  const algebra3d::InterruptionScope scope(&interrupted);
+  const auto ask = [&] { return found_text(object("sphere").deferred()->face_blocks()); };
+  read([&] {
+    EXPECT_EQ(ask(), "none");
+    interrupted = true;
+  });
+  interrupted = false;
+  EXPECT_EQ(block_count(), "0");
+  read([&] { EXPECT_EQ(ask(), "none"); });
+  read([&] { EXPECT_EQ(ask(), "blocks"); });
 }
 
 TEST_F(Levels, damaged_face_blocks_are_errors) {
   write([&] { let_object("sphere", large_solid()); });
+  reopen(OpenMode::read_write);
+  read([&] { static_cast<void>(object("sphere").deferred()->face_blocks()); });
   const auto with_damage = [&](const std::string& statement) {
     store_.reset();
     sql(statement);
