@@ -124,12 +124,12 @@ Result<Value> StoredObjectValue::load() const {
 }
 
 Result<std::shared_ptr<const algebra3d::FaceBlocks>> StoredObjectValue::face_blocks() const {
-  using Found = std::shared_ptr<const algebra3d::FaceBlocks>;
+  using FoundBlocks = std::shared_ptr<const algebra3d::FaceBlocks>;
   A3D_TRY(database_->check_statement(statement_));
-  if (!may_have_face_blocks(type_, header_.size)) return Found();
+  if (!may_have_face_blocks(type_, header_.size)) return FoundBlocks();
   {
     const std::lock_guard lock(mutex_);
-    if (loaded_) return Found();
+    if (loaded_) return FoundBlocks();
   }
   return found_face_blocks(database_);
 }

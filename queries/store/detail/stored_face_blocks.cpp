@@ -74,17 +74,17 @@ bool may_have_face_blocks(const algebra3d::Type& type, std::size_t face_count) {
 Result<std::shared_ptr<const algebra3d::FaceBlocks>> find_face_blocks(const std::shared_ptr<Database>& database,
                                                                       const LevelPlace& place, std::uint64_t checksum,
                                                                       const algebra3d::GeometryHeader& header) {
-  using Found = std::shared_ptr<const algebra3d::FaceBlocks>;
+  using FoundBlocks = std::shared_ptr<const algebra3d::FaceBlocks>;
   constexpr std::size_t kPart = 2;
-  if (database->block_faces(place, checksum) * kPart > header.size) return Found();
+  if (database->block_faces(place, checksum) * kPart > header.size) return FoundBlocks();
   Result<FaceBlockList> list = FaceBlockList();
   A3D_ASSIGN(const bool is_there,
              read_level(database->connection(), {place, checksum, kListNumber}, [&](std::string_view bytes) {
                list = decode_face_block_list(bytes, header.box, header.size);
              }));
-  if (!is_there) return Found();
+  if (!is_there) return FoundBlocks();
   if (!list) return std::move(list).error().about(database->connection().file());
-  return Found(std::make_shared<StoredFaceBlocks>(*std::move(list), database, place, checksum));
+  return FoundBlocks(std::make_shared<StoredFaceBlocks>(*std::move(list), database, place, checksum));
 }
 
 Status write_face_blocks(SqliteConnection& connection, const BlockedValue& value) {

@@ -58,10 +58,10 @@ Result<std::shared_ptr<const algebra3d::FaceBlocks>> StoredBytes::found_face_blo
 }
 
 Result<std::shared_ptr<const algebra3d::FaceBlocks>> StoredValue::face_blocks() const {
-  using Found = std::shared_ptr<const algebra3d::FaceBlocks>;
+  using FoundBlocks = std::shared_ptr<const algebra3d::FaceBlocks>;
   A3D_TRY(database_->check_statement(value_.statement));
   const algebra3d::Type& type = *value_.layout->attributes()[value_.attribute].type;
-  if (!may_have_face_blocks(type, value_.header.size) || database_->is_in_memory(value_)) return Found();
+  if (!may_have_face_blocks(type, value_.header.size) || database_->is_in_memory(value_)) return FoundBlocks();
   return found_face_blocks(database_);
 }
 
