@@ -21,6 +21,12 @@ bool has_attribute(const TypeExpr& type, const std::string& name) {
          std::ranges::find(type.attributes(), name, &TypeExpr::Attribute::name) != type.attributes().end();
 }
 
+/// Joins take such operators by their names.
+bool names_a_relation(const Operator& op) {
+  using algebra3d::BoxCondition;
+  return op.boxes != BoxCondition::none && op.boxes != BoxCondition::are_near;
+}
+
 }  // namespace
 
 Result<TypedPtr> Checker::check(const NameUse& use, const SourcePlace& place) {
@@ -87,7 +93,8 @@ Error Checker::unknown_name(const std::string& name, const SourcePlace& place) {
   if (!attributes.empty())
     message += fmt::format(", did you mean the attribute '{}'?", fmt::join(attributes, "' or '"));
   else if (op != nullptr)
-    message = fmt::format("there is no object '{}'; the operator of that name is written {}", name, op->written());
+    message = fmt::format("there is no object '{}'; the operator of that name is written {}{}", name, op->written(),
+                          names_a_relation(*op) ? fmt::format(", and for a join \"{}\"", name) : "");
   else if (const std::string meant = name_meant(name); !meant.empty())
     message += ", did you mean '" + meant + "'?";
   else if (!objects_.is_open())
