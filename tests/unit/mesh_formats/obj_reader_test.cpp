@@ -205,7 +205,7 @@ std::vector<RefusedObj> refused_obj_vertices() {
       {"v 0 0\nv 0 0 0", "byte 5, line 1: expected a number, found end of line"},
       {"v 0 0 #0\n", "byte 6, line 1: expected a number, found end of line"},
       {"v 0 0 x\n", "byte 6, line 1: expected a number, found 'x'"},
-      {"v 0 1,5 0\n", "byte 4, line 1: expected a number, found '1,5'"},
+      {"v 0 1,5 0\n", "byte 4, line 1: expected a number, found '1,5' with a decimal comma"},
       {"v\n1 2 3", "byte 1, line 1: expected a number, found end of line"},
       {"v 0 0 0\n\nv 0 nan 0", "byte 13, line 3: vertex 2: y is 'nan'; expected a finite number"},
       {"v -inf 0 0", "byte 2, line 1: vertex 1: x is '-inf'; expected a finite number"},
