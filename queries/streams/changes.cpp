@@ -196,7 +196,7 @@ Result<TupleStreamPtr> erase_all(const TupleBuffer& doomed, Relation& relation, 
   return tuples_with_ids(doomed);
 }
 
-/// The same, of a relation that changes in columns.
+/// Erases tuples of a relation that changes in columns, and passes them on with their ids.
 Result<TupleStreamPtr> erase_in_columns(Operand operand, const Context& context) {
   const RelationPtr relation = operand.relation;
   BatchBuffer doomed(context);

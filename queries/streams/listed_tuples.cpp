@@ -22,7 +22,7 @@ class ListedTuples final : public TupleStream {
   }
   bool has_batches() const override { return true; }
   Result<const Batch*> next_batch(std::size_t most) override {
-    // Who asks for fewer may be content with them.
+    // A caller that asks for fewer may be content with them.
     A3D_ASSIGN(const bool has_tuple, find_more(most < kBatchTuples ? kSlowGrowth : kFastGrowth));
     if (!has_tuple) return nullptr;
     const std::size_t count = std::min(most, batch_->rows.count - position_);
@@ -106,7 +106,7 @@ class TuplesByIdsOf final : public TupleStream {
   TuplesByIdsOf(TupleStreamPtr tuples, std::shared_ptr<Relation> relation, std::unique_ptr<TuplesById> by_id)
       : tuples_(std::move(tuples)), relation_(std::move(relation)), by_id_(std::move(by_id)), batches_(*tuples_) {}
 
-  // An operator below that keeps few tuples has found them when it gives the first one: so batches are no work ahead.
+  // An operator below that keeps few tuples has found all of them when it gives the first, so a batch costs no more.
   Result<TuplePtr> next() override {
     if (batch_ == nullptr || position_ == batch_->rows.count) {
       A3D_ASSIGN(batch_, next_batch(kBatchTuples));

@@ -8,7 +8,7 @@
 
 namespace queries {
 
-/// What the reader of listed tuples knows about them.
+/// Ids of tuples, and how they are to be read.
 struct TupleList {
   std::vector<TupleId> ids;
   std::vector<bool> read;                                         ///< attributes, as for Relation::by_id

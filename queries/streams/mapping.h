@@ -75,7 +75,7 @@ bool is_value_type(const TypeExpr& type);
 /// The tuple type of the attributes at these indices.
 TypeExpr projected(const TypeExpr& tuple, const std::vector<std::size_t>& indices);
 
-/// What a plan says of the attributes that are read: "reads K, X"; empty for all.
+/// The words of a plan for the attributes that are read: "reads K, X"; empty for all.
 std::string text_of_read(const TypeExpr& tuple, const std::vector<bool>& read);
 
 /// The undefined value of a value type.

@@ -8,7 +8,7 @@
 namespace algebra3d {
 namespace {
 
-// Of geometries at one instant and over time, an operator may give a value for the one and rows for the other.
+// An operator may give a value for geometries at one instant, and rows for geometries over time.
 [[maybe_unused]] bool is_of_kind_of(const Operator& op, const Overload& overload) {
   return (overload.kind() == OperatorKind::aggregate) == (op.kind() == OperatorKind::aggregate);
 }

@@ -55,7 +55,7 @@ std::string shell_word(std::string_view name) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80 ||
            kPlain.find(c) != std::string_view::npos;
   };
-  // What begins with a hyphen would be an option.
+  // A name that begins with a hyphen would be an option.
   const std::string path = (name.starts_with('-') ? "./" : "") + std::string(name);
   if (!path.empty() && std::ranges::all_of(path, is_plain)) return path;
   return "'" + algebra3d::with_replaced(path, "'", "'\\''") + "'";

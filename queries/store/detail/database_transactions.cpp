@@ -198,8 +198,8 @@ void Database::restore_indexes() {
   for (const IndexPlace& place : places) indexes_.drop_ordered(place.layout->table_number(), place.attribute);
 }
 
-// A statement that asked about a large value had to load it whole. Another writer, or a full disk, is no failure: the
-// next statement that asks tries again.
+// A statement that asked about a large value had to load it whole, and has ended well. Blocks that another writer, a
+// full disk, an interrupt or a limit of memory prevents are written when they are asked for again.
 void Database::keep_face_blocks() {
   if (values_to_block_.empty()) return;
   const std::vector<BlockedValue> values = std::exchange(values_to_block_, {});
@@ -212,8 +212,6 @@ void Database::keep_face_blocks() {
     for (const BlockedValue& value : values) A3D_TRY(write_if_there(*connection_, value));
     return connection_->execute("COMMIT");
   };
-  // The statement has ended well. Blocks that an interrupt, a limit of memory or another writer prevents are written
-  // when they are asked for again.
   try {
     static_cast<void>(algebra3d::as_interrupted(write));
   } catch (const std::bad_alloc&) {

@@ -228,7 +228,7 @@ Status GroupEdits::write(std::size_t group, const Edit& edit, const Update& upda
       made.push_back(std::move(chunks[i].made));
     }
   }
-  // What makes a group too large comes beside it, until the group is written as several.
+  // Tuples that make a group too large come beside it, until the group is written as several.
   if (is_too_large) {
     for (std::size_t i = 0; i < ids.size(); ++i) {
       Tuple values;

@@ -22,7 +22,7 @@ Status move_orders(Database& database, const RelationLayout& layout);
 /// The tuple comes into the key tables of its relation, gets other keys there, or leaves them.
 Status insert_keys(Database& database, const RelationLayout& layout, TupleId id, const std::vector<Value>& values);
 Status update_keys(Database& database, const RelationLayout& layout, const RowReader& old, const RowWriter& writer);
-/// The same, for one attribute that has a key table.
+/// The tuple gets another key in the key table of one attribute.
 Status update_key(Database& database, const RelationLayout& layout, std::size_t attribute, TupleId id,
                   const Value& value);
 Status erase_keys(Database& database, const RelationLayout& layout, TupleId id);

@@ -308,7 +308,7 @@ Status RowGroups::write_chunk(const ChunkKey& key, std::string_view bytes) {
   return statement.bind(4, key.first).run();
 }
 
-// Whoever reads the chunks of before has the content of the group, in a list of their own.
+// Readers of the chunks of before have the content of the group, in a list of their own.
 Result<std::uint64_t> RowGroups::rewrite(const RelationLayout& layout, std::size_t index,
                                          std::vector<NewChunk> chunks) {
   A3D_ASSIGN(Table * own, table(layout));

@@ -23,8 +23,8 @@ struct BlockedValue {
 bool may_have_face_blocks(const algebra3d::Type& type, std::size_t face_count);
 
 /// The face blocks of a stored value with this header, in rows of the table of levels: docs/file_format.md. Null if
-/// there are none, or if the faces that were read in blocks since the file was opened come near to those of the value:
-/// then it is to be loaded. Valid while the running statement runs; may be used by several threads. Errors:
+/// the file lacks them, or if the faces that were read in blocks since it was opened come near to those of the value:
+/// then the value is to be loaded. Valid while the running statement runs; may be used by several threads. Errors:
 /// database_corrupt.
 algebra3d::Result<std::shared_ptr<const algebra3d::FaceBlocks>> find_face_blocks(
     const std::shared_ptr<Database>& database, const LevelPlace& place, std::uint64_t checksum,

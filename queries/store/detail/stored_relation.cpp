@@ -14,6 +14,14 @@
 #include "queries/streams/datum.h"
 
 namespace queries {
+namespace {
+
+Error unknown_tuple(const RelationLayout& layout, TupleId id) {
+  return Error{ErrorCode::unknown_name, "there is no tuple {}", id}.about(layout.relation());
+}
+
+}  // namespace
+
 // The relation may have been replaced or removed since the statement asked for it.
 Result<const CatalogueEntry*> StoredRelation::entry() const {
   A3D_TRY(database_->check_statement(statement_));
@@ -89,7 +97,7 @@ Result<std::unique_ptr<StoredRelation::OldRow>> StoredRelation::read_row(TupleId
   A3D_ASSIGN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));
   statement.bind(1, id);
   A3D_ASSIGN(const bool has_row, statement.step());
-  if (!has_row) return Error{ErrorCode::unknown_name, "there is no tuple {}", id}.about(layout_->relation());
+  if (!has_row) return unknown_tuple(*layout_, id);
   std::vector<Cell> cells(layout_->small_column_count());
   statement.read_columns(cells);
   if (!append_proved(cells, row->bytes)) return damaged_row(*layout_, id);
@@ -230,7 +238,7 @@ Status StoredRelation::erase_all(std::span<const TupleId> ids, const algebra3d::
 /// Gives a tuple new values of some attributes.
 Status StoredRelation::update_row(TupleId id, std::span<const std::size_t> attributes, const Tuple& values) {
   A3D_ASSIGN(const TuplePtr old, fetch(id));
-  if (old == nullptr) return Error{ErrorCode::unknown_name, "there is no tuple {}", id}.about(layout_->relation());
+  if (old == nullptr) return unknown_tuple(*layout_, id);
   Tuple changed = *old;
   for (std::size_t i = 0; i < attributes.size(); ++i) changed.attributes[attributes[i]] = values.attributes[i];
   A3D_ASSIGN(const auto row, read_row(id));

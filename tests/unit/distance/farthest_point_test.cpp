@@ -170,7 +170,7 @@ TEST(FarthestPoint, TheFarthestOfSeveralSearches) {
   EXPECT_FALSE(farthest_point({}).value());
 }
 
-// What one search finds saves work of the others, so they take their steps by turns.
+// A distance that one search finds saves work of the others, so they take their steps by turns.
 TEST(FarthestPoint, TheOrderOfSearchesDoesNotMatter) {
   const Set low = plate(0, 0, 1, 1, 3, false), high = plate(0.3, 0.2, 1, 1.25, 4, true),
             ridge({{-1, 0, 2}, {2, 0, 2}, {-1, -3, 0}, {2, 4, 0.5}}, {{0, 1, 2}, {0, 1, 3}});

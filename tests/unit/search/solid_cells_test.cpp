@@ -1,4 +1,4 @@
-// What cells tell of points: beside the winding number over all triangles.
+// Answers of cells about points, beside the winding number over all triangles.
 #include "algebra3d/kernel/search/solid_cells.h"
 
 #include <gtest/gtest.h>

@@ -170,7 +170,7 @@ TEST_F(RowGroupRelations, a_scan_shows_the_relation_as_it_was_when_it_began) {
   read([&] { EXPECT_EQ(findings(), std::vector<std::string>{}); });
 }
 
-// Whoever has begun to read sees the chunks of before, also when they are replaced twice.
+// A reader that has begun sees the chunks of before, also when they are replaced twice.
 TEST_F(RowGroupRelations, chunks_are_replaced_under_readers) {
   write([&] { let_numbers(20); });
   write([&] { ok(relation("R")->update(5, numbered(105))); });
@@ -223,7 +223,7 @@ TEST_F(RowGroupRelations, replaced_chunks_go_with_their_statement) {
   });
 }
 
-// Of large changes nothing stands beside the groups, and indexes follow, whether they are in the file or in memory.
+// Large changes leave nothing beside the groups, and indexes follow, whether they are in the file or in memory.
 TEST_F(RowGroupRelations, indexes_follow_changes_in_columns) {
   write([&] {
     let_numbers(40);

@@ -71,8 +71,8 @@ FarthestBounds SurfaceDistance::bounds(const Triangle3& triangle) const {
   return result;
 }
 
-/// What one search in the window around the middle says of whether all of a triangle is near. The window is wider than
-/// the distance, since its sides are rounded.
+/// The answer of one search, in the window around the middle, to whether all of a triangle is near. The window is wider
+/// than the distance, since its sides are rounded.
 SurfaceDistance::Nearness SurfaceDistance::nearness(const Triangle3& triangle, double distance) const {
   const Vec3 middle = middle_of(triangle);
   const double margin = 2 * distance;
